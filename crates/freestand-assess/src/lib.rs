@@ -13,5 +13,5 @@ mod restraint;
 pub mod result;
 pub mod validate;
 
-mod floors;
 mod verdict;
+mod worlds;

@@ -33,20 +33,203 @@ impl Decision {
     }
 }
 
+/// Whether an object falls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FallsAnswer {
+    /// The probability is below the accepted one.
+    Stays,
+    /// It is above the accepted one.
+    Falls,
+    /// It is too close to the accepted one.
+    Close,
+}
+
+impl FallsAnswer {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stays => "stays",
+            Self::Falls => "falls",
+            Self::Close => "close",
+        }
+    }
+}
+
+/// Whether a shock exceeds the tolerance of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ShockAnswer {
+    /// The probability is below the accepted one.
+    Stands,
+    /// It is above the accepted one.
+    Exceeded,
+    /// It is too close to the accepted one.
+    Close,
+    /// Data are missing.
+    Unknown,
+}
+
+impl ShockAnswer {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stands => "stands",
+            Self::Exceeded => "exceeded",
+            Self::Close => "close",
+            Self::Unknown => "unknown",
+        }
+    }
+}
+
+/// The answers to both questions, and how sure they are.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Answers {
+    /// Whether it falls.
+    pub falls: FallsAnswer,
+    /// Whether a shock exceeds its tolerance.
+    pub shock: ShockAnswer,
+    /// Whether the verdict rests on whether it falls or is damaged, and not on falling alone.
+    pub asks_shock: bool,
+    /// Whether both models are on the same side of the accepted probability; `None`: one model.
+    pub models_agree: Option<bool>,
+    /// Worlds.
+    pub worlds: u32,
+    /// Worlds after which no more are added.
+    pub worlds_cap: u32,
+    /// Worlds on the compliant base, where they are fewer.
+    pub worlds_compliant: Option<u32>,
+    /// Confidence of the intervals.
+    pub confidence: f64,
+    /// By the rigid base and Eq. (5).
+    pub rigid: ModelAnswers,
+    /// By the compliant base; `None`: not asked.
+    pub compliant: Option<ModelAnswers>,
+    /// The restitution that was drawn, at 16 and 84 %.
+    pub restitution_p16_p84: [f64; 2],
+}
+
+impl Answers {
+    /// Whether an answer is too close to call.
+    pub fn is_close(&self) -> bool {
+        self.close_on() != ""
+    }
+
+    /// The answer that is too close to call: `falls`, `shock`, `both`, or nothing.
+    pub fn close_on(&self) -> &'static str {
+        let shock = self.asks_shock && self.shock == ShockAnswer::Close;
+        match (self.falls == FallsAnswer::Close, shock) {
+            (true, true) => "both",
+            (true, false) => "falls",
+            // A fall settles the verdict.
+            (false, true) if self.falls == FallsAnswer::Stays => "shock",
+            _ => "",
+        }
+    }
+}
+
+/// The probabilities by one model.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ModelAnswers {
+    /// P(it falls).
+    pub overturn: Probability,
+    /// P(a shock exceeds its tolerance, or it falls); `None`: not known.
+    pub exceed: Option<Probability>,
+}
+
+/// An object on its pads.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct OnPads {
+    /// Frequency of rocking with both edges on their pads \[Hz\].
+    pub rocking_frequency_hz: Option<f64>,
+    /// Steady floor acceleration at which an edge lets go of its pad \[g\].
+    pub pad_uplift_threshold_g: Option<f64>,
+    /// U that 84 % of the worlds do not exceed; an edge lets go above 1.
+    pub pad_uplift_ratio_p84: Option<f64>,
+    /// Share of the worlds in which an edge lets go.
+    pub let_go_share: f64,
+    /// e of the rigid model, median.
+    pub rebound_restitution: f64,
+    /// Shock on the compliant base, median world \[g\].
+    pub edge_acceleration_g_median: Ranked,
+    /// Uplift on the compliant base, median world \[m\].
+    pub lift_m_median: Ranked,
+    /// Compression that 95 % of the worlds do not exceed \[m\].
+    pub compression_m_p95: f64,
+}
+
+/// What the answer depends on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Shares {
+    /// Of each group: the share of worlds in which the answer would be another if only this were
+    /// different, over that for two independent worlds; `None`: too few events.
+    pub by_group: Vec<(Cause, Option<f64>)>,
+    /// What to measure first, with the probability where it is at its 10 % and at its 90 % point.
+    pub measure_first: Option<(Cause, f64, f64)>,
+}
+
+/// What an answer may depend on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Cause {
+    /// The ground motion.
+    Motion,
+    /// Period and damping of the building.
+    Building,
+    /// Restitution.
+    Restitution,
+    /// Stiffness and damping of the pads.
+    Pad,
+    /// Size and mass.
+    Body,
+    /// The error of the models.
+    Model,
+}
+
+impl Cause {
+    /// All causes, in the order of the outputs.
+    pub const ALL: [Self; 6] = [Self::Motion, Self::Building, Self::Restitution, Self::Pad, Self::Body, Self::Model];
+
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Motion => "motion",
+            Self::Building => "building",
+            Self::Restitution => "restitution",
+            Self::Pad => "pad",
+            Self::Body => "body",
+            Self::Model => "model",
+        }
+    }
+}
+
+/// Probabilities per year.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PerYear {
+    /// That it falls.
+    pub overturn: f64,
+    /// That a shock exceeds its tolerance, or that it falls.
+    pub exceed: Option<f64>,
+    /// Whether weaker earthquakes than those calculated would add to them.
+    pub is_at_least: bool,
+}
+
 /// What sets the accepted probability of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum AcceptedFor {
     /// The inventory gives a probability for this object.
     ThisObject,
-    /// Life safety is rated high.
+    /// The rating of life safety.
     LifeSafety,
-    /// Property loss is rated high.
+    /// The rating of the loss of property.
     Property,
-    /// Functional loss is rated high.
+    /// The rating of the loss of function.
     Function,
-    /// No consequence is rated high.
+    /// No consequence is rated.
     Default,
+    /// No consequence is rated, and it falls with little energy.
+    SmallItem,
 }
 
 impl AcceptedFor {
@@ -58,6 +241,7 @@ impl AcceptedFor {
             Self::Property => "property",
             Self::Function => "function",
             Self::Default => "default",
+            Self::SmallItem => "small item",
         }
     }
 }
@@ -117,7 +301,7 @@ impl Axis {
     }
 }
 
-/// A probability with its 95 % interval.
+/// A probability with its interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Probability {
     /// The estimate.
@@ -137,9 +321,17 @@ pub struct Assessment {
     pub decision: Decision,
     /// Why, in one or two sentences.
     pub why: String,
-    /// The tier that decided: 0 thresholds, 1 spectra, 2 the object's own histories, 3 the
+    /// The tier that decided: 0 it rocks in no world, 2 histories on a rigid base, 3 also on the
     /// compliant base.
     pub tier: u8,
+    /// The answers; `None`: geometry, level or motions are missing.
+    pub answers: Option<Answers>,
+    /// On its pads; `None`: the compliant base was not asked.
+    pub on_pads: Option<OnPads>,
+    /// What the answer depends on, where that was calculated.
+    pub shares: Option<Shares>,
+    /// Per year, where that was asked.
+    pub per_year: Option<PerYear>,
     /// The probability of overturning or damage that the owner accepts.
     pub accepted_ratio: f64,
     /// What sets that probability.
@@ -153,20 +345,15 @@ pub struct Assessment {
     pub shock: Option<Shock>,
     /// Demand/capacity; `None`: the tolerance is missing too.
     pub capacity: Option<CapacityCheck>,
-    /// P(overturned), over all draws.
+    /// P(it falls) by the model that decides.
     pub p_overturn: Option<Probability>,
-    /// P(a criterion is exceeded, or overturned), over all draws; `None` without a tolerance.
+    /// P(a criterion is exceeded, or it falls) by the model that decides; `None` where that is not
+    /// known.
     pub p_exceed: Option<Probability>,
-    /// Draws of the uncertain values for each motion; 0: none were needed.
-    pub draws: u32,
     /// Sliding.
     pub sliding: Option<Sliding>,
     /// The softer pad, where one was looked for.
     pub softening: Option<Softening>,
-    /// The second opinion of the compliant base, where the probability was near the accepted one.
-    pub compliant: Option<CompliantCheck>,
-    /// How far each uncertain value moves the result, the largest first.
-    pub tornado: Vec<Swing>,
     /// Forces for the design of a restraint, for `restrain`.
     pub restraint: Vec<RestraintForce>,
     /// Clearance that it needs on every side while it rocks \[m\]; its height where it overturns.
@@ -320,97 +507,62 @@ pub struct Softening {
     /// Largest stiffness under one edge that keeps the probability at or below the accepted one
     /// \[N/m\].
     pub max_stiffness_n_m: Option<f64>,
-    /// Largest compression of that pad under the motions that were repeated \[m\].
+    /// Compression of that pad that 95 % of the worlds do not exceed \[m\].
     pub stroke_m: Option<f64>,
     /// Thickness of the pad, stated or assumed \[m\].
     pub pad_thickness_m: f64,
-    /// Largest shock on that pad under the motions that were repeated \[g\].
+    /// Median shock on that pad on the compliant base \[g\]; none where most worlds overturn it.
     pub edge_acceleration_g: Option<f64>,
+    /// Upper end of P(exceeded) on that pad, by the model that decides.
+    pub p_exceed_high: Option<f64>,
+    /// Upper end of P(it falls) on that pad, by the model that decides.
+    pub p_overturn_high: Option<f64>,
     /// Whether the pad passed every check.
     pub admissible: bool,
     /// What was checked, and what failed.
     pub note: String,
 }
 
-/// The compliant base compared with Eq. (5), under the motions around the one that decides.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct CompliantCheck {
-    /// Motions that were repeated.
-    pub motions: usize,
-    /// How many of them overturn the object.
-    pub overturned: usize,
-    /// Median ratio of its shock to that of Eq. (5); `None` where every motion overturns it.
-    pub shock_ratio: Option<f64>,
-    /// Whether it leads to the same verdict.
-    pub agrees: bool,
-}
-
-/// A bar of the tornado: one value at either end of its range, the others unchanged.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Swing {
-    /// The value that changes.
-    pub parameter: Parameter,
-    /// The low end in words: `0.8 k`.
-    pub low: String,
-    /// The high end in words.
-    pub high: String,
-    /// Demand/capacity of the median motion at the low end; without a tolerance the shock in g.
-    pub at_low: Ranked,
-    /// The same at the high end.
-    pub at_high: Ranked,
-    /// The same with the value unchanged.
-    pub as_is: Ranked,
-    /// Whether, at one end, the share of motions that exceed the limit crosses the accepted
-    /// probability.
-    pub flips: bool,
-}
-
-/// The values that a tornado varies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Parameter {
-    /// Stiffness of the cushion.
-    Stiffness,
-    /// Restitution of the rocking motion.
-    Restitution,
-    /// Mass.
-    Mass,
-    /// The motion itself.
-    Motion,
-    /// The error of Eq. (5).
-    Model,
-    /// The sides of the base.
-    Geometry,
-}
-
-impl Parameter {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stiffness => "stiffness",
-            Self::Restitution => "restitution",
-            Self::Mass => "mass",
-            Self::Motion => "motion",
-            Self::Model => "model",
-            Self::Geometry => "geometry",
-        }
-    }
-}
-
-/// A force for the design of a restraint.
+/// A force for the design of a restraint, and what it asks of anchors or of a bracket.
+///
+/// With the force F at the height c of the centre of gravity, the weight W, the lever e of the
+/// weight and the base B, about the axis that needs more.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RestraintForce {
     /// The clause.
     pub source: String,
-    /// Horizontal force at the centre of gravity \[N\].
+    /// Horizontal force F at the centre of gravity \[N\].
     pub force_n: f64,
     /// Force divided by weight.
     pub force_ratio: f64,
-    /// Tension of all anchors along one edge together, about the axis that needs more \[N\]; 0: the
-    /// weight suffices.
+    /// Weight H that holds the object down, over its weight: max(0, d − v), with the share d of the
+    /// dead load and the deduction v for vertical shaking.
+    pub held_weight_ratio: f64,
+    /// Ω₀, factor on F for anchors in concrete.
+    pub overstrength_ratio: f64,
+    /// Tension of all anchors along one edge together, max(0, (F c − H e)/B) \[N\]; 0: the weight
+    /// suffices.
     pub anchor_tension_n: f64,
-    /// The formula with its numbers, and what was assumed.
+    /// The same in concrete, max(0, (Ω₀ F c − H e)/B) \[N\].
+    pub anchor_tension_concrete_n: f64,
+    /// Height z_b of a bracket \[m\].
+    pub bracket_height_m: f64,
+    /// Force of that bracket, F c/z_b; the weight is not counted \[N\].
+    pub bracket_force_n: f64,
+    /// The same in concrete, Ω₀ F c/z_b \[N\].
+    pub bracket_force_concrete_n: f64,
+    /// Horizontal force at the feet beside that bracket, F |1 − c/z_b| \[N\].
+    pub bracket_base_shear_n: f64,
+    /// Whether it is by a code other than the study's own, on the study's spectrum.
+    pub is_for_comparison: bool,
+    /// The formula with its numbers, the factors, and what was assumed.
     pub note: String,
+}
+
+/// The force that counts for an object: by the study's own code, or by the computed floor where the
+/// study has no code. `None`: there is none, or only forces for comparison.
+pub fn reported_force(forces: &[RestraintForce]) -> Option<&RestraintForce> {
+    forces.iter().find(|force| !force.is_for_comparison)
 }
 
 /// Eqs. (5)–(8) at one motion about one axis, with the numbers that a reader needs to repeat them.

@@ -10,16 +10,23 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use freestand::block::Block;
+use freestand::compliant::{CompliantBase, CompliantOptions, rock_compliant};
+use freestand::cushion::{ContactLaw, Cushion};
+use freestand::motion::Motion;
+use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
+use freestand::synthesis::{SynthesisOptions, synthesize};
 use freestand_assess::job::{Job, JobReport, assess_into, inventory_of};
+use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Stage, Step, no_progress};
 use freestand_study::study::Study;
 
-/// A low building under four motions, so that a test does not take long.
+/// A low building in few worlds, so that a test does not take long.
 fn study(assessment: &str) -> Study {
     let text = format!(
-        "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ndraws = 2\nmost_draws = 4\ncompliant = \
-         false\n{assessment}"
+        "[ground]\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 3\nmost = 6\nshares = false\n[assessment]\n\
+         {assessment}"
     );
     resolve(&text, None, Path::new("")).unwrap()
 }
@@ -85,7 +92,7 @@ fn the_same_bytes_on_any_number_of_threads() {
         contents(&out)
     };
     let one = of(1);
-    assert_eq!(one.len(), 5, "{:?}", one.keys());
+    assert_eq!(one.len(), 6, "{:?}", one.keys());
     assert_eq!((&one, &one), (&of(2), &of(7)));
 }
 
@@ -93,7 +100,7 @@ fn the_same_bytes_on_any_number_of_threads() {
 /// it writes the bytes of an undisturbed run, and computes no part twice.
 #[test]
 fn a_run_that_was_stopped_goes_on() {
-    let (study, rows) = (study("pages = 3\n"), rows(300));
+    let (study, rows) = (study("compliant = false\npages = 3\n"), rows(300));
     let folder = tempfile::tempdir().unwrap();
     let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
     run(&study, &rows, &whole, &Job::default(), &no_progress);
@@ -128,7 +135,7 @@ fn a_run_that_was_stopped_goes_on() {
 /// A killed run leaves finished parts; one that is incomplete is computed again.
 #[test]
 fn a_run_that_was_killed_goes_on() {
-    let (study, rows) = (study(""), rows(520));
+    let (study, rows) = (study("compliant = false\n"), rows(520));
     let folder = tempfile::tempdir().unwrap();
     let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
     run(&study, &rows, &whole, &Job::default(), &no_progress);
@@ -170,7 +177,9 @@ fn the_order_of_the_rows_does_not_matter() {
         lines
     };
     assert_eq!(lines(&out), lines(&turned));
-    for name in ["p_exceed", "p_overturn", "decision", "why", "edge_acceleration_g_median", "draws"] {
+    for name in
+        ["p_exceed", "p_overturn", "decision", "why", "edge_acceleration_g_median", "worlds", "p_exceed_compliant"]
+    {
         assert_eq!(column(&out, name)["o5"], column(&alone, name)["o5"], "{name}");
     }
 }
@@ -178,20 +187,19 @@ fn the_order_of_the_rows_does_not_matter() {
 /// Where the history is certain, the shock is lognormal about Eq. (5): P = Σ Φ(ln(a/a_c)/β)/n,
 /// β² = (β_k² + β_m²)/4 + β_model².
 #[test]
-fn monte_carlo_against_the_integral() {
-    let spread =
-        "restitution_spread = 0\ngeometry_spread = 0\nstiffness_spread = 0.3\nmass_spread = 0.2\nmodel_spread = 0.1\n";
-    let draws = 4096;
+fn worlds_against_the_integral() {
+    let worlds = 4096;
+    let folder = tempfile::tempdir().unwrap();
+    let (motions, shocks_g) = motions_and_shocks(folder.path());
     let text = format!(
-        "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\n[assessment]\ncompliant = false\ndraws = \
-         {draws}\nmost_draws = {draws}\n{spread}"
+        "[ground]\nmotions = [{motions}]\nunit = \"m/s2\"\n[building]\nstoreys = 8\n[worlds]\nfirst = {worlds}\nmost = \
+         {worlds}\nperiod_spread = 0\ndamping_spread = 0\nshares = false\n[assessment]\ncompliant = \
+         false\nrestitution_spread = 0\ngeometry_spread = 0\nstiffness_spread = 0.3\nmass_spread = 0.2\nmodel_spread = \
+         0.1\n"
     );
     let certain = |tolerance: &str| format!("a,box,1,1500,400,,150,4380,{tolerance},\n");
     let beta = ((0.3f64.powi(2) + 0.2f64.powi(2)) / 4.0 + 0.01).sqrt();
-    let study = resolve(&text, None, Path::new("")).unwrap();
-    let folder = tempfile::tempdir().unwrap();
-    // The shocks that `run`, which does not use draws, computes for the same box and motions.
-    let shocks_g = shocks();
+    let study = resolve(&text, None, folder.path()).unwrap();
     let mut between = 0;
     for tolerance_g in [4.5, 5.0, 5.5, 6.0, 6.5, 7.0] {
         let out = folder.path().join(format!("{tolerance_g}"));
@@ -200,12 +208,72 @@ fn monte_carlo_against_the_integral() {
         let by_motion = shocks_g.iter().map(|shock_g| normal_probability((shock_g / tolerance_g).ln() / beta));
         let expected = by_motion.sum::<f64>() / shocks_g.len() as f64;
         between += usize::from((0.02..0.98).contains(&expected));
-        // Four standard deviations of a mean of draws, none of which is above that of a fair coin.
-        let error = 4.0 * (0.25 / (4.0 * f64::from(draws))).sqrt();
+        // Four standard deviations of a share, none of which is above that of a fair coin.
+        let error = 4.0 * (0.25 / f64::from(worlds)).sqrt();
         assert!((got - expected).abs() <= error, "{tolerance_g} g: {got} {expected}");
     }
     // Probabilities of 0 and 1 would not test the integral.
     assert!(between >= 3, "{shocks_g:?}");
+}
+
+/// Without any spread an assessment counts what both solvers compute motion by motion.
+#[test]
+fn without_spreads_the_shares_are_those_of_the_solvers() {
+    let folder = tempfile::tempdir().unwrap();
+    let records: Vec<Motion> = (0..12)
+        .map(|i| {
+            let target = |t: f64| 0.5 * (1.0 + 0.1 * f64::from(i)) / (1.0 + t);
+            synthesize(target, 7, u64::from(i as u32), &SynthesisOptions::default()).unwrap().motion
+        })
+        .collect();
+    let names: Vec<String> = (0..records.len()).map(|i| format!("\"m{i:02}.csv\"")).collect();
+    for (record, name) in records.iter().zip(&names) {
+        let motion = HorizontalMotion { along: record.clone(), across: None };
+        fs::write(folder.path().join(name.trim_matches('"')), motion.csv()).unwrap();
+    }
+    let none =
+        ["restitution", "stiffness", "mass", "geometry", "model", "compliant"].map(|one| format!("{one}_spread = 0\n"));
+    let text = format!(
+        "[ground]\nmotions = [{}]\n[building]\nstoreys = 8\n[worlds]\nfirst = 12\nmost = 12\nperiod_spread = \
+         0\ndamping_spread = 0\nshares = false\n[assessment]\npad_damping = 0.1\ncompliant_factor = 1\n{}",
+        names.join(", "),
+        none.concat()
+    );
+    let study = resolve(&text, None, folder.path()).unwrap();
+    let sizes = [(2.0, 0.4, 4380.0), (1.6, 0.5, 1500.0), (3.0, 0.6, 8000.0)];
+    let rows: Vec<String> = sizes
+        .iter()
+        .enumerate()
+        .map(|(i, (h, t, k))| format!("o{i},box,0,{},{},,200,{k},5,\n", 1e3 * h, 1e3 * t))
+        .collect();
+    let out = folder.path().join("out");
+    run(&study, &rows, &out, &Job::default(), &no_progress);
+    let mut fallen = 0;
+    for (i, (h, t, k)) in sizes.into_iter().enumerate() {
+        let block = Block::uniform(h, t).unwrap();
+        let stiffness_n_m = 1e3 * k;
+        let damping_n_s_m = 0.2 * (stiffness_n_m * 200.0f64).sqrt();
+        let cushion = Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).unwrap();
+        let base = CompliantBase::new(200.0, cushion);
+        let (mut rigid, mut pads) = (0, 0);
+        for record in &records {
+            // The floor of the ground moves with it, and comes to rest after it.
+            let motion = Base { horizontal: Some(record), vertical: None };
+            let options = RockingOptions { until: Until::Settled { at_most_s: 60.0 }, ..RockingOptions::default() };
+            let outcome = rock(&block, motion, &options).unwrap().outcome;
+            rigid += usize::from(outcome == Outcome::Overturned);
+            let duration_s = Some(record.duration_s() + 10.0);
+            let options = CompliantOptions { duration_s, ..CompliantOptions::default() };
+            let outcome = rock_compliant(&block, &base, motion, &options).unwrap().outcome;
+            pads += usize::from(outcome == Outcome::Overturned);
+        }
+        let share = |name: &str| column(&out, name)[&format!("o{i}")].parse::<f64>().unwrap() * 12.0;
+        // The compliant base is chaotic where an object almost falls: one motion of twelve.
+        assert_eq!(share("p_overturn_rigid").round() as usize, rigid, "{h} x {t}");
+        assert!((share("p_overturn_compliant") - pads as f64).abs() <= 1.01, "{h} x {t}: {pads}");
+        fallen += rigid;
+    }
+    assert!((1..36).contains(&fallen), "{fallen} of 36 fall: that would test nothing");
 }
 
 /// Φ by its series; within 1e-15 for the arguments here.
@@ -222,15 +290,20 @@ fn normal_probability(x: f64) -> f64 {
     0.5 + sum * (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt()
 }
 
-/// The larger shock of the box of [`monte_carlo_against_the_integral`] under each motion, from
-/// `run`.
-fn shocks() -> Vec<f64> {
+/// The motions of the built-in ground as files, named as in a study, and the larger shock of the box
+/// of [`worlds_against_the_integral`] on the roof under each, from `run`.
+fn motions_and_shocks(folder: &Path) -> (String, Vec<f64>) {
     let text = "[ground]\ncount = 4\nseed = 3\n[building]\nstoreys = 8\nlevels = [{ name = \"roof\", level_ratio = \
          1.0 }]\n[objects]\nheights = \"1.5 m\"\nthicknesses = \"400 mm\"\n";
     let study = resolve(text, None, Path::new("")).unwrap();
     let result = freestand_study::run::run(&study, &no_progress).unwrap();
+    let mut names = Vec::new();
+    for (i, ground) in result.ground.iter().enumerate() {
+        names.push(format!("\"m{i}.csv\""));
+        fs::write(folder.join(format!("m{i}.csv")), ground.motion.csv()).unwrap();
+    }
     let responses = result.levels[0].responses.iter().map(|row| &row[0]);
-    responses
+    let shocks_g = responses
         .map(|response| match response {
             freestand_study::result::ObjectResponse::Done { shock, .. } => {
                 let sources = [shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g];
@@ -238,15 +311,16 @@ fn shocks() -> Vec<f64> {
             }
             freestand_study::result::ObjectResponse::Failed(reason) => panic!("{reason}"),
         })
-        .collect()
+        .collect();
+    (names.join(", "), shocks_g)
 }
 
-/// Missing data lead to no verdict, never to another one.
+/// Missing data lead to no verdict on what was asked, and whether an object falls is always said.
 #[test]
 fn missing_data_is_no_verdict() {
     let rows = [
         "no-height,box,1,,400,,150,4380,5,\n",
-        "no-mass,box,1,1500,400,,,4380,5,\n",
+        "no-mass,box,0,300,900,,,4380,5,\n",
         "no-tolerance,box,0,300,900,,150,4380,,\n",
         "falls,box,1,4000,150,,150,4380,,\n",
         "stands,box,0,300,900,,150,4380,5,\n",
@@ -254,19 +328,17 @@ fn missing_data_is_no_verdict() {
     .map(str::to_owned);
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
-    run(&study(""), &rows, &out, &Job::default(), &no_progress);
+    let text = "[ground]\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 40\nmost = 80\nshares = false\n";
+    run(&resolve(text, None, Path::new("")).unwrap(), &rows, &out, &Job::default(), &no_progress);
     let (decision, why) = (column(&out, "decision"), column(&out, "why"));
     let mut text = String::new();
     for id in ["no-height", "no-mass", "no-tolerance", "falls", "stands"] {
         writeln!(text, "{id} {}", decision[id]).unwrap();
     }
-    assert_eq!(
-        text,
-        "no-height no-verdict\nno-mass no-verdict\nno-tolerance no-verdict\nfalls restrain\nstands leave\n"
-    );
+    assert_eq!(text, "no-height no-verdict\nno-mass no-verdict\nno-tolerance leave\nfalls restrain\nstands leave\n");
+    assert!(why["no-mass"].ends_with("because its mass was not given."), "{}", why["no-mass"]);
     assert!(
-        why["no-tolerance"]
-            .starts_with("It does not rock. Only overturning was assessed, because its tolerance was not"),
+        why["no-tolerance"].ends_with("Only falling was assessed: no tolerance was given."),
         "{}",
         why["no-tolerance"]
     );

@@ -14,6 +14,8 @@ pub mod block;
 pub mod motion;
 mod polynomial;
 pub mod rocking;
+#[doc(hidden)]
+pub mod vector;
 
 /// Standard acceleration of gravity, the unit "g" \[m/s²\].
 pub const G0_M_S2: f64 = 9.80665;

@@ -9,6 +9,7 @@ use crate::building::{damping_words, model_words};
 use crate::cushion::cushion_words;
 use crate::simulated::FoundEarthquake;
 use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study};
+use crate::suite::{Suite, some};
 
 /// What a study means: its motions, building, levels and objects.
 pub fn check(study: &Study) -> Facts<'static> {
@@ -21,6 +22,7 @@ pub fn check(study: &Study) -> Facts<'static> {
         .line("study", Some(valid))
         .fact("ground", "ground", ground_words(&study.ground, recorded.len()))
         .key("motions", recorded.iter().map(|one| motion_facts(one)).collect::<Vec<_>>());
+    let facts = study.ground.suite().iter().fold(facts, |facts, suite| facts.and(suite_facts(suite)));
     // The motions are listed below `ground`, without a label of their own.
     let facts = recorded.iter().fold(facts, |facts, one| facts.line(" ", Some(motion_words(one))));
     let facts = facts.key("directions_deg", study.directions_deg.as_slice());
@@ -63,7 +65,9 @@ fn ground_words(ground: &Ground, recorded: usize) -> String {
             let matched = motions.iter().find_map(|one| one.matched.as_ref());
             let words =
                 matched.map_or_else(String::new, |matched| format!(", matched to {}", matched.target.one_line()));
-            format!("{}{words}", counted(recorded, "recorded motion"))
+            let suite = ground.suite();
+            let selected = suite.map_or_else(String::new, |suite| format!(", a suite for {}", suite.target.one_line()));
+            format!("{}{words}{selected}", counted(recorded, "recorded motion"))
         }
         Ground::OnFloors => format!("none; {} given", counted(recorded, "floor motion")),
     }
@@ -84,6 +88,20 @@ fn simulated_words(simulated: &SimulatedGround) -> String {
         request.site.name(),
         simulated.earthquakes.iter().map(each).collect::<Vec<_>>().join(", ")
     )
+}
+
+fn suite_facts(suite: &Suite) -> Facts<'static> {
+    let names: Vec<String> = suite.left_out.iter().map(|one| one.file.clone()).collect();
+    let files =
+        |names: &[String]| (!names.is_empty()).then(|| format!("{}: {}", counted(names.len(), "file"), some(names)));
+    Facts::default()
+        .line("suite", Some(format!("{}, of {}", suite.count_words(), suite.folder.display())))
+        .line("periods", Some(suite.period_words()))
+        .line("mean ln Sa", Some(suite.mean_words()))
+        .line("sd of ln Sa", Some(suite.sd_words()))
+        .line("left out", files(&names))
+        .line("no records", files(&suite.skipped))
+        .key("suite", suite.facts())
 }
 
 fn pga_g(one: &RecordedMotion) -> f64 {
@@ -110,7 +128,9 @@ fn motion_facts(one: &RecordedMotion) -> Facts<'static> {
 fn motion_words(one: &RecordedMotion) -> String {
     let rms = rms_misfit_ratio(one).map(|rms| format!(", rms misfit {} %", significant(100.0 * rms, 2)));
     let pga = significant(pga_g(one), 4);
-    format!("{}: {}, PGA {pga} g{}", one.name, one.description, rms.unwrap_or_default())
+    let factor = one.suite.as_ref().map(|_| format!(", times {}", significant(one.scale_ratio, 3)));
+    let (rms, factor) = (rms.unwrap_or_default(), factor.unwrap_or_default());
+    format!("{}: {}{factor}, PGA {pga} g{rms}", one.name, one.description)
 }
 
 fn building_facts(input: &BuildingInput) -> Facts<'static> {

@@ -103,6 +103,7 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
         scale_target: Some(InputFile { path: "targets/<b>.csv".into(), sha256: "cd".repeat(32) }),
         processing: vec!["multiplied by 1.25".to_owned()],
         matched: None,
+        suite: None,
         motion: g.motion.along.clone(),
         across: None,
     });

@@ -30,6 +30,7 @@ pub mod simulated;
 pub mod spectrum;
 pub mod statistics;
 pub mod study;
+pub mod suite;
 pub mod summary;
 pub mod tables;
 pub mod target;

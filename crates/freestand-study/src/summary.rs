@@ -11,6 +11,7 @@ use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::simulated::{FoundEarthquake, source_facts};
 use crate::statistics::ranked_quantile;
 use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround};
+use crate::suite::Suite;
 use crate::target::hazard_facts;
 use freestand::G0_M_S2;
 use freestand::building::Building;
@@ -140,6 +141,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
             "study": study.source.as_ref().map_or_else(|| "built-in".to_owned(), |path| path.display().to_string()),
             "study_sha256": sha256_hex(study.toml.as_bytes()),
             "ground": ground_inputs(&study.ground),
+            "suite": study.ground.suite().map(Suite::facts),
             "floor_motions": floor_inputs(study),
             "motions": motions,
             "directions_deg": study.directions_deg,

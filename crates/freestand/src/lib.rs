@@ -19,6 +19,9 @@
 //! | the response of a component to a shock: shock response spectra, pulses | [`shock_response`] |
 //! | the shocks that cause damage, ASTM D3332 | [`damage_boundary`] |
 //! | fragilities, probabilities over motions, reproducible random draws | [`fragility`] |
+//! | worlds: complete draws of everything that is uncertain | [`worlds`] |
+//! | suites of records with the mean and the dispersion of a hazard | [`suite`] |
+//! | when a count of worlds answers a question | [`decision`] |
 //! | intensity of a motion | [`measures`], [`motion`] |
 //! | baseline, filter, time step, direction and scale of a record | [`signal`] |
 //!
@@ -67,6 +70,7 @@ pub mod code_spectrum;
 pub mod compliant;
 pub mod cushion;
 pub mod damage_boundary;
+pub mod decision;
 pub mod fragility;
 pub mod identify;
 pub mod impact;
@@ -77,6 +81,9 @@ mod search;
 pub mod shock_response;
 pub mod signal;
 pub mod spectra;
+pub mod suite;
 pub mod synthesis;
+pub mod worlds;
 
+use freestand_rocking::vector;
 pub use freestand_rocking::{G0_M_S2, block, motion, rocking};

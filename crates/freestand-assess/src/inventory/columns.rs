@@ -73,6 +73,8 @@ pub enum Column {
     Friction,
     /// `accepted`
     Accepted,
+    /// What is asked of the object.
+    Questions,
     /// `notes`
     Notes,
 }
@@ -140,7 +142,7 @@ const fn of(spec: ColumnSpec, holds: Holds) -> ColumnSpec {
 use Dimension::{Acceleration, Length, Mass, Ratio, Stiffness, Time, Velocity};
 
 /// All columns, in the order of the template and of [`Column`].
-pub static COLUMNS: [ColumnSpec; 35] = [
+pub static COLUMNS: [ColumnSpec; 36] = [
     said(
         text(Column::Id, "id", &[]),
         "Identifier of the object, unique in the file; without it the row number is used",
@@ -277,6 +279,12 @@ pub static COLUMNS: [ColumnSpec; 35] = [
         quantity(Column::Accepted, "accepted", Ratio, ""),
         "Probability of overturning or damage that the owner accepts; empty: that of the study",
         "10 %",
+    ),
+    said(
+        text(Column::Questions, "questions", &["question"]),
+        "What the verdict rests on: falls, or falls+shock; empty: shock too where a tolerance is given or the loss of \
+         function or property is rated high",
+        "falls",
     ),
     said(text(Column::Notes, "notes", &["note", "remarks"]), "Notes", "photo 12"),
 ];

@@ -78,6 +78,7 @@ pub(super) fn item(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Item
         restitution: restitution(values, &size.blocks),
         friction_ratio: values.range(Column::Friction),
         accepted_ratio: values.share(Column::Accepted),
+        questions: values.questions(Column::Questions),
         notes: values.text(Column::Notes),
         carried,
     }

@@ -32,6 +32,7 @@ pub use template::{template_csv, template_xlsx};
 
 use crate::library::Tolerance;
 use freestand_study::cushion::EdgeCushion;
+use freestand_study::study::assessment::Questions;
 
 /// The ratings of the three consequences of FEMA E-74; `None`: not rated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -110,6 +111,8 @@ pub struct Item {
     pub friction_ratio: Option<(f64, f64)>,
     /// Probability of overturning or damage that the owner accepts, in place of that of the study.
     pub accepted_ratio: Option<f64>,
+    /// What is asked of it; `None`: what the study and its ratings ask.
+    pub questions: Option<Questions>,
     /// Notes.
     pub notes: String,
     /// Cells of the other columns, in the order of [`Inventory::carried`].

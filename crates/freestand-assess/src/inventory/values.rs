@@ -3,6 +3,8 @@
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
 
+use freestand_study::study::assessment::Questions;
+
 use super::Rating;
 use super::cell::{Cell, Row};
 use super::columns::{Column, Holds, canonical};
@@ -192,6 +194,21 @@ impl Values<'_, '_, '_> {
                 None
             }
         }
+    }
+
+    /// What is asked of the object.
+    pub(super) fn questions(&mut self, column: Column) -> Option<Questions> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return None;
+        }
+        let plain: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace()).collect();
+        let found = Questions::ALL.iter().find(|(name, _)| *name == plain).map(|(_, questions)| *questions);
+        if found.is_none() {
+            let message = format!("\"{}\" is not a question", shorten(&text));
+            self.refuse(column, message, "write falls or falls+shock, or leave the cell empty");
+        }
+        found
     }
 
     /// Two positive ratios in rising order, `0.3-0.5` or `0.3 to 0.5`, or one for both.

@@ -7,16 +7,18 @@ use sha2::{Digest, Sha256};
 use crate::inventory::Inventory;
 use freestand::motion::Motion;
 use freestand_input::file::{InputFile, sha256_hex};
-use freestand_study::study::assessment::{Accepted, Settings, Spread};
+use freestand_study::study::assessment::{
+    Accepted, Bracket, Questions, RestraintSettings, Settings, Spread, WorldSettings,
+};
 use freestand_study::study::{Ground, Study};
 
 /// Version of the text that is hashed; raise it with every change of that text or of the content of
 /// a part.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.
-const TABLES_WITHOUT_EFFECT: [&str; 3] = ["assessment", "objects", "outputs"];
+const TABLES_WITHOUT_EFFECT: [&str; 5] = ["assessment", "objects", "outputs", "worlds", "restraint"];
 
 /// The key of a run in parts of `part` objects.
 pub(super) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> String {
@@ -25,6 +27,7 @@ pub(super) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> S
         "format": FORMAT,
         "version": env!("CARGO_PKG_VERSION"),
         "part": part,
+        "rows": inventory.items.len(),
         "study": study_text(&study.toml),
         "seed": study.ground.seed(),
         "motions": study.ground.names(&study.levels),
@@ -91,28 +94,61 @@ fn settings(settings: &Settings) -> Value {
         library: _,
         cushion_library: _,
         pages: _,
-        accepted: Accepted { other_ratio, life_safety_ratio, property_ratio, function_ratio },
+        accepted,
+        questions,
+        is_annual,
         seed,
-        draws,
-        most_draws,
-        spread: Spread { restitution, stiffness, mass, geometry, model },
+        worlds,
+        spread: Spread { restitution, stiffness, mass, geometry, model, compliant: compliant_spread },
+        pad_damping_ratio,
+        compliant_factor,
         friction_ratio,
         pad_strain_ratio,
-        pad_damping_ratio,
         compliant,
-        screen,
+        restraint,
     } = settings;
+    let Accepted { other_ratio, small_item_ratio, life_safety_ratio, function_ratio, property_ratio } = accepted;
+    let WorldSettings {
+        spectral_spread,
+        intensity_spread,
+        component_correlation,
+        components,
+        period_spread,
+        damping_spread,
+        looks,
+        shares,
+    } = worlds;
+    let RestraintSettings {
+        dead_load_ratio,
+        overstrength_ratio,
+        amplification_ratio,
+        response_ratio,
+        importance_ratio,
+        bracket_height_m,
+        bracket,
+    } = restraint;
+    let name = |questions: Questions| Questions::ALL.iter().find(|(_, one)| *one == questions).map(|(name, _)| *name);
+    let bracket = Bracket::ALL.iter().find(|(_, one)| one == bracket).map(|(name, _)| *name);
     json!({
-        "accepted": [other_ratio, life_safety_ratio, property_ratio, function_ratio],
+        "accepted": [other_ratio, small_item_ratio],
+        "accepted_by_rating": [life_safety_ratio, function_ratio, property_ratio],
+        "questions": questions.and_then(name),
+        "annual": is_annual,
         "seed": seed,
-        "draws": draws,
-        "most_draws": most_draws,
-        "spread": [restitution, stiffness, mass, geometry, model],
+        "worlds": [spectral_spread, intensity_spread, component_correlation, period_spread, damping_spread],
+        "components": components,
+        "looks": [looks.first(), looks.most()],
+        "confidence": looks.confidence(),
+        "shares": shares,
+        "spread": [restitution, stiffness, mass, geometry, model, compliant_spread],
+        "pad_damping_ratio": pad_damping_ratio,
+        "compliant_factor": compliant_factor,
         "friction_ratio": friction_ratio,
         "pad_strain_ratio": pad_strain_ratio,
-        "pad_damping_ratio": pad_damping_ratio,
         "compliant": compliant,
-        "screen": screen,
+        "restraint": [Some(*dead_load_ratio), *overstrength_ratio, *amplification_ratio, *response_ratio, *importance_ratio],
+        "bracket_height_m": bracket_height_m,
+        "bracket": bracket,
     })
 }
 

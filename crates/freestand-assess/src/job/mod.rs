@@ -5,31 +5,34 @@ mod key;
 mod portfolio;
 mod store;
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use key::resume_key;
-use portfolio::{PART, Portfolio, assess, progress_names};
+use portfolio::{PART, Portfolio, assess, progress_names, shake};
 use serde::Serialize;
 use serde_json::json;
 use store::PROGRESS;
 
 use crate::inventory::{Inventory, read_inventory};
 use crate::library::{Libraries, Lookup};
-use crate::output::{Head, Wanted, head, write_all};
+use crate::output::{Head, OUTCOMES_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all, write_worlds};
 use crate::result::Decision;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
+use freestand_output::paths::io_problem;
 use freestand_study::resolve::motion_paths;
-use freestand_study::run::Progress;
+use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
 
 /// Schema of `manifest.json` and of the document of `freestand assess`.
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 5] = ["objects.csv", "objects.parquet", "report.html", "assessment.xlsx", MANIFEST];
+const OUTPUTS: [&str; 7] =
+    ["objects.csv", "objects.parquet", WORLDS_NAME, OUTCOMES_NAME, "report.html", "assessment.xlsx", MANIFEST];
 
 /// Settings of a job.
 #[derive(Debug, Clone, Copy, Default)]
@@ -40,6 +43,8 @@ pub struct Job {
     pub force: bool,
     /// Write `objects.parquet` too.
     pub parquet: bool,
+    /// Write `outcomes.csv` too: every object in every world.
+    pub outcomes: bool,
 }
 
 /// The summary of a job; its fields are the keys of the JSON document.
@@ -122,10 +127,24 @@ pub fn assess_into(
     let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
     let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?;
     folder.check(&OUTPUTS.map(str::to_owned))?;
-    let portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), job.resume, progress)?;
+    let mut portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), (job.resume, job.outcomes), progress)?;
     let settings = &study.assessment;
     let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
     write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
+    if job.outcomes {
+        let mut file = folder.begin(OUTCOMES_NAME)?;
+        file.write(&outcomes_head()?)?;
+        for rows in portfolio.outcomes() {
+            file.write(&rows?)?;
+        }
+        file.finish()?;
+    }
+    if !portfolio.interrupted {
+        match worlds_into(&folder, study, &mut portfolio, progress) {
+            Err(error) if error.is_stopped() => portfolio.interrupted = true,
+            written => written?,
+        }
+    }
     if portfolio.interrupted {
         portfolio.keep_in(&folder)?;
     }
@@ -137,6 +156,33 @@ pub fn assess_into(
     folder.commit()?;
     report.files.retain(|name| !name.starts_with(PROGRESS));
     Ok(report)
+}
+
+/// Writes `worlds.csv`, with the worlds made anew where an earlier run assessed every object. A run
+/// that was stopped has none: whoever stops a run does not wait for its motions.
+fn worlds_into(
+    folder: &OutputFolder,
+    study: &Study,
+    portfolio: &mut Portfolio,
+    progress: Progress,
+) -> Result<(), Problems> {
+    let lived = &portfolio.lived;
+    let worlds = match portfolio.worlds.take() {
+        Some(worlds) => worlds,
+        None => shake(study, progress)?,
+    };
+    let total = lived.worlds as usize;
+    let go_on = |done: u32| match progress(Step { stage: Some(Stage::FloorMotions), done: done as usize, total }) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Problem::stopped().into()),
+    };
+    let written = write_worlds(folder, study, &worlds, lived, go_on);
+    if written.as_ref().is_err_and(Problems::is_stopped) {
+        // A part of the table must not pass for the whole.
+        let path = folder.path_of(WORLDS_NAME)?;
+        std::fs::remove_file(&path).map_err(|error| io_problem(&path, "cannot remove an unfinished file", &error))?;
+    }
+    written
 }
 
 fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Path) -> JobReport {
@@ -216,7 +262,9 @@ fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), 
     }
     let files: Vec<String> = serde_json::from_value(manifest.get("files")?.clone()).ok()?;
     let is_there = |name: &str| target.join(name).is_file();
-    if !files.iter().all(|name| is_there(name)) || (job.parquet && !is_there("objects.parquet")) {
+    let wanted = [(job.parquet, "objects.parquet"), (job.outcomes, OUTCOMES_NAME)];
+    let has_all = wanted.iter().all(|(is_wanted, name)| !is_wanted || files.iter().any(|file| file == name));
+    if !files.iter().all(|name| is_there(name)) || !has_all {
         return None;
     }
     Some(JobReport {

@@ -1,15 +1,15 @@
 //! A whole inventory: assessed part by part, each part stored when it is done, then ranked.
 
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 
 use std::path::Path;
 
-use crate::floors::{Hazard, MAX_FLOORS_HELD};
 use crate::inventory::{Consequences, Inventory, Item};
-use crate::output::Row;
+use crate::output::{Lived, Row};
 use crate::result::{Assessment, Decision};
-use crate::verdict::{Context, Member, Subject, accepted, assess_group, blank, listed};
+use crate::verdict::{Context, Member, Subject, assess_group, blank, listed};
+use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;
 use freestand_study::run::{Progress, Stage, Step};
@@ -20,11 +20,7 @@ use super::store::{PROGRESS, Store};
 /// Objects of a part: some seconds of work, which is what a killed run loses.
 pub(super) const PART: usize = 256;
 
-/// Draws whose results are in memory at once: about 250 MB.
-const MAX_OUTCOMES: usize = 2_000_000;
-
 /// A finished assessment, or the finished part of one that was stopped.
-#[derive(Debug)]
 pub(super) struct Portfolio<'a> {
     inventory: &'a Inventory,
     store: Store,
@@ -44,6 +40,10 @@ pub(super) struct Portfolio<'a> {
     pub(super) tiers: [usize; 4],
     /// Objects with a history that failed.
     pub(super) failed: usize,
+    /// The worlds that were asked.
+    pub(super) lived: Lived,
+    /// The worlds of this run, where it assessed objects: their ground motions are still there.
+    pub(super) worlds: Option<Worlds<'a>>,
 }
 
 /// The files that a run keeps in its output folder until it is finished.
@@ -62,10 +62,10 @@ pub(super) fn progress_names(items: usize) -> Vec<String> {
 /// A motion that cannot be generated, or a folder that cannot be written. A stop is not an error:
 /// the result then has the objects that were finished.
 pub(super) fn assess<'a>(
-    study: &Study,
+    study: &'a Study,
     inventory: &'a Inventory,
     (folder, key): (&Path, &str),
-    resume: bool,
+    (resume, wants_outcomes): (bool, bool),
     progress: Progress,
 ) -> Result<Portfolio<'a>, Problems> {
     let store = Store::open(folder, key, resume)?;
@@ -82,30 +82,38 @@ pub(super) fn assess<'a>(
         decisions: [0; 4],
         tiers: [0; 4],
         failed: 0,
+        lived: Lived::default(),
+        worlds: None,
     };
-    let mut shaking: Option<(Hazard, Context)> = None;
+    let mut context: Option<Context> = None;
     let mut list = Vec::with_capacity(total);
     for (part, items) in inventory.items.chunks(PART).enumerate() {
         if progress(Step { stage: Some(Stage::Objects), done: part * PART, total }).is_break() {
             portfolio.interrupted = true;
             break;
         }
-        let found = match portfolio.store.read(part, items.iter().map(|item| item.id.as_str())) {
+        let is_complete = !wants_outcomes || portfolio.store.has_outcomes(part);
+        let stored = portfolio.store.read(part, items.iter().map(|item| item.id.as_str()));
+        let found = match stored.filter(|_| is_complete) {
             Some(found) => {
                 portfolio.resumed += found.len();
                 found
             }
             None => {
-                let ready = match shaking.take() {
+                let ready = match context.take() {
                     Some(ready) => Ok(ready),
-                    None => shake(study, &wants_to_stop, progress),
+                    None => shake(study, progress).map(|worlds| {
+                        portfolio.worlds = Some(worlds.at_intensity(1.0));
+                        Context::new(study, worlds, total, &wants_to_stop)
+                    }),
                 };
-                let assessed = ready.and_then(|ready| {
-                    let (hazard, context) = shaking.insert(ready);
-                    assess_part(hazard, context, items)
-                });
+                let mut rows = wants_outcomes.then(Vec::new);
+                let assessed = ready.and_then(|ready| assess_part(context.insert(ready), items, rows.as_mut()));
                 match assessed {
                     Ok(found) => {
+                        if let Some(rows) = rows {
+                            portfolio.store.write_outcomes(part, &rows)?;
+                        }
                         portfolio.store.write(part, &found)?;
                         portfolio.computed += found.len();
                         found
@@ -118,66 +126,51 @@ pub(super) fn assess<'a>(
                 }
             }
         };
-        portfolio.count(&found);
+        portfolio.count(items, &found);
         list.extend(items.iter().zip(&found).map(|(item, found)| Urgency::new(item, found)));
     }
-    portfolio.histories = shaking.map_or(0, |(_, context)| context.histories());
+    portfolio.histories = context.map_or(0, |context| context.histories());
     portfolio.rank(list);
     Ok(portfolio)
 }
 
-fn shake<'a>(
-    study: &'a Study,
-    wants_to_stop: &'a (dyn Fn() -> bool + Sync),
-    progress: Progress,
-) -> Result<(Hazard<'a>, Context<'a>), Problems> {
-    let hazard = Hazard::new(study, progress)?;
-    let context = Context::new(study, hazard.names.clone(), wants_to_stop);
-    Ok((hazard, context))
+/// The worlds of a study.
+///
+/// # Errors
+/// A motion that cannot be generated, or a stop.
+pub(super) fn shake<'a>(study: &'a Study, progress: Progress) -> Result<Worlds<'a>, Problems> {
+    let go_on = || match progress(Step { stage: Some(Stage::GroundMotions), done: 0, total: 0 }) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Problem::stopped().into()),
+    };
+    Worlds::new(study, go_on)
 }
 
-/// One part: the objects with level and geometry floor by floor, and the others without a verdict.
-fn assess_part(hazard: &Hazard, context: &Context, items: &[Item]) -> Result<Vec<Assessment>, Problems> {
+/// One part: the objects with level and geometry in their worlds, and the others without a verdict.
+fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>) -> Result<Vec<Assessment>, Problems> {
     let settings = &context.study.assessment;
     let mut found: Vec<Option<Assessment>> = vec![None; items.len()];
-    let mut by_level: BTreeMap<u64, Vec<(usize, Subject)>> = BTreeMap::new();
+    let (mut places, mut members) = (Vec::new(), Vec::new());
     for (place, item) in items.iter().enumerate() {
+        let nothing = |why| Some(Assessment { why, ..blank(item, settings) });
         match Subject::new(item) {
-            Ok(subject) => by_level.entry(subject.level_ratio.to_bits()).or_default().push((place, subject)),
+            Ok(subject) if context.worlds.has_floor(subject.level_ratio) => {
+                places.push(place);
+                members.push(Member::new(item, subject, settings));
+            }
+            Ok(_) => {
+                found[place] =
+                    nothing("Nothing was assessed, because the study has no motion for this floor.".to_owned());
+            }
             Err(missing) => {
-                let limit = accepted(&settings.accepted, item.accepted_ratio, &item.consequences);
                 let verb = if missing.len() == 1 { "was" } else { "were" };
-                let why = format!("Nothing was assessed, because the {} {verb} not given.", listed(&missing));
-                found[place] = Some(Assessment { why, ..blank(item, limit, None) });
+                found[place] =
+                    nothing(format!("Nothing was assessed, because the {} {verb} not given.", listed(&missing)));
             }
         }
     }
-    let by_level: Vec<(u64, Vec<(usize, Subject)>)> = by_level.into_iter().collect();
-    for group in by_level.chunks(MAX_FLOORS_HELD) {
-        context.go_on()?;
-        let levels: Vec<f64> = group.iter().map(|(bits, _)| f64::from_bits(*bits)).collect();
-        let floors = hazard.floors(&levels)?;
-        let mut members = Vec::new();
-        let mut places = Vec::new();
-        for (place, subject) in group.iter().flat_map(|(_, on_floor)| on_floor) {
-            let item = &items[*place];
-            let limit = accepted(&settings.accepted, item.accepted_ratio, &item.consequences);
-            if floors.contains_key(&subject.level_ratio.to_bits()) {
-                let (accepted_ratio, accepted_for) = limit;
-                members.push(Member { item, subject: subject.clone(), accepted_ratio, accepted_for });
-                places.push(*place);
-            } else {
-                let why = "Nothing was assessed, because the study has no motion for this floor.".to_owned();
-                found[*place] = Some(Assessment { why, ..blank(item, limit, None) });
-            }
-        }
-        // The more draws and motions, the fewer objects at a time.
-        let at_once = (MAX_OUTCOMES / (context.names.len() * settings.most_draws as usize).max(1)).max(1);
-        for (places, members) in places.chunks(at_once).zip(members.chunks(at_once)) {
-            for (place, assessed) in places.iter().zip(assess_group(context, &floors, members)?) {
-                found[*place] = Some(assessed);
-            }
-        }
+    for (place, assessed) in places.into_iter().zip(assess_group(context, &members, outcomes)?) {
+        found[place] = Some(assessed);
     }
     Ok(found.into_iter().flatten().collect())
 }
@@ -223,8 +216,11 @@ impl<'a> Urgency<'a> {
 }
 
 impl<'a> Portfolio<'a> {
-    fn count(&mut self, found: &[Assessment]) {
-        for one in found {
+    fn count(&mut self, items: &[Item], found: &[Assessment]) {
+        for (item, one) in items.iter().zip(found) {
+            if let (Some(answers), Some(level_ratio)) = (&one.answers, item.level_ratio) {
+                self.lived.add(answers.worlds, level_ratio);
+            }
             if let Some(place) = Decision::ALL.iter().position(|decision| *decision == one.decision) {
                 self.decisions[place] += 1;
             }
@@ -261,18 +257,27 @@ impl<'a> Portfolio<'a> {
                     let rows = items.iter().zip(found).zip(ranks);
                     rows.map(|((item, found), rank)| Ok(Row { rank: *rank as usize, item, found })).collect::<Vec<_>>()
                 }
-                None => vec![Err(Problem::new(ProblemKind::Io, "a finished part of the assessment has disappeared")
-                    .hint("repeat the run with `resume = true`: the missing parts are computed again"))],
+                None => vec![Err(disappeared())],
             }
         })
+    }
+
+    /// The outcomes of each finished part.
+    pub(super) fn outcomes(&self) -> impl Iterator<Item = Result<Vec<u8>, Problem>> {
+        (0..self.ranks.len().div_ceil(PART)).map(|part| self.store.outcomes(part).ok_or_else(disappeared))
     }
 
     /// Keeps the finished parts next to the outputs, for a run that resumes.
     pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
         let parts = self.ranks.len().div_ceil(PART);
-        for name in Store::names(parts) {
+        for name in Store::names(parts).filter(|name| self.store.has(name)) {
             self.store.link(&name, &folder.place_for(&format!("{}/{name}", PROGRESS))?)?;
         }
         Ok(())
     }
+}
+
+fn disappeared() -> Problem {
+    Problem::new(ProblemKind::Io, "a finished part of the assessment has disappeared")
+        .hint("repeat the run with `resume = true`: the missing parts are computed again")
 }

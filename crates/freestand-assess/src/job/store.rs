@@ -53,7 +53,8 @@ impl Store {
 
     /// The names of the files of a run in `parts` parts.
     pub(super) fn names(parts: usize) -> impl Iterator<Item = String> {
-        [LOCK, PLAN].map(str::to_owned).into_iter().chain((0..parts).map(part_name))
+        let of_parts = (0..parts).flat_map(|part| [part_name(part), outcomes_name(part)]);
+        [LOCK, PLAN].map(str::to_owned).into_iter().chain(of_parts)
     }
 
     fn clear(&self) -> io::Result<()> {
@@ -80,6 +81,26 @@ impl Store {
         write_file(&path, &lines, &[])
     }
 
+    /// Stores the outcomes of a part, before the part itself.
+    pub(super) fn write_outcomes(&self, part: usize, rows: &[u8]) -> Result<(), Problem> {
+        write_file(&self.folder.join(outcomes_name(part)), rows, &[])
+    }
+
+    /// The outcomes of a part; `None` where they are absent.
+    pub(super) fn outcomes(&self, part: usize) -> Option<Vec<u8>> {
+        fs::read(self.folder.join(outcomes_name(part))).ok()
+    }
+
+    /// Whether the outcomes of a part are stored.
+    pub(super) fn has_outcomes(&self, part: usize) -> bool {
+        self.has(&outcomes_name(part))
+    }
+
+    /// Whether there is a file of this name.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.folder.join(name).is_file()
+    }
+
     /// Puts the file of this name in a second place as well: as a link, or as a copy where links
     /// are not possible.
     pub(super) fn link(&self, name: &str, to: &Path) -> Result<(), Problem> {
@@ -102,7 +123,11 @@ fn part_name(part: usize) -> String {
     format!("{part:06}.jsonl")
 }
 
+fn outcomes_name(part: usize) -> String {
+    format!("{part:06}.csv")
+}
+
 fn is_ours(name: &str) -> bool {
-    let number = name.strip_suffix(".jsonl").unwrap_or("");
+    let number = name.strip_suffix(".jsonl").or(name.strip_suffix(".csv")).unwrap_or("");
     name == PLAN || (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
 }

@@ -79,7 +79,7 @@ impl CsvTable {
 
 /// A cell as a field. A spreadsheet takes a text that begins with one of `= + - @` for a formula,
 /// so a `'` precedes it.
-fn push_field(out: &mut String, cell: &Cell) {
+pub(super) fn push_field(out: &mut String, cell: &Cell) {
     match cell {
         Cell::Text(text) => {
             if text.starts_with(['=', '+', '-', '@']) {

@@ -52,13 +52,10 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
 }
 
 fn motions(study: &Study) -> String {
-    let count = study.ground.names(&study.levels).len();
-    let directions = match study.directions_deg.len() {
-        1 => String::new(),
-        n => format!("; each object was tried in {n} directions, and the worst counts"),
-    };
     let of = match &study.ground {
-        Ground::Synthetic(synthetic) => format!("synthetic motions for {}", synthetic.target.title_words()),
+        Ground::Synthetic(synthetic) => {
+            return format!("a synthetic motion in every world, for {}", synthetic.target.title_words());
+        }
         Ground::Simulated(simulated) => simulated.title_words(),
         Ground::Recorded(_) => match study.ground.target() {
             Some(target) => format!("records matched to {}", target.title_words()),
@@ -66,32 +63,63 @@ fn motions(study: &Study) -> String {
         },
         Ground::OnFloors => "given floor motions".to_owned(),
     };
-    format!("{}: {of}{directions}", counted(count, "motion"))
+    let count = study.ground.names(&study.levels).len();
+    format!("{}, used by the worlds in turn: {of}", counted(count, "motion"))
 }
 
 fn assumptions(study: &Study) -> Vec<String> {
-    let Settings { accepted, spread, friction_ratio, draws, most_draws, pad_strain_ratio, pad_damping_ratio, .. } =
-        &study.assessment;
+    let Settings {
+        accepted,
+        spread,
+        friction_ratio,
+        pad_strain_ratio,
+        pad_damping_ratio,
+        compliant_factor,
+        worlds,
+        ..
+    } = &study.assessment;
     let percent = |share: f64| percent_significant(share, 3);
+    let ratings = |[high, medium, low]: [f64; 3]| format!("{}, {}, {}", percent(high), percent(medium), percent(low));
+    let looks = worlds.looks;
     vec![
-        "Every probability applies to the motions of this study; it is not an annual probability.".to_owned(),
+        "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
         format!(
-            "Accepted probability of overturning or damage: {}; {} where life safety is rated high, {} for property \
-             and {} for function. No code prescribes it: the owner chooses it.",
+            "Accepted probability of overturning or damage, rated high, medium, low: life safety {}; function {}; \
+             property {}. Without a rating {}, or {} where an object falls with less than 100 J. No code prescribes \
+             it: the owner chooses it.",
+            ratings(accepted.life_safety_ratio),
+            ratings(accepted.function_ratio),
+            ratings(accepted.property_ratio),
             percent(accepted.other_ratio),
-            percent(accepted.life_safety_ratio),
-            percent(accepted.property_ratio),
-            percent(accepted.function_ratio)
+            percent(accepted.small_item_ratio)
         ),
         format!(
-            "Uncertain values were drawn {draws} to {most_draws} times for each motion, lognormally about the values \
-             of the inventory. Standard deviations of the logarithms: restitution {} (never above 0.99), stiffness \
-             {} (a library entry has its own), mass {}, sides and heights {}, Eq. (5) {}. The last is the \
-             coefficient of variation in Table I of Al Abadi et al., from five tests of one cabinet.",
-            spread.restitution, spread.stiffness, spread.mass, spread.geometry, spread.model
+            "Worlds: {} at first, doubled up to {}, until the {} interval of Clopper and Pearson leaves the accepted \
+             probability; where it does not, the call is close and the cautious verdict is shown. Motions that worlds \
+             use in turn are clusters.",
+            looks.first(),
+            looks.most(),
+            percent(looks.confidence())
         ),
-        "Intervals of probabilities are 95 % intervals by Korn and Graubard (1998), with the motions as clusters. \
-         They show the effect of the number of motions, not whether the motions suit the site."
+        format!(
+            "Standard deviations of logarithms from world to world: spectrum at one period {}, intensity {}, period of \
+             the building {}, its damping {}; stiffness of pads {} (a library entry has its own), mass {}, sides and \
+             heights {}, Eq. (5) {} (Table I of Al Abadi et al., five tests of one cabinet), the compliant base {} \
+             about a factor of {}. Restitution: {} of the logit of the energy that an impact takes.",
+            worlds.spectral_spread,
+            worlds.intensity_spread,
+            worlds.period_spread,
+            worlds.damping_spread,
+            spread.stiffness,
+            spread.mass,
+            spread.geometry,
+            spread.model,
+            spread.compliant,
+            compliant_factor,
+            spread.restitution
+        ),
+        "The motions are horizontal only. Not in the worlds: the soil, damage to the building (it stays elastic), \
+         sliding while rocking, walls and neighbours, rotation about a vertical axis."
             .to_owned(),
         format!(
             "Coefficient of friction where the inventory does not give it: {} to {}. Sliding is not computed; where it \
@@ -99,11 +127,11 @@ fn assumptions(study: &Study) -> Vec<String> {
             friction_ratio.0, friction_ratio.1
         ),
         format!(
-            "A softer pad may be compressed by {} of its thickness (20 mm where it is not given). On the compliant \
-             base, a pad with a stiffness but no damping is given {} of critical damping; without any, objects would \
-             bounce far higher.",
+            "A softer pad may be compressed by {} of its thickness (20 mm where it is not given). A pad of which only \
+             the stiffness is known has {} to {} of critical damping.",
             percent(*pad_strain_ratio),
-            percent(*pad_damping_ratio)
+            percent(pad_damping_ratio.0),
+            percent(pad_damping_ratio.1)
         ),
         "Every object is free-standing on a level, rigid floor and moves in one plane at a time. The objects do not \
          affect the motion of the floor."

@@ -5,6 +5,7 @@ mod csv;
 #[cfg(test)]
 mod fixture;
 mod head;
+mod outcomes;
 mod overview;
 mod parquet;
 mod report;
@@ -12,6 +13,7 @@ mod sources;
 mod table;
 pub mod words;
 mod workbook;
+mod worlds;
 
 use crate::inventory::{Inventory, Item};
 use crate::result::Assessment;
@@ -19,6 +21,8 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::folder::OutputFolder;
 
 pub(crate) use head::{Head, head};
+pub(crate) use outcomes::{OUTCOMES_NAME, OutcomeRow, outcomes_head, outcomes_rows};
+pub(crate) use worlds::{Lived, WORLDS_NAME, write_worlds};
 
 use csv::CsvTable;
 use overview::Overview;
@@ -39,7 +43,7 @@ pub(crate) struct Row<'a> {
     pub found: Assessment,
 }
 
-/// The outputs besides `objects.csv`, which is always written.
+/// The outputs besides `objects.csv` and `worlds.csv`, which are always written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Wanted {
     /// `objects.parquet`.

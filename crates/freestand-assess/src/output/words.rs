@@ -57,10 +57,9 @@ pub fn colours(decision: Decision) -> Colours {
 /// The tier that decided, in words.
 pub fn tier(tier: u8) -> &'static str {
     match tier {
-        0 => "tier 0: thresholds",
-        1 => "tier 1: spectra",
-        2 => "tier 2: histories of the object itself",
-        3 => "tier 3: the compliant base",
+        0 => "tier 0: it rocks in no world",
+        2 => "tier 2: a rigid base",
+        3 => "tier 3: a rigid base and its pads",
         _ => "",
     }
 }
@@ -99,31 +98,31 @@ pub fn margin(found: &Assessment) -> String {
         return "Not known, because the tolerance was not given.".to_owned();
     };
     match capacity.demand_capacity {
-        Ranked::Overturned => "The median motion overturns it.".to_owned(),
+        Ranked::Overturned => "It overturns in the median world.".to_owned(),
         Ranked::NoData => "Not known.".to_owned(),
         Ranked::Value(ratio) if ratio > 1.0 => {
-            format!("The demand of the median motion is {} times the tolerance.", number(ratio, 3))
+            format!("The demand of the median world is {} times the tolerance.", number(ratio, 3))
         }
-        Ranked::Value(ratio) => format!("The demand of the median motion is {} of the tolerance.", percent(ratio, 0)),
+        Ranked::Value(ratio) => format!("The demand of the median world is {} of the tolerance.", percent(ratio, 0)),
     }
 }
 
 /// How to read a list of objects; shown with every such list.
 pub const HOW_TO_READ: [&str; 7] = [
-    "Restrain (▲): the probability that the object overturns or exceeds its tolerance is above the accepted \
-     probability, and no softer pad suffices.",
-    "Soften (◆): the shock governs, and a softer pad under the object brings the probability below the accepted one. \
-     The pad was checked by repeating the motions.",
-    "No verdict (?): data that a verdict needs are missing; the reason says which. All numbers that can be computed \
-     without them are given.",
-    "Leave (●): the object may stay as it is under the assumed hazard.",
-    "Demand/capacity is that of the median motion; above 1 the tolerance is exceeded. “Overturned” ranks above every \
-     number.",
-    "A probability is a share of all motions and all draws of the uncertain values (stiffness, restitution, mass, \
-     geometry, model); overturning counts as exceeding the tolerance. The 95 % interval follows in brackets.",
-    "Shocks are those of the edge that lands, by Eq. (5) of Al Abadi et al., or by Eq. (8) where the landing is \
-     halted. Each is calculated twice, from the rise of the centre of gravity and from the velocity before the impact; \
-     the larger counts.",
+    "Restrain (▲): it falls or exceeds its tolerance with a probability above the accepted one, or too close to it to \
+     call, and no softer pad suffices.",
+    "Soften (◆): its shock alone is too hard or too close to call, and on a softer pad it would be left as it is. The pad \
+     went through the same worlds in both models.",
+    "No verdict (?): data that a verdict needs are missing; the reason says which. Whether it falls is always said.",
+    "Leave (●): the object may stay as it is under the assumed hazard: the upper end of every interval that was asked \
+     for is below the accepted probability.",
+    "Demand/capacity is that of the median world on a rigid base; above 1 the tolerance is exceeded. “Overturned” ranks \
+     above every number.",
+    "A world is one draw of everything that is not known: ground motion, building, restitution, pads, size, mass, error \
+     of the models. A probability is the share of the worlds; its interval (98 % unless the study says otherwise) \
+     follows in brackets. Worlds are added until the interval leaves the accepted probability.",
+    "Shocks are those of the edge that lands: by Eq. (5) or (8) of Al Abadi et al. on a rigid base, and calculated in \
+     time on its pads. The worse model counts.",
 ];
 
 #[cfg(test)]

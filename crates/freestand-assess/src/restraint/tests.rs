@@ -1,15 +1,20 @@
 use freestand::code_spectrum::{
-    As1170_4, Asce7, Edition, Eurocode8, GroundType, Interpolation, Nzs1170_5, OutOfRange, SiteClass, SpectrumTable,
-    SpectrumType, SubsoilClass,
+    As1170_4, Asce7, Asce7Edition, Edition, Eurocode8, GroundType, Interpolation, Nzs1170_5, OutOfRange, SiteClass,
+    SpectrumTable, SpectrumType, SubsoilClass,
 };
+use freestand_study::study::assessment::Bracket;
 
 use super::*;
+use crate::result::reported_force;
 
-/// The paper's cabinet on the roof of a tower.
+const WEIGHT_N: f64 = 140.0 * 9.80665;
+
+/// The paper's cabinet, 2.3 m × 0.6 m × 0.9 m, on the roof of a tower.
 fn cabinet(spectrum: Option<CodeSpectrum>) -> RestraintQuestion {
     let axis = |axis, base_m: f64| RestraintAxis { axis, base_m, weight_lever_m: base_m / 2.0 };
     RestraintQuestion {
         mass_kg: 140.0,
+        height_m: 2.3,
         cg_height_m: 1.15,
         axes: vec![axis(Axis::Thickness, 0.6), axis(Axis::Width, 0.9)],
         level_ratio: 1.0,
@@ -17,74 +22,246 @@ fn cabinet(spectrum: Option<CodeSpectrum>) -> RestraintQuestion {
         building_period_s: Some(3.0),
         spectrum,
         floor_acceleration_g: Some(0.4),
-        parameters: RestraintParameters::default(),
+        is_critical: false,
+        settings: RestraintSettings::default(),
     }
+}
+
+/// The cabinet with other settings.
+fn set(question: RestraintQuestion, change: impl Fn(&mut RestraintSettings)) -> RestraintQuestion {
+    let mut question = question;
+    change(&mut question.settings);
+    question
 }
 
 fn melbourne() -> CodeSpectrum {
     As1170_4::new(Edition::default(), SiteClass::De, 0.08, 500).unwrap().into()
 }
 
-/// Source, F/W and T/W.
-fn held(forces: &[RestraintForce], source: &str) -> (f64, f64) {
-    let force = forces.iter().find(|force| force.source.starts_with(source)).unwrap();
-    let weight_n = 140.0 * 9.80665;
-    assert!((force.force_n / weight_n - force.force_ratio).abs() < 1e-15 && !force.note.is_empty());
-    (force.force_ratio, force.anchor_tension_n / weight_n)
+/// S_DS = 1 g.
+fn america(edition: Asce7Edition) -> CodeSpectrum {
+    Asce7::new(edition, 1.0, 0.6, 8.0).unwrap().into()
 }
 
-fn near(got: (f64, f64), expected: (f64, f64)) {
+fn of<'a>(forces: &'a [RestraintForce], source: &str) -> &'a RestraintForce {
+    forces.iter().find(|force| force.source.starts_with(source)).unwrap()
+}
+
+fn names(forces: &[RestraintForce]) -> Vec<&str> {
+    forces.iter().map(|force| force.source.as_str()).collect()
+}
+
+/// F/W, T/W and T_c/W.
+fn held(forces: &[RestraintForce], source: &str) -> [f64; 3] {
+    let force = of(forces, source);
+    near([force.force_n / WEIGHT_N], [force.force_ratio]);
+    [force.force_ratio, force.anchor_tension_n / WEIGHT_N, force.anchor_tension_concrete_n / WEIGHT_N]
+}
+
+/// P/W, P_c/W and V/W.
+fn bracketed(force: &RestraintForce) -> [f64; 3] {
+    [force.bracket_force_n, force.bracket_force_concrete_n, force.bracket_base_shear_n].map(|n| n / WEIGHT_N)
+}
+
+#[track_caller]
+fn near<const N: usize>(got: [f64; N], expected: [f64; N]) {
     // A handful of products of numbers near one.
-    assert!((got.0 - expected.0).abs() < 1e-12 && (got.1 - expected.1).abs() < 1e-12, "{got:?} {expected:?}");
+    assert!(got.iter().zip(&expected).all(|(got, expected)| (got - expected).abs() < 1e-12), "{got:?} {expected:?}");
 }
 
-/// kpZ Ch(0) = 0.088 g, a_x = 3: 0.264 W. T = (0.264 · 1.15 − 0.3)/0.6 W = 0.006 W; across the
-/// width (0.3036 − 0.45)/0.9 < 0. S_DS = 0.088/1.1 · 3.68 = 0.2944 g: 16: 0.4 · 0.2944 · 3/2.5 =
-/// 0.141312, 22 (T = 3 s: a1 = 1/3, a2 = 1 − (0.4/3)²): H_f = 1 + 0.3333 + 0.98222 = 2.315556,
+/// kpZ Ch(0) = 0.088 g, a_x = 3: 0.264 W. T = (0.264 · 1.15 − 0.9 · 0.3)/0.6 W = 0.056 W; across
+/// the width (0.3036 − 0.405)/0.9 < 0. S_DS = 0.088/1.1 · 3.68 = 0.2944 g, H = (0.9 − 0.05888) W.
+/// 16: F = 0.4 · 0.2944 · 3/2.5 = 0.141312 W; T < 0, T_c = (0.2826240 · 1.15 − 0.84112 · 0.3)/0.6 =
+/// 0.121136 W. 22 (T = 3 s: a1 = 1/3, a2 = 1 − (0.4/3)²): H_f = 1 + 0.3333 + 0.98222 = 2.315556,
 /// 0.4 · 0.2944 · 2.315556/1.3/1.5 = 0.139836 W: both above 0.3 S_DS = 0.08832.
 #[test]
 fn the_cabinet_in_melbourne_by_hand() {
     let forces = restraint_forces(&cabinet(Some(melbourne())));
-    let names: Vec<&str> = forces.iter().map(|force| force.source.as_str()).collect();
     let expected =
-        ["AS 1170.4-2007, section 8", "ASCE 7-16, 13.3.1", "ASCE 7-22, 13.3.1", "computed floor acceleration"];
-    assert_eq!(names, expected);
-    near(held(&forces, "AS"), (0.264, 0.006));
-    near(held(&forces, "ASCE 7-16"), (0.141_312, 0.0));
-    let height = 1.0 + 1.0 / 3.0 + 1.0 - (0.4_f64 / 3.0).powi(2);
-    near(held(&forces, "ASCE 7-22"), (0.4 * 0.2944 * height / 1.3 / 1.5, 0.0));
-    // (0.4 · 1.15 − 0.3)/0.6; across the width (0.46 − 0.45)/0.9 is less.
-    near(held(&forces, "computed"), (0.4, 0.16 / 0.6));
-    assert!(forces[1].note.contains("S_DS is taken as the plateau") && forces[0].note.contains("from memory"));
+        ["AS 1170.4-2007, section 8", "computed floor acceleration", "ASCE 7-16, 13.3.1", "ASCE 7-22, 13.3.1"];
+    assert_eq!(names(&forces), expected);
+    near(held(&forces, "AS 1170"), [0.264, 0.056, 0.056]);
+    near(held(&forces, "ASCE 7-16"), [0.141_312, 0.0, 0.121_136]);
+    let force = 0.4 * 0.2944 * (1.0 + 1.0 / 3.0 + 1.0 - (0.4_f64 / 3.0).powi(2)) / 1.3 / 1.5;
+    near(held(&forces, "ASCE 7-22"), [force, 0.0, (2.0 * force * 1.15 - 0.84112 * 0.3) / 0.6]);
+    // (0.4 · 1.15 − 0.27)/0.6; across the width (0.46 − 0.405)/0.9 is less.
+    near(held(&forces, "computed"), [0.4, 0.19 / 0.6, 0.19 / 0.6]);
+    near([of(&forces, "AS 1170").held_weight_ratio, of(&forces, "ASCE").held_weight_ratio], [0.9, 0.84112]);
+    near([of(&forces, "AS 1170").overstrength_ratio, of(&forces, "ASCE").overstrength_ratio], [1.0, 2.0]);
+    assert!(forces[2].note.contains("S_DS is taken as the plateau") && forces[0].note.contains("from memory"));
     assert!(!forces[0].note.contains("taken as"), "its own spectrum");
+    assert!(forces[1].note.contains("It is 1.52 times the force by AS 1170.4"), "0.4/0.264: {}", forces[1].note);
 }
 
-/// S_DS = 1 g: 0.2 of the weight goes. 16: 0.4 · 3/2.5 = 0.48: T = (0.48 · 1.15 − 0.8 · 0.3)/0.6 =
-/// 0.52 W. Critical: 1.5 times. AS with Sa(0) = 0.4 g: 1.2 W, held to 0.5.
+/// The cabinet's bracket at 0.9 · 2.3 m = 2.07 m: P = 0.264 · 1.15/2.07 = 0.146667 W, V = 0.264 (1
+/// − 0.555556) = 0.117333 W, less than the friction 0.3 · 0.9 W. ASCE 7-16 in concrete: 2 ·
+/// 0.141312 · 0.555556 W.
+#[test]
+fn a_bracket_by_hand() {
+    let forces = restraint_forces(&cabinet(Some(melbourne())));
+    let (own, asce) = (of(&forces, "AS 1170"), of(&forces, "ASCE 7-16"));
+    near([own.bracket_height_m], [2.07]);
+    near(bracketed(own), [0.264 / 1.8, 0.264 / 1.8, 0.264 * 0.8 / 1.8]);
+    near(bracketed(asce), [0.141_312 / 1.8, 0.282_624 / 1.8, 0.141_312 * 0.8 / 1.8]);
+    // 0.146667, 0.117333 and 0.27 of 1372.93 N.
+    assert!(own.note.contains("= 201.4 N, the weight is not counted"), "{}", own.note);
+    assert!(own.note.contains("= 161.1 N; friction with a coefficient of 0.3 carries 370.7 N: it suffices."));
+    assert!(asce.note.contains("In concrete, Ω_0 F takes the place of F."), "{}", asce.note);
+    assert!(!own.note.contains("Ω_0 F takes"), "a factor of 1 changes nothing");
+}
+
+/// At 0.5 m, below the centre of gravity: P = 0.264 · 2.3 = 0.6072 W, V = 0.264 · 1.3 = 0.3432 W
+/// against F, more than the friction of 0.27 W. At the centre of gravity nothing is left for the
+/// feet. At 3 m it is limited to the top: P = 0.264/2.
+#[test]
+fn a_bracket_below_the_centre_of_gravity_and_above_the_object() {
+    let at = |height_m| {
+        let question = set(cabinet(Some(melbourne())), |settings| settings.bracket_height_m = Some(height_m));
+        restraint_forces(&question).remove(0)
+    };
+    let low = at(0.5);
+    near(bracketed(&low), [0.6072, 0.6072, 0.3432]);
+    assert!(low.note.contains("below the centre of gravity: it carries more than F"));
+    assert!(low.note.contains("carries only 370.7 N: fix the feet."), "{}", low.note);
+    near(bracketed(&at(1.15)), [0.264, 0.264, 0.0]);
+    assert!(!at(1.15).note.contains("below the centre"));
+    let high = at(3.0);
+    near([high.bracket_height_m], [2.3]);
+    near(bracketed(&high), [0.132, 0.132, 0.132]);
+    assert!(high.note.contains("The stated height, 3 m, is above the object"), "{}", high.note);
+    assert!(!at(2.3).note.contains("above the object"));
+}
+
+/// S_DS = 1 g: H = (0.9 − 0.2) W. 16: 0.4 · 3/2.5 = 0.48: T = (0.48 · 1.15 − 0.7 · 0.3)/0.6 = 0.57
+/// W, T_c = (0.96 · 1.15 − 0.21)/0.6 = 1.49 W. Critical: 1.5 times. AS with Sa(0) = 0.4 g: 1.2 W,
+/// limited to 0.5.
 #[test]
 fn america_takes_some_of_the_weight_away() {
-    let code = Asce7::new(Asce7Edition::Asce7_16, 1.0, 0.6, 8.0).unwrap();
+    let question = cabinet(Some(america(Asce7Edition::Asce7_16)));
+    let forces = restraint_forces(&question);
+    let expected =
+        ["ASCE 7-16, 13.3.1", "computed floor acceleration", "AS 1170.4-2007, section 8", "ASCE 7-22, 13.3.1"];
+    assert_eq!(names(&forces), expected);
+    near(held(&forces, "ASCE 7-16"), [0.48, 0.57, 1.49]);
+    near(held(&forces, "AS 1170.4"), [0.5, (0.575 - 0.27) / 0.6, (0.575 - 0.27) / 0.6]);
+    let note = |source| of(&forces, source).note.as_str();
+    assert!(!note("AS 1170").contains("Stated") && note("AS 1170").contains("the upper limit governs: 0.5 W"));
+    assert!(note("AS 1170").contains("taken as Sa(0)") && !note("ASCE 7-16").contains("plateau"));
+    assert!(note("ASCE 7-16").contains("max(0, 0.9 − 0.2 S_DS) W = max(0, 0.9 − 0.2) W = 0.7 W"));
+    // 0.4 g is below 0.48 g.
+    assert!(!note("computed").contains("times the force"));
+    let critical = restraint_forces(&RestraintQuestion { is_critical: true, ..question });
+    near(held(&critical, "ASCE 7-16"), [0.72, (0.72 * 1.15 - 0.21) / 0.6, (1.44 * 1.15 - 0.21) / 0.6]);
+    assert!(of(&critical, "ASCE").note.contains("I_p = 1.5 (life safety is rated high)"));
+}
+
+/// S_DS = 5 g deducts more than the dead load: H = 0, not less. T = F c/B.
+#[test]
+fn no_more_than_the_weight_is_deducted() {
+    let code = Asce7::new(Asce7Edition::Asce7_16, 5.0, 3.0, 8.0).unwrap();
     let forces = restraint_forces(&cabinet(Some(code.into())));
-    near(held(&forces, "ASCE 7-16"), (0.48, 0.52));
-    near(held(&forces, "AS 1170.4"), (0.5, (0.575 - 0.3) / 0.6));
-    let note = |forces: &[RestraintForce], i: usize| forces[i].note.clone();
-    assert!(note(&forces, 0).contains("the upper limit governs: 0.5 W") && note(&forces, 0).contains("taken as Sa(0)"));
-    assert!(!note(&forces, 1).contains("plateau") && note(&forces, 1).contains("0.8 W"));
-    let critical = RestraintQuestion { parameters: RestraintParameters::critical(), ..cabinet(Some(code.into())) };
-    near(held(&restraint_forces(&critical), "ASCE 7-16"), (0.72, (0.72 * 1.15 - 0.24) / 0.6));
+    near([of(&forces, "ASCE 7-16").held_weight_ratio], [0.0]);
+    near(held(&forces, "ASCE 7-16"), [2.4, 2.4 * 1.15 / 0.6, 4.8 * 1.15 / 0.6]);
+}
+
+/// The edition of the study comes first, the other one is for comparison.
+#[test]
+fn own_code_then_floor_then_comparisons() {
+    for (edition, own) in [(Asce7Edition::Asce7_16, "ASCE 7-16"), (Asce7Edition::Asce7_22, "ASCE 7-22")] {
+        let forces = restraint_forces(&cabinet(Some(america(edition))));
+        let study: Vec<&str> =
+            forces.iter().take_while(|force| !force.is_for_comparison).map(|force| force.source.as_str()).collect();
+        assert_eq!(study, [format!("{own}, 13.3.1").as_str(), "computed floor acceleration"]);
+        assert!(forces[2..].iter().all(|force| {
+            force.is_for_comparison && force.note.starts_with("For comparison, on your spectrum. F_")
+        }));
+        assert!(reported_force(&forces).unwrap().source.starts_with(own), "not the largest");
+    }
+    // Nothing of the study's own: no force counts.
+    let table = SpectrumTable::new(vec![0.1, 1.0], vec![0.2, 0.1], Interpolation::LogLog, OutOfRange::Refuse).unwrap();
+    let only = RestraintQuestion { floor_acceleration_g: None, ..cabinet(Some(table.into())) };
+    let forces = restraint_forces(&only);
+    assert!(forces.len() == 3 && reported_force(&forces).is_none());
 }
 
 /// a_g S = 0.24 g, roof, rigid, q_a = 2: 0.3 W; C(0) C_Hi = 0.532 · 3 = 1.596 g, C_i = 2: 3.192 W.
 #[test]
 fn europe_and_new_zealand_have_their_own() {
-    let code = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap();
-    let forces = restraint_forces(&cabinet(Some(code.into())));
-    near(held(&forces, "EN 1998"), (0.3, (0.345 - 0.3) / 0.6));
-    assert_eq!(forces.len(), 5);
-    let code = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).unwrap();
-    let forces = restraint_forces(&cabinet(Some(code.into())));
-    let tension: [f64; 2] = [(3.192 * 1.15 - 0.3) / 0.6, (3.192 * 1.15 - 0.45) / 0.9];
-    near(held(&forces, "NZS"), (3.192, tension[0].max(tension[1])));
+    let europe = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap();
+    let forces = restraint_forces(&cabinet(Some(europe.into())));
+    near(held(&forces, "EN 1998"), [0.3, (0.345 - 0.27) / 0.6, (0.345 - 0.27) / 0.6]);
+    assert!(forces.len() == 5 && forces[0].source.starts_with("EN 1998") && forces[0].note.contains("EN 1992-4"));
+    let new_zealand = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).unwrap();
+    let forces = restraint_forces(&cabinet(Some(new_zealand.into())));
+    let tension: [f64; 2] = [(3.192 * 1.15 - 0.27) / 0.6, (3.192 * 1.15 - 0.405) / 0.9];
+    let most = tension[0].max(tension[1]);
+    near(held(&forces, "NZS"), [3.192, most, most]);
+    assert!(forces[0].note.contains("NZS 3101") && of(&forces, "AS 1170").note.contains("AS 5216"));
+}
+
+/// A stated factor takes the place of each code's own. Amplification 1.4, response 2, importance
+/// 1.2, overstrength 1.7, dead load 0.8; mid-height: AS a_x = 2, ASCE 7-16 1 + 2 · 0.5 = 2. AS:
+/// 0.088 · 2 · 1.2 · 1.4/2 = 0.14784. ASCE 7-16: 0.4 · 1.4 · 0.2944 · 2 · 1.2/2 = 0.1978368. EN:
+/// 0.24 · (1.5 · 1.5 − 0.5) · 1.4 · 1.2/2 = 0.3528. NZS: 0.532 · 3 · 1.4/2 · 1.2 = 1.34064. Floor:
+/// 1.4 · 0.4 = 0.56; T_c = (1.7 · 0.56 · 1.15 − 0.8 · 0.3)/0.6.
+#[test]
+fn stated_factors_replace_those_of_the_codes() {
+    let stated = |spectrum: CodeSpectrum| {
+        let question = RestraintQuestion { level_ratio: 0.5, is_critical: true, ..cabinet(Some(spectrum)) };
+        restraint_forces(&set(question, |settings| {
+            *settings = RestraintSettings {
+                dead_load_ratio: 0.8,
+                overstrength_ratio: Some(1.7),
+                amplification_ratio: Some(1.4),
+                response_ratio: Some(2.0),
+                importance_ratio: Some(1.2),
+                ..RestraintSettings::default()
+            }
+        }))
+    };
+    let ratio = |forces: &[RestraintForce], source: &str| of(forces, source).force_ratio;
+    let forces = stated(melbourne());
+    near(
+        [ratio(&forces, "AS 1170"), ratio(&forces, "ASCE 7-16"), ratio(&forces, "computed")],
+        [0.14784, 0.197_836_8, 0.56],
+    );
+    // T = 3 s: 1 + 0.5/3 + 0.98222/1024; 0.4 · 0.2944 · 1.2 · H_f/1.3 · 1.4/2.
+    let height = 1.0 + 0.5 / 3.0 + (1.0 - (0.4_f64 / 3.0).powi(2)) / 1024.0;
+    near([ratio(&forces, "ASCE 7-22")], [(0.4 * 0.2944 * 1.2 * height / 1.3 * 0.7).max(0.3 * 0.2944 * 1.2)]);
+    near(held(&forces, "computed"), [0.56, (0.56 * 1.15 - 0.24) / 0.6, (1.7 * 0.56 * 1.15 - 0.24) / 0.6]);
+    assert!(forces.iter().all(|force| force.overstrength_ratio == 1.7));
+    near([of(&forces, "AS 1170").held_weight_ratio, of(&forces, "ASCE").held_weight_ratio], [0.8, 0.74112]);
+    let note = &of(&forces, "AS 1170").note;
+    assert!(note.contains("Stated in the study: I_c = 1.2, a_c = 1.4, R_c = 2, Ω_0 = 1.7."), "{note}");
+    let europe = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap();
+    let forces = stated(europe.into());
+    near([ratio(&forces, "EN 1998")], [0.3528]);
+    assert!(forces[0].note.contains("amplification A = 1.4"), "{}", forces[0].note);
+    let new_zealand = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).unwrap();
+    let forces = stated(new_zealand.into());
+    near([ratio(&forces, "NZS")], [1.340_64]);
+    // 1/R: what the code multiplies by.
+    assert!(forces[0].note.contains("C_ph = 0.5"), "{}", forces[0].note);
+}
+
+/// The computed floor: 2.5 · 0.4 = 1 W; a_c, a_p = 2.5: 0.66 W, limited to 0.5 W, and 0.35328 W;
+/// C_AR = 2.2. Eurocode 8 in resonance on the roof: 0.24 · 5.5/2 = 0.66 W.
+#[test]
+fn a_flexible_bracket_amplifies() {
+    let flexible =
+        |spectrum| restraint_forces(&set(cabinet(Some(spectrum)), |settings| settings.bracket = Bracket::Flexible));
+    let forces = flexible(melbourne());
+    let rigid = restraint_forces(&cabinet(Some(melbourne())));
+    let ratio = |source| of(&forces, source).force_ratio;
+    near([ratio("computed"), ratio("AS 1170"), ratio("ASCE 7-16")], [1.0, 0.5, 2.5 * 0.141_312]);
+    near([ratio("ASCE 7-22")], [2.2 * of(&rigid, "ASCE 7-22").force_ratio]);
+    assert!(of(&forces, "computed").note.contains("A = 2.5 (a flexible bracket)"));
+    let europe = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.2, 1.0).unwrap();
+    near([of(&flexible(europe.into()), "EN 1998").force_ratio], [0.66]);
+    // An amplification of the floor is never below 1.
+    let low = restraint_forces(&set(cabinet(None), |settings| settings.amplification_ratio = Some(0.5)));
+    near([low[0].force_ratio], [0.4]);
+    assert!(low[0].note.contains("A at least 1") && low[0].note.contains("Stated in the study: A = 0.5"));
 }
 
 /// A table that begins at 0.1 s: its first value is the ground's. A low building: 1 + 0.17 · 10 m ·
@@ -99,22 +276,48 @@ fn a_table_and_a_low_building() {
         ..cabinet(Some(table.into()))
     };
     let forces = restraint_forces(&low);
-    near(held(&forces, "AS"), (0.2 * 1.85, (0.37 * 1.15 - 0.3) / 0.6));
-    near(held(&forces, "ASCE 7-22"), (0.4 * 0.2 * 2.25 / 1.3 / 1.5, 0.0));
+    // The table is nobody's code: the floor comes first, and counts.
+    assert_eq!(reported_force(&forces).unwrap().source, "computed floor acceleration");
+    let tension = (0.37 * 1.15 - 0.27) / 0.6;
+    near(held(&forces, "AS 1170"), [0.2 * 1.85, tension, tension]);
+    let force: f64 = 0.4 * 0.2 * 2.25 / 1.3 / 1.5;
+    near(held(&forces, "ASCE 7-22"), [force, 0.0, ((2.0 * force * 1.15 - 0.86 * 0.3) / 0.6).max(0.0)]);
     let unknown = restraint_forces(&RestraintQuestion { building_height_m: None, ..low });
-    near(held(&unknown, "AS"), (0.4, (0.46 - 0.3) / 0.6));
-    assert!(unknown[0].note.contains("was not given"));
+    near(held(&unknown, "AS 1170"), [0.4, (0.46 - 0.27) / 0.6, (0.46 - 0.27) / 0.6]);
+    assert!(of(&unknown, "AS 1170").note.contains("was not given"));
 }
 
 #[test]
 fn without_a_hazard_only_the_computed_floor_speaks() {
     let forces = restraint_forces(&cabinet(None));
-    assert_eq!(forces.len(), 1);
+    assert_eq!(names(&forces), ["computed floor acceleration"]);
+    assert_eq!(reported_force(&forces), forces.first());
     assert!(restraint_forces(&RestraintQuestion { floor_acceleration_g: None, ..cabinet(None) }).is_empty());
     assert!(restraint_forces(&RestraintQuestion { mass_kg: 0.0, ..cabinet(Some(melbourne())) }).is_empty());
-    // No side to tip over: the force alone.
+    assert!(restraint_forces(&RestraintQuestion { height_m: 0.0, ..cabinet(Some(melbourne())) }).is_empty());
+    // No side to tip over: the force and the bracket alone.
     let flat = restraint_forces(&RestraintQuestion { axes: Vec::new(), ..cabinet(None) });
-    assert_eq!(flat[0].anchor_tension_n, 0.0);
+    assert_eq!((flat[0].anchor_tension_n, flat[0].anchor_tension_concrete_n), (0.0, 0.0));
+    near(bracketed(&flat[0]), [0.4 / 1.8, 0.4 / 1.8, 0.4 * 0.8 / 1.8]);
+}
+
+/// The weight's lever is that of the nearer edge, whichever side the inventory counts from: 0.2 m
+/// of 0.6 m: (0.4 · 1.15 − 0.9 · 0.2)/0.6. A heavy force on the width counts where that needs more:
+/// base 0.9 m with the weight at its edge: 0.46/0.9, against (0.46 − 0.27)/0.6.
+#[test]
+fn the_nearer_edge_and_the_worse_axis_count() {
+    let axes = |thickness_lever_m: f64, width_lever_m: f64| {
+        let mut question = cabinet(None);
+        question.axes[0].weight_lever_m = thickness_lever_m;
+        question.axes[1].weight_lever_m = width_lever_m;
+        restraint_forces(&question)
+    };
+    for lever_m in [0.2, 0.4] {
+        near(held(&axes(lever_m, 0.45), "computed"), [0.4, 0.28 / 0.6, 0.28 / 0.6]);
+    }
+    let forces = axes(0.3, 0.0);
+    near(held(&forces, "computed"), [0.4, 0.46 / 0.9, 0.46 / 0.9]);
+    assert!(forces[0].note.contains("Anchors along one edge, width:"), "{}", forces[0].note);
 }
 
 /// The largest reach of all four corners, followed one by one.

@@ -1,88 +1,45 @@
-//! From the histories of one object to its assessment.
+//! From the worlds of one object to its assessment.
 
 use freestand::G0_M_S2;
+use freestand::compliant::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
-use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::spectra::landings;
 
-use crate::floors::Floor;
 use crate::result::{
-    Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, Probability, Ranked, Response, Shock, Sliding,
-    SlidingVerdict,
+    Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FloorFacts,
+    ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
+use crate::worlds::{Again, FloorOfWorld};
+use freestand_input::problem::Problems;
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
-use super::Context;
-use super::capacity::Capacity;
 use super::comparisons::friction_needed_ratio;
-use super::decision::{Case, decide};
-use super::group::{Member, Variant};
+use super::decision::{Case, decide, deciding};
 use super::object::{Body, Hit, hit};
-use super::response::{AxisMotion, MotionResponse, demand_capacity, governing, lifts, options, overturned, ranked};
-use super::second_opinion::{beyond_pads, second_opinion, softer};
-use super::tornado::tornado;
-use super::uncertainty::{Draws, probability, shares};
+use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, governing, lifts, options, overturned, ranked};
+use super::softer::beyond_pads;
+use super::trial::{Model, Question, Trial};
+use super::{Context, blank};
 
-/// The histories of one object, before they are evaluated.
-pub(super) struct Found<'a> {
-    pub(super) member: &'a Member<'a>,
-    pub(super) floor: &'a Floor,
-    pub(super) as_is: Vec<MotionResponse>,
-    pub(super) changed: Vec<(Variant, &'a [MotionResponse])>,
-    /// `None`: uplift is impossible, so that nothing was drawn.
-    pub(super) draws: Option<Draws>,
-    /// Whether the spectra of the floor replace histories of its own.
-    pub(super) is_screened: bool,
-}
-
-impl Found<'_> {
-    pub(super) fn body(&self) -> Option<&Body> {
-        self.member.subject.body.as_ref()
-    }
-
-    pub(super) fn capacity(&self) -> Option<&Capacity> {
-        self.member.subject.capacity.as_ref()
-    }
-
-    /// The motions whose histories are complete, with their places.
-    pub(super) fn followed(&self) -> impl Iterator<Item = (usize, &[AxisMotion])> {
-        self.as_is.iter().enumerate().filter_map(|(i, one)| Some((i, one.as_ref().ok()?.as_slice())))
-    }
-
-    /// What a motion is ranked by: demand/capacity where it is known, else the shock, else the
-    /// rise.
-    fn severity(&self, axes: &[AxisMotion]) -> f64 {
-        match (self.capacity().and_then(|_| demand_capacity(axes)), self.body()) {
-            (Some(ratio), _) => ratio,
-            (None, Some(_)) => ranked(axes, larger_g),
-            (None, None) => ranked(axes, |one| one.rocking.cg_rise_m),
-        }
-    }
-
-    /// The motions from the mildest to the hardest.
-    pub(super) fn by_severity(&self) -> Vec<usize> {
-        let mut order: Vec<(f64, usize)> = self.followed().map(|(i, axes)| (self.severity(axes), i)).collect();
-        order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        order.into_iter().map(|(_, i)| i).collect()
-    }
-
-    /// The place of the motion that decides: the hardest after the accepted share of them is left
-    /// out.
-    pub(super) fn deciding_place(&self, motions: usize) -> Option<usize> {
-        let beyond = (self.member.accepted_ratio * motions as f64).floor() as usize;
-        motions.checked_sub(1 + beyond.min(motions.saturating_sub(1)))
-    }
-}
-
-pub(super) fn larger_g(one: &AxisMotion) -> f64 {
+fn larger_g(one: &AxisMotion) -> f64 {
     one.hit.as_ref().map_or(0.0, Hit::larger_g)
 }
 
-/// Quantiles of values over the motions.
-pub(super) fn quantiles(values: impl Iterator<Item = f64>) -> [Ranked; 3] {
+/// Quantiles of values over the worlds.
+fn quantiles(values: impl Iterator<Item = f64>) -> [Ranked; 3] {
     let mut values: Vec<f64> = values.collect();
     QUANTILES.map(|q| ranked_quantile(&mut values, q))
+}
+
+/// One quantile; 0 without values, +∞ where it overturns.
+pub(super) fn quantile(values: impl Iterator<Item = f64>, q: f64) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    match ranked_quantile(&mut values, q) {
+        Ranked::Value(value) => value,
+        Ranked::Overturned => f64::INFINITY,
+        Ranked::NoData => 0.0,
+    }
 }
 
 fn share(values: impl Iterator<Item = bool>) -> f64 {
@@ -90,171 +47,254 @@ fn share(values: impl Iterator<Item = bool>) -> f64 {
     holds as f64 / count.max(1) as f64
 }
 
+/// The worlds whose histories on a rigid base are complete, with their numbers.
+fn followed<'a>(trial: &'a Trial) -> impl Iterator<Item = (usize, &'a [AxisMotion])> {
+    trial.lived.iter().enumerate().filter_map(|(i, one)| Some((i, one.rigid.as_ref().ok()?.as_slice())))
+}
+
+/// The worlds whose histories on pads are complete.
+fn on_pads_followed<'a>(trial: &'a Trial) -> impl Iterator<Item = (&'a Lived, &'a [PadMotion])> {
+    trial.lived.iter().filter_map(|one| Some((one, one.pads.as_ref()?.as_ref().ok()?.as_slice())))
+}
+
+/// What a world is ranked by: demand/capacity where it is known, else the shock, else the rise.
+fn severity(trial: &Trial, axes: &[AxisMotion]) -> f64 {
+    match (trial.subject.capacity.as_ref().and_then(|_| demand_capacity(axes)), &trial.subject.body) {
+        (Some(ratio), _) => ratio,
+        (None, Some(_)) => ranked(axes, larger_g),
+        (None, None) => ranked(axes, |one| one.rocking.cg_rise_m),
+    }
+}
+
+/// The worlds from the mildest to the hardest.
+fn by_severity(trial: &Trial) -> Vec<usize> {
+    let mut order: Vec<(f64, usize)> = followed(trial).map(|(i, axes)| (severity(trial, axes), i)).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    order.into_iter().map(|(_, i)| i).collect()
+}
+
 /// The whole assessment of one object.
-pub(super) fn assessment(context: &Context, found: &Found) -> Assessment {
-    let member = found.member;
-    let mut assessed = member.blank(found.floor.facts.clone());
-    let Some(response) = response(found) else {
-        let reason = found.as_is.iter().find_map(|one| one.as_ref().err()).cloned().unwrap_or_default();
-        assessed.why = format!("Nothing was assessed, because every history failed: {reason}.");
-        return assessed;
-    };
-    let shock = shock(found);
-    let lift = found.followed().any(|(_, axes)| lifts(axes));
-    let (p_overturn, p_exceed) = probabilities(found);
-    let order = found.by_severity();
-    let deciding = found.deciding_place(order.len()).map(|place| order[place]);
-    let governs = deciding.and_then(|motion| governing_criterion(found, motion));
-    let second = if found.is_screened { None } else { second_opinion(context, found, &order, p_exceed.as_ref()) };
-    let is_above = |p: Option<&Probability>| p.is_some_and(|p| p.value > member.accepted_ratio);
-    let compliant_above = second.as_ref().is_some_and(|(_, p)| *p > member.accepted_ratio);
-    let wants_softer = p_overturn.value <= member.accepted_ratio && (is_above(p_exceed.as_ref()) || compliant_above);
-    let harder = second.as_ref().filter(|_| !is_above(p_exceed.as_ref())).and_then(|(check, _)| check.shock_ratio);
-    let softening = if wants_softer { softer(context, found, &order, harder.unwrap_or(1.0)) } else { None };
-    let missing = missing(found);
-    let unknown_ratio = unknown_ratio(context, found, response.failed);
+pub(super) fn assessment(
+    context: &Context,
+    trial: &Trial,
+    softening: Option<Softening>,
+) -> Result<Assessment, Problems> {
+    let member = trial.member;
+    let mut assessed = blank(member.item, &context.study.assessment);
+    let floor = floor_facts(trial);
+    assessed.floor = Some(floor.clone());
+    let order = by_severity(trial);
+    let answers = answers(context, trial);
+    // The hardest world after the accepted share of them is left out.
+    let beyond = (member.accepted_ratio * order.len() as f64).floor() as usize;
+    let world = order.len().checked_sub(1 + beyond).map(|place| order[place]);
+    let governs = world.and_then(|world| governing_criterion(trial, world));
+    let missing = missing(trial);
+    let lifts_at_all = followed(trial).any(|(_, axes)| lifts(axes))
+        || on_pads_followed(trial).any(|(_, axes)| axes.iter().any(|one| one.has_let_go));
+    let records = context.worlds.records().map(|records| (records, context.fewest_records(member.accepted_ratio)));
     let (decision, why) = decide(&Case {
         accepted_ratio: member.accepted_ratio,
-        lifts: lift,
-        p_overturn,
-        p_exceed,
-        decides: found.capacity().is_some_and(|capacity| capacity.decides),
+        answers: &answers,
+        lifts: lifts_at_all,
+        decides: trial.subject.capacity.as_ref().is_some_and(|capacity| capacity.decides),
         governing: governs,
         missing: &missing,
-        pfa_g: found.floor.facts.pfa_g_median,
-        hardest: hardest(found),
-        unknown_ratio,
-        bottoms: bottoms(found),
         softer: softening.as_ref().map(|one| (one.admissible, one.note.as_str())),
-        beyond_pads: if wants_softer && softening.is_none() { beyond_pads(found) } else { "" },
-        p_compliant: second.as_ref().map(|(_, p)| *p),
+        beyond_pads: beyond_pads(trial),
         tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
+        records,
     });
-    if found.is_screened {
-        assessed.notes.push(
-            "Decided by the uplift spectra of its floor: its numbers are those of the nearest block of their grid."
-                .to_owned(),
-        );
-    }
-    if response.failed > 0 {
-        assessed.notes.push(format!(
-            "The histories under {} of {} motions failed ({}) and are left out of every number.",
-            response.failed,
-            found.as_is.len(),
-            response.failure.as_deref().unwrap_or("")
-        ));
-    }
-    let looked_at = deciding.filter(|_| !found.is_screened);
-    let chain = looked_at.and_then(|motion| chain(context, found, motion));
-    let survived = order
-        .iter()
-        .rev()
-        .copied()
-        .find(|&motion| found.as_is[motion].as_ref().is_ok_and(|axes| !overturned(axes) && lifts(axes)));
-    let impacts = survived.filter(|_| !found.is_screened).and_then(|motion| impacts_above(found, motion));
     assessed.decision = decision;
     assessed.why = why;
-    if lift && p_exceed.is_some() && member.item.cushion_source.is_some() {
+    if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some() {
         assessed.why.push_str(" Its stiffness is a range from the cushion library, not a measurement.");
     }
-    assessed.tier = match (&found.draws, found.is_screened) {
-        (None, _) => 0,
-        (Some(_), true) => 1,
-        (Some(_), false) => 2 + u8::from(second.is_some()),
+    note_failures(trial, &mut assessed.notes);
+    assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
+        (false, _) => 0,
+        (true, false) => 2,
+        (true, true) => 3,
     };
-    assessed.capacity = capacity_check(found, governs);
-    assessed.draws = if found.is_screened { 0 } else { max_draws(found) };
-    assessed.p_overturn = Some(p_overturn);
-    assessed.p_exceed = p_exceed;
-    assessed.sliding = sliding(context, found, &order);
+    assessed.p_overturn = deciding(&answers, |model| Some(model.overturn));
+    assessed.p_exceed = deciding(&answers, |model| model.exceed);
+    assessed.response = response(trial);
+    assessed.on_pads = on_pads(context, trial);
+    assessed.capacity = capacity_check(trial, &floor, governs);
     assessed.softening = softening;
-    assessed.compliant = second.map(|(check, _)| check);
-    assessed.tornado = tornado(context, found);
+    assessed.clearance_m = clearance(trial);
+    assessed.chain = world.and_then(|world| chain(context, trial, world));
+    assessed.shock = shock(trial);
+    let hardest = order.iter().rev().copied();
+    let rocks = |world: &usize| trial.lived[*world].rigid.as_ref().is_ok_and(|axes| lifts(axes) && !overturned(axes));
+    if let Some(world) = hardest.clone().find(rocks) {
+        let at = context.worlds.floor(world as u32, trial.subject.level_ratio, Again::default(), None)?;
+        let impacts = impacts_above(trial, world, &at);
+        assessed.shock = assessed.shock.map(|shock| Shock { impacts_above_tolerance: impacts, ..shock });
+        assessed.sliding = sliding(context, trial, world, &at);
+    } else {
+        assessed.sliding = Some(slides(context, trial, floor.pfa_g_max));
+    }
     if decision == Decision::Restrain {
-        assessed.restraint = context.restraint(found);
+        assessed.restraint = context.restraint(trial);
     }
-    assessed.clearance_m = clearance(found);
-    assessed.context = context.comparisons(found);
-    assessed.shock = shock.map(|shock| Shock { impacts_above_tolerance: impacts, ..shock });
-    assessed.response = Some(response);
-    assessed.chain = chain;
-    assessed
+    assessed.context = context.comparisons(trial, &floor);
+    assessed.answers = Some(answers);
+    Ok(assessed)
 }
 
-/// Share of the motions, or of the draws, whose histories failed.
-fn unknown_ratio(context: &Context, found: &Found, failed: usize) -> f64 {
-    let motions = failed as f64 / found.as_is.len().max(1) as f64;
-    let Some(draws) = found.draws.as_ref().filter(|_| !found.is_screened) else { return motions };
-    let wanted = context.names.len() * max_draws(found) as usize;
-    let done: usize = draws.iter().map(Vec::len).sum();
-    motions.max(1.0 - done as f64 / wanted.max(1) as f64)
-}
-
-/// Whether a motion that does not overturn it compresses its pads by more than their stated
-/// thickness.
-fn bottoms(found: &Found) -> bool {
-    let Some(thickness_m) = found.body().and_then(|body| body.pad_thickness_m) else { return false };
-    let pressed = |one: &AxisMotion| one.hit.as_ref().is_some_and(|hit| hit.compression_m > thickness_m);
-    found.followed().any(|(_, axes)| axes.iter().any(pressed))
-}
-
-/// Demand/capacity of the hardest motion; without a tolerance, rotation over the slenderness angle.
-fn hardest(found: &Found) -> f64 {
-    let of = |axes: &[AxisMotion]| demand_capacity(axes).unwrap_or_else(|| rotation_ratio(found, axes));
-    found.followed().map(|(_, axes)| of(axes)).fold(0.0, f64::max)
-}
-
-/// Peak rotation over the slenderness angle, about the axis where it is larger.
-fn rotation_ratio(found: &Found, axes: &[AxisMotion]) -> f64 {
-    if overturned(axes) {
-        return f64::INFINITY;
+fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
+    let rigid = trial.lived.iter().filter_map(|one| one.rigid.as_ref().err());
+    let pads = trial.lived.iter().filter_map(|one| one.pads.as_ref()?.as_ref().err());
+    for (model, mut errors) in [("a rigid base", rigid.collect::<Vec<_>>()), ("its pads", pads.collect())] {
+        if let Some(first) = errors.first().map(|first| (*first).clone()) {
+            let count = errors.len();
+            errors.clear();
+            notes.push(format!(
+                "The histories on {model} failed in {count} of {} worlds ({first}); they count as exceeded in the upper \
+                 end of an interval and as not exceeded in the lower.",
+                trial.lived.len()
+            ));
+        }
     }
-    let alpha = |axis: usize| found.member.subject.axes[axis].block.pivot().slenderness_angle_rad;
-    axes.iter().enumerate().map(|(i, one)| one.rocking.peak_rotation_rad / alpha(i)).fold(0.0, f64::max)
 }
 
-fn max_draws(found: &Found) -> u32 {
-    found.draws.iter().flatten().map(Vec::len).max().unwrap_or(0) as u32
+fn floor_facts(trial: &Trial) -> FloorFacts {
+    let pfa = || trial.lived.iter().map(|one| one.pfa_m_s2 / G0_M_S2);
+    FloorFacts {
+        level_ratio: trial.subject.level_ratio,
+        pfa_g_median: quantile(pfa(), 0.5),
+        pfa_g_max: pfa().fold(0.0, f64::max),
+        pfv_m_s_median: quantile(trial.lived.iter().map(|one| one.pfv_m_s), 0.5),
+    }
 }
 
-fn response(found: &Found) -> Option<Response> {
-    let motions = found.followed().count();
-    if motions == 0 {
+fn answers(context: &Context, trial: &Trial) -> Answers {
+    let accepted = trial.member.accepted_ratio;
+    let is_known =
+        trial.subject.capacity.as_ref().is_some_and(|capacity| trial.subject.body.is_some() || !capacity.needs_shock());
+    let model = |model| ModelAnswers {
+        overturn: trial.probability(context, Question::Falls, model),
+        exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
+    };
+    let rigid = model(Model::Rigid);
+    let compliant = trial.asks(context, Model::Pads).then(|| model(Model::Pads));
+    let falls = FallsAnswer::of(trial.side(context, Question::Falls));
+    let shock = match (&trial.subject.capacity, is_known) {
+        (None, _) => ShockAnswer::Unknown,
+        (Some(_), true) => ShockAnswer::of(trial.side(context, Question::Shock)),
+        // The acceleration of the floor alone is too much, or nothing can be said.
+        (Some(_), false) => match ShockAnswer::of(trial.side(context, Question::Shock)) {
+            ShockAnswer::Exceeded => ShockAnswer::Exceeded,
+            _ => ShockAnswer::Unknown,
+        },
+    };
+    let is_above = |p: crate::result::Probability| p.value > accepted;
+    let models_agree = compliant.map(|pads| {
+        let falls = is_above(rigid.overturn) == is_above(pads.overturn);
+        let exceeds = rigid.exceed.map(is_above) == pads.exceed.map(is_above);
+        falls && (exceeds || !trial.member.asks_shock)
+    });
+    let asked_on_pads = trial.lived.iter().filter(|one| one.pads.is_some()).count() as u32;
+    let restitutions = || trial.lived.iter().map(|one| one.draw.restitution[0]);
+    Answers {
+        falls,
+        shock: if is_known || shock == ShockAnswer::Exceeded { shock } else { ShockAnswer::Unknown },
+        asks_shock: trial.member.asks_shock,
+        models_agree,
+        worlds: trial.worlds(),
+        worlds_cap: trial.cap(),
+        worlds_compliant: compliant.and_then(|_| (asked_on_pads < trial.worlds()).then_some(asked_on_pads)),
+        confidence: context.study.assessment.worlds.looks.confidence(),
+        rigid,
+        compliant,
+        restitution_p16_p84: [QUANTILES[0], QUANTILES[2]].map(|q| quantile(restitutions(), q)),
+    }
+}
+
+/// What happens on its pads; `None` where that was not asked.
+pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
+    if !trial.asks(context, Model::Pads) {
         return None;
     }
-    let over = |number: &dyn Fn(&AxisMotion) -> f64| quantiles(found.followed().map(|(_, axes)| ranked(axes, number)));
-    Some(Response {
-        motions,
-        failed: found.as_is.len() - motions,
-        failure: found.as_is.iter().find_map(|one| one.as_ref().err()).cloned(),
-        uplift_share: share(found.followed().map(|(_, axes)| lifts(axes))),
-        overturn_share: share(found.followed().map(|(_, axes)| overturned(axes))),
-        uplift_m: over(&|one| one.rocking.uplift_m),
-        rotation_ratio: quantiles(found.followed().map(|(_, axes)| rotation_ratio(found, axes))),
-        impacts_max: found.followed().flat_map(|(_, axes)| axes.iter().map(|one| one.rocking.impact_count)).max()?,
-        axes: (0..found.member.subject.axes.len()).map(|axis| axis_response(found, axis)).collect(),
+    let body = trial.subject.body.as_ref()?;
+    let worlds = || on_pads_followed(trial);
+    let most = |axes: &[PadMotion], number: fn(&PadMotion) -> f64| axes.iter().map(number).fold(0.0, f64::max);
+    let rank = |number: fn(&PadMotion) -> f64| {
+        quantiles(worlds().map(|(_, axes)| {
+            if axes.iter().any(|one| one.has_overturned) { f64::INFINITY } else { most(axes, number) }
+        }))[1]
+    };
+    let stiffness = body.cushion.linear_stiffness_n_m();
+    let blocks = || trial.subject.axes.iter().map(|axis| &axis.block);
+    let frequency = stiffness.and_then(|k| {
+        blocks().filter_map(|block| rocking_frequency_hz(block, body.mass_kg, k, G0_M_S2)).reduce(f64::min)
+    });
+    let threshold = stiffness.and_then(|k| {
+        blocks().map(|block| pad_uplift_threshold_m_s2(block, body.mass_kg, k, G0_M_S2) / G0_M_S2).reduce(f64::min)
+    });
+    let ratios: Vec<f64> = worlds()
+        .filter_map(|(_, axes)| axes.iter().map(|one| one.pad_uplift_ratio).try_fold(0.0f64, |a, b| Some(a.max(b?))))
+        .collect();
+    Some(OnPads {
+        rocking_frequency_hz: frequency,
+        pad_uplift_threshold_g: threshold,
+        pad_uplift_ratio_p84: (!ratios.is_empty()).then(|| quantile(ratios.iter().copied(), QUANTILES[2])),
+        let_go_share: share(worlds().map(|(_, axes)| axes.iter().any(|one| one.has_let_go))),
+        rebound_restitution: quantile(trial.lived.iter().map(|one| one.draw.rebound_restitution()), 0.5),
+        edge_acceleration_g_median: rank(|one| one.edge_m_s2 / G0_M_S2),
+        lift_m_median: rank(|one| one.lift_m),
+        compression_m_p95: quantile(worlds().map(|(_, axes)| most(axes, |one| one.compression_m)), 0.95),
     })
 }
 
-fn axis_response(found: &Found, axis: usize) -> AxisResponse {
-    let geometry = &found.member.subject.axes[axis];
+fn response(trial: &Trial) -> Option<Response> {
+    let worlds = followed(trial).count();
+    if worlds == 0 {
+        return None;
+    }
+    let over = |number: &dyn Fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
+    Some(Response {
+        motions: worlds,
+        failed: trial.lived.len() - worlds,
+        failure: trial.lived.iter().find_map(|one| one.rigid.as_ref().err()).cloned(),
+        uplift_share: share(followed(trial).map(|(_, axes)| lifts(axes))),
+        overturn_share: share(followed(trial).map(|(_, axes)| overturned(axes))),
+        uplift_m: over(&|one| one.rocking.uplift_m),
+        rotation_ratio: quantiles(followed(trial).map(|(_, axes)| rotation_ratio(trial, axes))),
+        impacts_max: followed(trial).flat_map(|(_, axes)| axes.iter().map(|one| one.rocking.impact_count)).max()?,
+        axes: (0..trial.subject.axes.len()).map(|axis| axis_response(trial, axis)).collect(),
+    })
+}
+
+/// Peak rotation over the slenderness angle, about the axis where it is larger.
+fn rotation_ratio(trial: &Trial, axes: &[AxisMotion]) -> f64 {
+    if overturned(axes) {
+        return f64::INFINITY;
+    }
+    let alpha = |axis: usize| trial.subject.axes[axis].block.pivot().slenderness_angle_rad;
+    axes.iter().enumerate().map(|(i, one)| one.rocking.peak_rotation_rad / alpha(i)).fold(0.0, f64::max)
+}
+
+fn axis_response(trial: &Trial, axis: usize) -> AxisResponse {
+    let geometry = &trial.subject.axes[axis];
     let pivot = geometry.block.pivot();
-    let motions = || found.followed().filter_map(|(_, axes)| axes.get(axis));
+    let worlds = || followed(trial).filter_map(|(_, axes)| axes.get(axis));
     let shock = |one: &AxisMotion| ranked(std::slice::from_ref(one), larger_g);
     AxisResponse {
         axis: geometry.axis,
         slenderness_angle_rad: pivot.slenderness_angle_rad,
         half_diagonal_m: pivot.half_diagonal_m,
         uplift_threshold_g: pivot.slenderness_angle_rad.tan(),
-        uplift_share: share(motions().map(|one| one.rocking.outcome != RockingOutcome::NoUplift)),
-        overturn_share: share(motions().map(|one| one.rocking.outcome == RockingOutcome::Overturned)),
-        edge_acceleration_g: found.body().map(|_| quantiles(motions().map(shock))),
-        ceiling_g: found.body().map(|body| ceiling_g(found, axis, body)),
+        uplift_share: share(worlds().map(|one| one.rocking.outcome != RockingOutcome::NoUplift)),
+        overturn_share: share(worlds().map(|one| one.rocking.outcome == RockingOutcome::Overturned)),
+        edge_acceleration_g: trial.subject.body.as_ref().map(|_| quantiles(worlds().map(shock))),
+        ceiling_g: trial.subject.body.as_ref().map(|body| ceiling_g(trial, axis, body)),
     }
 }
 
-fn ceiling_g(found: &Found, axis: usize, body: &Body) -> f64 {
-    let landings = landings(&found.member.subject.axes[axis].block, ImpactModel::Paper);
+fn ceiling_g(trial: &Trial, axis: usize, body: &Body) -> f64 {
+    let landings = landings(&trial.subject.axes[axis].block, ImpactModel::Paper);
     let of = |landing: &Landing| {
         let rise_m = landing.pivot.balance_rise_m();
         landing.edge_acceleration_m_s2(body.mass_kg, &body.cushion, rise_m, G0_M_S2) / G0_M_S2
@@ -262,23 +302,22 @@ fn ceiling_g(found: &Found, axis: usize, body: &Body) -> f64 {
     landings.iter().map(of).fold(0.0, f64::max)
 }
 
-fn shock(found: &Found) -> Option<Shock> {
-    let body = found.body()?;
-    let larger = quantiles(found.followed().map(|(_, axes)| ranked(axes, larger_g)));
-    let from_uplift = |one: &AxisMotion| one.hit.as_ref().map_or(0.0, |hit| hit.uplift_g);
-    let change = |one: &AxisMotion| one.hit.as_ref().map_or(0.0, |hit| hit.velocity_change_m_s);
-    let survived = found.followed().filter(|(_, axes)| !overturned(axes) && lifts(axes));
+fn shock(trial: &Trial) -> Option<Shock> {
+    let body = trial.subject.body.as_ref()?;
+    followed(trial).next()?;
+    let of = |number: fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
+    let survived = followed(trial).filter(|(_, axes)| !overturned(axes) && lifts(axes));
     let survived: Vec<(usize, f64)> =
         survived.filter_map(|(_, axes)| governing(axes).map(|(axis, one)| (axis, larger_g(one)))).collect();
     let hardest = survived.iter().copied().reduce(|most, next| if next.1 > most.1 { next } else { most });
-    let axes = 0..found.member.subject.axes.len();
+    let axes = 0..trial.subject.axes.len();
     Some(Shock {
-        edge_acceleration_g: larger,
-        edge_acceleration_uplift_g: quantiles(found.followed().map(|(_, axes)| ranked(axes, from_uplift))),
+        edge_acceleration_g: of(larger_g),
+        edge_acceleration_uplift_g: of(|one| one.hit.as_ref().map_or(0.0, |hit| hit.uplift_g)),
         edge_acceleration_max_g: hardest.map(|(_, shock_g)| shock_g),
-        pulse_duration_s: pulse_duration_s(found, hardest.map_or(0, |(axis, _)| axis), body),
-        velocity_change_m_s: quantiles(found.followed().map(|(_, axes)| ranked(axes, change)))[1],
-        ceiling_g: axes.map(|axis| ceiling_g(found, axis, body)).fold(0.0, f64::max),
+        pulse_duration_s: pulse_duration_s(trial, hardest.map_or(0, |(axis, _)| axis), body),
+        velocity_change_m_s: of(|one| one.hit.as_ref().map_or(0.0, |hit| hit.velocity_change_m_s))[1],
+        ceiling_g: axes.map(|axis| ceiling_g(trial, axis, body)).fold(0.0, f64::max),
         stiffness_n_m: body.cushion.linear_stiffness_n_m(),
         impacts_above_tolerance: None,
     })
@@ -286,69 +325,38 @@ fn shock(found: &Found) -> Option<Shock> {
 
 /// The duration of the pulse on the cushion; for a curved contact law, of a landing from a
 /// hundredth of the rise at the balance point.
-fn pulse_duration_s(found: &Found, axis: usize, body: &Body) -> f64 {
-    let landing = Landing::rocking(&found.member.subject.axes[axis].block, ImpactModel::Paper);
+fn pulse_duration_s(trial: &Trial, axis: usize, body: &Body) -> f64 {
+    let landing = Landing::rocking(&trial.subject.axes[axis].block, ImpactModel::Paper);
     let rise_m = 0.01 * landing.pivot.balance_rise_m();
     landing.impact(body.mass_kg, &body.cushion, rise_m, G0_M_S2).pulse_duration_s
 }
 
-fn probabilities(found: &Found) -> (Probability, Option<Probability>) {
-    let never = Probability { value: 0.0, low: 0.0, high: 1.0 };
-    let comparable = found.capacity().is_some_and(|capacity| found.body().is_some() || !capacity.needs_shock());
-    match &found.draws {
-        Some(draws) => (
-            probability(&shares(draws, |one| one.overturned)).unwrap_or(never),
-            if comparable { probability(&shares(draws, |one| one.exceeds())) } else { floor_alone(found) },
-        ),
-        // It does not uplift, so that only the acceleration of the floor remains, and only a peak
-        // can be exceeded by it.
-        None => {
-            let zeros: Vec<f64> = found.followed().map(|_| 0.0).collect();
-            let floor = found.capacity().map(|capacity| {
-                let above = |motion: usize| capacity.peak_m_s2.is_some_and(|peak| found.floor.pfa_m_s2[motion] > peak);
-                found.followed().map(|(motion, _)| f64::from(u8::from(above(motion)))).collect::<Vec<f64>>()
-            });
-            (probability(&zeros).unwrap_or(never), floor.and_then(|by_motion| probability(&by_motion)))
-        }
-    }
-}
-
-/// For an object without a known shock, the probability that the acceleration of its floor alone
-/// exceeds its tolerance, where that is above the accepted one: a shock could only add to it.
-fn floor_alone(found: &Found) -> Option<Probability> {
-    let peak_m_s2 = found.capacity()?.peak_m_s2?;
-    let above = |(motion, _): (usize, _)| f64::from(u8::from(found.floor.pfa_m_s2[motion] > peak_m_s2));
-    let by_motion: Vec<f64> = found.followed().map(above).collect();
-    probability(&by_motion).filter(|p| p.value > found.member.accepted_ratio)
-}
-
-fn missing(found: &Found) -> Vec<&'static str> {
-    let item = found.member.item;
+fn missing(trial: &Trial) -> Vec<&'static str> {
+    let item = trial.member.item;
     let known = [
-        (item.tolerance.is_some() && found.capacity().is_some(), "tolerance"),
+        (item.tolerance.is_some() && trial.subject.capacity.is_some(), "tolerance"),
         (item.mass_kg.is_some(), "mass"),
         (item.cushion.is_some(), "cushion"),
     ];
     known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect()
 }
 
-fn governing_criterion(found: &Found, motion: usize) -> Option<Criterion> {
-    let capacity = found.capacity()?;
-    let axes = found.as_is.get(motion)?.as_ref().ok()?;
-    if overturned(axes) {
-        return Some(Criterion::Overturning);
-    }
-    let terms = axes.iter().filter_map(|one| one.terms);
-    let worst = terms.reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
+/// What governs in a world, by the model with the larger demand.
+fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
+    let capacity = trial.subject.capacity.as_ref()?;
+    let lived = trial.lived.get(world)?;
+    let rigid = lived.rigid.iter().flatten().filter_map(|one| one.terms);
+    let pads = lived.pads.iter().flatten().flatten().filter_map(|one| one.terms);
+    let worst = rigid.chain(pads).reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
     match worst {
         Some(worst) => Some(worst.governing(capacity)),
-        None => floor_alone(found).map(|_| Criterion::FloorAcceleration),
+        None => capacity.peak_m_s2.map(|_| Criterion::FloorAcceleration),
     }
 }
 
-fn capacity_check(found: &Found, governing: Option<Criterion>) -> Option<CapacityCheck> {
-    let (capacity, tolerance) = (found.capacity()?, found.member.item.tolerance.as_ref()?);
-    let ratios: Option<Vec<f64>> = found.followed().map(|(_, axes)| demand_capacity(axes)).collect();
+fn capacity_check(trial: &Trial, floor: &FloorFacts, governing: Option<Criterion>) -> Option<CapacityCheck> {
+    let (capacity, tolerance) = (trial.subject.capacity.as_ref()?, trial.member.item.tolerance.as_ref()?);
+    let ratios: Option<Vec<f64>> = followed(trial).map(|(_, axes)| demand_capacity(axes)).collect();
     let [_, median, p84] = ratios.map_or([Ranked::NoData; 3], |ratios| quantiles(ratios.into_iter()));
     Some(CapacityCheck {
         demand_capacity: median,
@@ -357,52 +365,42 @@ fn capacity_check(found: &Found, governing: Option<Criterion>) -> Option<Capacit
         tolerance: capacity.words(),
         source: tolerance.source.clone(),
         decides: capacity.decides,
-        floor_ratio: capacity.peak_m_s2.map(|peak| found.floor.facts.pfa_g_median * G0_M_S2 / peak),
+        floor_ratio: capacity.peak_m_s2.map(|peak| floor.pfa_g_median * G0_M_S2 / peak),
     })
 }
 
 /// Impacts above the peak of its tolerance, about the governing axis; `None` where no peak is
 /// known.
-fn impacts_above(found: &Found, motion: usize) -> Option<usize> {
-    let (body, peak) = (found.body()?, found.capacity()?.peak_m_s2?);
-    let axes = found.as_is.get(motion)?.as_ref().ok()?;
-    let block = &found.member.subject.axes[governing(axes)?.0].block;
-    let landing = Landing::rocking(block, ImpactModel::Paper);
+fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize> {
+    let peak_m_s2 = trial.subject.capacity.as_ref()?.peak_m_s2?;
+    let lived = trial.lived.get(world)?;
+    let (axis, _) = governing(lived.rigid.as_ref().ok()?)?;
+    let (mass_kg, cushion) = lived.draw.body(&trial.subject)?;
+    let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
+    let landing = Landing::rocking(&block, ImpactModel::Paper);
     let above = |impact: &RockingImpact| {
-        let omega_rad_s = impact.omega_before_rad_s;
-        let shock = landing.impact_at_omega(body.mass_kg, &body.cushion, omega_rad_s, G0_M_S2);
-        shock.edge_acceleration_m_s2 > peak
+        let shock = landing.impact_at_omega(mass_kg, &cushion, impact.omega_before_rad_s, G0_M_S2);
+        shock.edge_acceleration_m_s2 > peak_m_s2
     };
-    let in_direction = |direction: &Motion| {
-        let base = Base { horizontal: Some(direction), vertical: None };
-        let history = rock(block, base, &options(found.member.subject.restitution)).ok()?;
-        Some(history.impacts.iter().filter(|impact| above(impact)).count())
-    };
-    found.floor.motions[motion].iter().filter_map(in_direction).max()
+    let base = Base { horizontal: Some(at.component(lived.draw.is_along_x(axis))), vertical: None };
+    let history = rock(&block, base, &options(restitution)).ok()?;
+    Some(history.impacts.iter().filter(|impact| above(impact)).count())
 }
 
-/// Whether it slides, by the friction that rocking and its impacts need under the hardest motion,
-/// or that an object at rest needs on its floor; `None` where that is not known.
-fn sliding(context: &Context, found: &Found, order: &[usize]) -> Option<Sliding> {
-    let rocks = |motion: usize| found.as_is[motion].as_ref().is_ok_and(|axes| lifts(axes));
-    let Some(motion) = order.iter().rev().copied().find(|&motion| rocks(motion)) else {
-        return Some(slides(context, found, found.floor.facts.pfa_g_max));
-    };
-    if found.is_screened {
-        return None;
-    }
-    let subject = &found.member.subject;
-    let (axis, _) = governing(found.as_is[motion].as_ref().ok()?)?;
-    let block = &subject.axes[axis].block;
-    let restitution = subject.restitution.ratios(block).ok()?[0];
-    let directions = found.floor.motions[motion].iter();
-    let rocking = directions.map(|direction| friction_needed_ratio(block, direction, subject.restitution));
-    let most = rocking.collect::<Option<Vec<f64>>>()?.into_iter().fold(0.0, f64::max);
-    Some(slides(context, found, most.max(impact_friction_needed_ratio(block, restitution))))
+/// Whether it slides, by the friction that rocking and its impacts need in the hardest world;
+/// `None` where that is not known.
+fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<Sliding> {
+    let lived = trial.lived.get(world)?;
+    let (axis, _) = governing(lived.rigid.as_ref().ok()?)?;
+    let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
+    let motion = at.component(lived.draw.is_along_x(axis));
+    let most = friction_needed_ratio(&block, motion, restitution)?;
+    let ratio = restitution.ratios(&block).ok()?[0];
+    Some(slides(context, trial, most.max(impact_friction_needed_ratio(&block, ratio))))
 }
 
-fn slides(context: &Context, found: &Found, needed_ratio: f64) -> Sliding {
-    let stated = found.member.item.friction_ratio;
+fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
+    let stated = trial.member.item.friction_ratio;
     let (low, high) = stated.unwrap_or(context.study.assessment.friction_ratio);
     let verdict = if low >= needed_ratio {
         SlidingVerdict::No
@@ -414,48 +412,53 @@ fn slides(context: &Context, found: &Found, needed_ratio: f64) -> Sliding {
     Sliding { verdict, friction_ratio: (low, high), is_stated: stated.is_some() }
 }
 
-/// Eqs. (5)–(7) about the governing axis; `None` where it overturns or does not uplift.
-fn chain(context: &Context, found: &Found, motion: usize) -> Option<Chain> {
-    let (axis, one) = governing(found.as_is.get(motion)?.as_ref().ok()?)?;
-    let (body, geometry) = (found.body()?, &found.member.subject.axes[axis]);
+/// Eqs. (5)–(7) about the governing axis, with the values of a world; `None` where it overturns or
+/// does not uplift.
+fn chain(context: &Context, trial: &Trial, world: usize) -> Option<Chain> {
+    let lived = trial.lived.get(world)?;
+    let (axis, one) = governing(lived.rigid.as_ref().ok()?)?;
     if one.rocking.outcome != RockingOutcome::Rocked {
         return None;
     }
-    let landing = Landing::rocking(&geometry.block, ImpactModel::Paper);
-    let shock = landing.impact(body.mass_kg, &body.cushion, one.rocking.cg_rise_m, G0_M_S2);
-    let both = hit(&geometry.block, &one.rocking, body.mass_kg, &body.cushion)?;
+    let (mass_kg, cushion) = lived.draw.body(&trial.subject)?;
+    let (block, _) = lived.draw.block(&trial.subject, axis)?;
+    let geometry = &trial.subject.axes[axis];
+    let landing = Landing::rocking(&block, ImpactModel::Paper);
+    let shock = landing.impact(mass_kg, &cushion, one.rocking.cg_rise_m, G0_M_S2);
+    let both = hit(&block, &one.rocking, mass_kg, &cushion)?;
+    let (height_m, side_m) = lived.draw.size_m(&trial.subject, axis);
     Some(Chain {
-        motion: context.names.get(motion)?.clone(),
+        motion: context.worlds.name(u32::try_from(world).ok()?),
         axis: geometry.axis,
-        height_m: geometry.height_m,
-        thickness_m: geometry.side_m,
-        is_uniform: geometry.is_uniform() && body.cushion.linear_stiffness_n_m().is_some(),
-        base_m: geometry.block.base_width_m(),
-        half_diagonal_m: geometry.block.pivot().half_diagonal_m,
-        mass_kg: body.mass_kg,
-        stiffness_n_m: body.cushion.linear_stiffness_n_m(),
+        height_m,
+        thickness_m: side_m,
+        is_uniform: geometry.is_uniform() && cushion.linear_stiffness_n_m().is_some(),
+        base_m: block.base_width_m(),
+        half_diagonal_m: block.pivot().half_diagonal_m,
+        mass_kg,
+        stiffness_n_m: cushion.linear_stiffness_n_m(),
         cg_rise_m: one.rocking.cg_rise_m,
-        landing_ratio: geometry.block.landing_ratio(),
-        is_halted: geometry.block.landing_ratio() <= 0.0,
+        landing_ratio: block.landing_ratio(),
+        is_halted: block.landing_ratio() <= 0.0,
         drop_acceleration_g: shock.drop_acceleration_m_s2 / G0_M_S2,
-        effective_mass_kg: landing.effective_mass_ratio * body.mass_kg,
+        effective_mass_kg: landing.effective_mass_ratio * mass_kg,
         edge_acceleration_g: both.uplift_g,
         edge_acceleration_impact_velocity_g: both.impact_velocity_g,
-        velocity_change_m_s: shock.velocity_change_m_s,
+        velocity_change_m_s: 0.5 * (1.0 + lived.draw.rebound_restitution()) * shock.velocity_change_m_s,
         pulse_duration_s: shock.pulse_duration_s,
         uplift_m: one.rocking.uplift_m,
         demand_capacity_ratio: one.terms.map(|terms| terms.ratio()),
     })
 }
 
-/// The clearance that the object needs while it rocks: the largest over the motions and axes.
-fn clearance(found: &Found) -> Option<f64> {
+/// The clearance that the object needs while it rocks: the largest over the worlds and axes.
+fn clearance(trial: &Trial) -> Option<f64> {
     let clear = |(i, one): (usize, &AxisMotion)| {
-        let geometry = &found.member.subject.axes[i];
+        let geometry = &trial.subject.axes[i];
         match one.rocking.outcome {
             RockingOutcome::Overturned => geometry.height_m,
             _ => crate::restraint::clearance_m(geometry.height_m, geometry.side_m, one.rocking.peak_rotation_rad),
         }
     };
-    found.followed().flat_map(|(_, axes)| axes.iter().enumerate().map(clear).collect::<Vec<_>>()).reduce(f64::max)
+    followed(trial).flat_map(|(_, axes)| axes.iter().enumerate().map(clear).collect::<Vec<_>>()).reduce(f64::max)
 }

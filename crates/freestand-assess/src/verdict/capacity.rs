@@ -1,5 +1,4 @@
-//! Demand over capacity, kept in parts so that a softer pad or an error of the model can be applied
-//! afterwards.
+//! Demand over capacity, in its parts.
 
 use std::sync::OnceLock;
 
@@ -29,12 +28,11 @@ pub(super) struct Demand {
     pub(super) duration_s: f64,
 }
 
-/// Demand over capacity in its parts: `max(min(acceleration · f, velocity_change), spectrum · s,
-/// lift, floor)`, where f and s are [`Factors`] on the shock of the edge.
+/// Demand over capacity in its parts: `max(min(acceleration, velocity_change), spectrum, lift,
+/// floor)`.
 ///
 /// The acceleration is that of a peak, or A/A_c of a damage boundary, whose other leg Δv/V_c caps
-/// it. Neither Δv/V_c nor the uplift depends on the stiffness. The spectrum is that of the pulse
-/// that the object withstands.
+/// it. The spectrum is that of the pulse that the object withstands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Terms {
     pub(super) acceleration: f64,
@@ -42,30 +40,6 @@ pub(super) struct Terms {
     pub(super) spectrum: f64,
     pub(super) lift: f64,
     pub(super) floor: f64,
-    /// Duration of the pulse \[s\], which a spectrum depends on; 0 for an object that does not
-    /// rock.
-    pub(super) duration_s: f64,
-}
-
-/// Factors on the peak of a shock, and on the ratio of its spectrum to that of the pulse that the
-/// object withstands.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Factors {
-    pub(super) peak: f64,
-    pub(super) spectrum: f64,
-}
-
-impl Factors {
-    pub(super) const ONE: Self = Self::of(1.0);
-
-    /// For a harder shock of the same duration.
-    pub(super) const fn of(harder: f64) -> Self {
-        Self { peak: harder, spectrum: harder }
-    }
-
-    pub(super) fn times(self, harder: f64) -> Self {
-        Self { peak: self.peak * harder, spectrum: self.spectrum * harder }
-    }
 }
 
 impl Terms {
@@ -75,25 +49,19 @@ impl Terms {
         spectrum: f64::INFINITY,
         lift: f64::INFINITY,
         floor: f64::INFINITY,
-        duration_s: 0.0,
     };
 
     /// Demand over capacity.
     pub(super) fn ratio(&self) -> f64 {
-        self.ratio_by(Factors::ONE)
-    }
-
-    /// Demand over capacity with factors on the shock of the edge.
-    pub(super) fn ratio_by(&self, factors: Factors) -> f64 {
         if self.lift.is_infinite() {
             return f64::INFINITY;
         }
-        self.edge(factors.peak).max(self.spectrum * factors.spectrum).max(self.lift).max(self.floor)
+        self.edge().max(self.spectrum).max(self.lift).max(self.floor)
     }
 
     /// The part of a peak or a damage boundary.
-    fn edge(&self, factor: f64) -> f64 {
-        (self.acceleration * factor).min(self.velocity_change)
+    fn edge(&self) -> f64 {
+        self.acceleration.min(self.velocity_change)
     }
 
     /// The part that governs.
@@ -102,7 +70,7 @@ impl Terms {
             return Criterion::Overturning;
         }
         let parts = [
-            (self.edge(1.0), capacity.edge_criterion()),
+            (self.edge(), capacity.edge_criterion()),
             (self.spectrum, Criterion::Spectrum),
             (self.lift, Criterion::EdgeLift),
             (self.floor, Criterion::FloorAcceleration),
@@ -153,8 +121,7 @@ impl Capacity {
     ) -> Option<Terms> {
         let lift = self.edge_lift_m.map_or(0.0, |survived_m| uplift_m / survived_m);
         let floor = self.peak_m_s2.map_or(0.0, |peak| floor_m_s2 / peak);
-        let still =
-            Terms { acceleration: 0.0, velocity_change: f64::INFINITY, spectrum: 0.0, lift, floor, duration_s: 0.0 };
+        let still = Terms { acceleration: 0.0, velocity_change: f64::INFINITY, spectrum: 0.0, lift, floor };
         if is_at_rest || !self.needs_shock() {
             return Some(still);
         }
@@ -170,7 +137,7 @@ impl Capacity {
         };
         let survived = peak.zip(self.duration_s);
         let spectrum = survived.map_or(0.0, |(peak, _)| peak * severity_ratio(demand.duration_s));
-        Some(Terms { acceleration, velocity_change, spectrum, lift, floor, duration_s: demand.duration_s })
+        Some(Terms { acceleration, velocity_change, spectrum, lift, floor })
     }
 
     /// Severity of a pulse of this duration over the tolerated pulse at the same peak; 1 where that
@@ -298,7 +265,7 @@ mod tests {
 
     #[test]
     fn a_fall_is_beyond_every_number() {
-        assert_eq!(Terms::OVERTURNED.ratio_by(Factors::of(1e-9)), f64::INFINITY);
+        assert_eq!(Terms::OVERTURNED.ratio(), f64::INFINITY);
         let capacity = Capacity::new(&tolerance(Some(5.0), None, None, None)).unwrap();
         assert_eq!(Terms::OVERTURNED.governing(&capacity), Criterion::Overturning);
     }

@@ -1,20 +1,22 @@
 //! Published numbers to compare ours with: code accelerations, fragilities, and the forces for a
 //! restraint.
 
+use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Restitution, rock_observed};
 
-use crate::restraint::{RestraintAxis, RestraintParameters, RestraintQuestion, restraint_forces};
-use crate::result::{AcceptedFor, RestraintForce};
+use crate::restraint::{RestraintAxis, RestraintQuestion, restraint_forces};
+use crate::result::{AcceptedFor, FloorFacts, RestraintForce};
 use freestand_input::words::number;
 
 use super::Context;
-use super::assessment::Found;
+use super::assessment::quantile;
 use super::decision::percent;
 use super::response::{lifts, options};
+use super::trial::Trial;
 
 /// Dispersion of the FEMA P-58 fragilities of slender unanchored contents.
 const P58_BETA: f64 = 0.5;
@@ -35,8 +37,7 @@ pub(super) fn friction_needed_ratio(block: &Block, motion: &Motion, restitution:
 
 impl Context<'_> {
     /// Comparisons with published numbers, one sentence each.
-    pub(super) fn comparisons(&self, found: &Found) -> Vec<String> {
-        let facts = &found.floor.facts;
+    pub(super) fn comparisons(&self, trial: &Trial, facts: &FloorFacts) -> Vec<String> {
         let mut lines = Vec::new();
         if let (Some(target), Some(building)) = (self.study.ground.code_spectrum(), &self.study.building) {
             let question = PartsQuestion {
@@ -54,8 +55,8 @@ impl Context<'_> {
                 ));
             }
         }
-        if found.followed().any(|(_, axes)| lifts(axes)) {
-            let slender = found.member.subject.axes.iter().map(|axis| kaneko_hayashi_velocity_m_s(&axis.block));
+        if trial.lived.iter().any(|one| one.rigid.as_ref().is_ok_and(|axes| lifts(axes))) {
+            let slender = trial.subject.axes.iter().map(|axis| kaneko_hayashi_velocity_m_s(&axis.block));
             let median_m_s = P58_SHARE * slender.fold(f64::INFINITY, f64::min);
             let p = lognormal_probability(facts.pfv_m_s_median, median_m_s, P58_BETA);
             lines.push(format!(
@@ -67,9 +68,9 @@ impl Context<'_> {
                 percent(p)
             ));
         }
-        let thresholds = found.member.subject.axes.iter().map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
+        let thresholds = trial.subject.axes.iter().map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
         lines.push(format!(
-            "Uplift begins at {} g; the largest PFA of the motions of its floor is {} g.",
+            "Uplift begins at {} g; the largest PFA of its floor is {} g.",
             number(thresholds.fold(f64::INFINITY, f64::min), 3),
             number(facts.pfa_g_max, 3)
         ));
@@ -77,26 +78,31 @@ impl Context<'_> {
     }
 
     /// The forces for a restraint; none where the mass is not given.
-    pub(super) fn restraint(&self, found: &Found) -> Vec<RestraintForce> {
-        let (member, facts) = (found.member, &found.floor.facts);
+    pub(super) fn restraint(&self, trial: &Trial) -> Vec<RestraintForce> {
+        let member = trial.member;
+        // The floor acceleration that all worlds but the accepted share do not exceed: the largest
+        // grows with their number.
+        let pfa = trial.lived.iter().map(|one| one.pfa_m_s2 / G0_M_S2);
+        let floor_g = quantile(pfa, 1.0 - member.accepted_ratio);
         let Some(mass_kg) = member.item.mass_kg else { return Vec::new() };
-        let axes = member.subject.axes.iter().map(|axis| RestraintAxis {
+        let axes = trial.subject.axes.iter().map(|axis| RestraintAxis {
             axis: axis.axis,
             base_m: axis.block.base_width_m(),
             weight_lever_m: axis.block.cg_from_right_m(),
         });
         let building = self.study.building.as_ref();
-        let is_critical = member.accepted_for == AcceptedFor::LifeSafety;
         restraint_forces(&RestraintQuestion {
             mass_kg,
-            cg_height_m: member.subject.axes.first().map_or(0.0, |axis| axis.block.cg_height_m()),
+            height_m: trial.subject.axes.first().map_or(0.0, |axis| axis.height_m),
+            cg_height_m: trial.subject.axes.first().map_or(0.0, |axis| axis.block.cg_height_m()),
             axes: axes.collect(),
-            level_ratio: facts.level_ratio,
+            level_ratio: trial.subject.level_ratio,
             building_height_m: building.map(|building| building.height_m),
             building_period_s: building.map(|building| building.along.period_s()),
             spectrum: self.study.ground.code_spectrum().map(|target| target.spectrum.clone()),
-            floor_acceleration_g: Some(facts.pfa_g_max),
-            parameters: if is_critical { RestraintParameters::critical() } else { RestraintParameters::default() },
+            floor_acceleration_g: Some(floor_g),
+            is_critical: member.accepted_for == AcceptedFor::LifeSafety,
+            settings: self.study.assessment.restraint,
         })
     }
 }

@@ -1,141 +1,222 @@
 //! The decision on an object, and the reason for it in words.
 
-use crate::inventory::{Consequences, Rating};
-use crate::result::{AcceptedFor, Criterion, Decision, Probability};
-use freestand_input::words::{number, percent_significant};
-use freestand_study::study::assessment::Accepted;
+use freestand::decision::Side;
 
-/// The accepted probability of an object, and what sets it.
-pub(crate) fn accepted(all: &Accepted, own: Option<f64>, consequences: &Consequences) -> (f64, AcceptedFor) {
+use crate::inventory::{Consequences, Rating};
+use crate::result::{AcceptedFor, Answers, Criterion, Decision, FallsAnswer, ModelAnswers, Probability, ShockAnswer};
+use freestand_input::words::{counted, percent_significant};
+use freestand_study::study::assessment::{Accepted, SMALL_ITEM_J};
+
+/// The accepted probability of an object, and what sets it: its own, else the strictest of its
+/// ratings. `fall_j` is m g z of its centre of gravity, where the mass is known \[J\].
+pub(crate) fn accepted(
+    all: &Accepted,
+    own: Option<f64>,
+    consequences: &Consequences,
+    fall_j: Option<f64>,
+) -> (f64, AcceptedFor) {
     if let Some(own) = own {
         return (own, AcceptedFor::ThisObject);
     }
-    let high = |rating: Option<Rating>| rating == Some(Rating::High);
     let classes = [
-        (high(consequences.life_safety), all.life_safety_ratio, AcceptedFor::LifeSafety),
-        (high(consequences.property), all.property_ratio, AcceptedFor::Property),
-        (high(consequences.function), all.function_ratio, AcceptedFor::Function),
+        (consequences.life_safety, all.life_safety_ratio, AcceptedFor::LifeSafety),
+        (consequences.property, all.property_ratio, AcceptedFor::Property),
+        (consequences.function, all.function_ratio, AcceptedFor::Function),
     ];
-    let rated = classes.into_iter().filter(|(is_high, ..)| *is_high).map(|(_, ratio, class)| (ratio, class));
+    let rated = classes.into_iter().filter_map(|(rating, [high, medium, low], class)| {
+        let ratio = match rating? {
+            Rating::High => high,
+            Rating::Medium => medium,
+            Rating::Low => low,
+        };
+        Some((ratio, class))
+    });
     let strictest = rated.reduce(|least, next| if next.0 < least.0 { next } else { least });
-    strictest.unwrap_or((all.other_ratio, AcceptedFor::Default))
+    strictest.unwrap_or(match fall_j {
+        Some(fall_j) if fall_j < SMALL_ITEM_J => (all.small_item_ratio, AcceptedFor::SmallItem),
+        _ => (all.other_ratio, AcceptedFor::Default),
+    })
+}
+
+impl FallsAnswer {
+    /// From where the probability lies.
+    pub(super) fn of(side: Side) -> Self {
+        match side {
+            Side::Below => Self::Stays,
+            Side::Above => Self::Falls,
+            Side::Open => Self::Close,
+        }
+    }
+}
+
+impl ShockAnswer {
+    /// From where the probability lies.
+    pub(super) fn of(side: Side) -> Self {
+        match side {
+            Side::Below => Self::Stands,
+            Side::Above => Self::Exceeded,
+            Side::Open => Self::Close,
+        }
+    }
 }
 
 /// What a decision is made from.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Case<'a> {
     pub(super) accepted_ratio: f64,
+    pub(super) answers: &'a Answers,
+    /// Whether it uplifts in any world by any model.
     pub(super) lifts: bool,
-    pub(super) p_overturn: Probability,
-    pub(super) p_exceed: Option<Probability>,
     /// Whether the tolerance may decide.
     pub(super) decides: bool,
     pub(super) governing: Option<Criterion>,
     /// What a comparison lacks: `tolerance`, `mass`, `cushion`.
     pub(super) missing: &'a [&'static str],
-    pub(super) pfa_g: f64,
-    /// Demand/capacity of the hardest motion; without a tolerance, rotation over the slenderness
-    /// angle.
-    pub(super) hardest: f64,
-    /// Share of the motions or draws whose histories failed.
-    pub(super) unknown_ratio: f64,
-    /// Whether its pads are compressed beyond their thickness, where the computed shock is too
-    /// small.
-    pub(super) bottoms: bool,
-    /// The softer pad that was looked for because the shock alone is too large: whether it passed,
-    /// and what was checked.
+    /// The softer pad that was looked for: whether it passed, and what was found.
     pub(super) softer: Option<(bool, &'a str)>,
-    /// Why no softer pad was found.
+    /// Why no softer pad was looked for.
     pub(super) beyond_pads: &'a str,
-    /// The larger probability that the compliant base gives.
-    pub(super) p_compliant: Option<f64>,
     pub(super) tolerance_source: &'a str,
+    /// Records that the worlds use in turn, and how many could settle the question of falling.
+    pub(super) records: Option<(u32, Option<u32>)>,
 }
 
 /// The decision and its reason.
 pub(super) fn decide(case: &Case) -> (Decision, String) {
-    let limit = percent(case.accepted_ratio);
-    let overturns = format!("overturns {}", in_words(case.p_overturn));
-    if case.p_overturn.value > case.accepted_ratio {
-        let why = format!("It {overturns}, more than the accepted {limit}.{}", doubt(case.p_overturn, case));
-        return (Decision::Restrain, why);
+    let Answers { falls, shock, asks_shock, .. } = *case.answers;
+    let falling = falling(case);
+    if falls != FallsAnswer::Stays {
+        return (Decision::Restrain, falling);
     }
-    let rocking = if case.lifts { format!("It rocks and {overturns}.") } else { "It does not rock.".to_owned() };
-    let Some(p_exceed) = case.p_exceed else {
-        let (missing, pfa) = (listed(case.missing), number(case.pfa_g, 2));
+    if !asks_shock {
+        return (Decision::Leave, format!("{falling} Only falling was assessed: {}.", only_falling(case)));
+    }
+    if shock == ShockAnswer::Unknown {
+        let missing = listed(case.missing);
         let verb = if case.missing.len() == 1 { "was" } else { "were" };
-        let why = format!(
-            "{rocking} Only overturning was assessed, because its {missing} {verb} not given; the median PFA of its \
-             floor is {pfa} g."
-        );
+        let why = format!("{falling} Whether a shock damages it is unknown, because its {missing} {verb} not given.");
         return (Decision::NoVerdict, why);
-    };
-    let exceeds = format!("{} {}", governing_words(case.governing), in_words(p_exceed));
+    }
+    let shock_words = shock_words(case);
     if !case.decides {
         let source = case.tolerance_source;
         let why = format!(
-            "{rocking} {exceeds}, but this tolerance is recalled and cannot decide: confirm it. Its source: {source}."
+            "{falling} {shock_words} But this tolerance is recalled and cannot decide: confirm it. Its source: \
+             {source}."
         );
         return (Decision::NoVerdict, why);
     }
-    let compliant = case.p_compliant.filter(|p| *p > case.accepted_ratio && p_exceed.value <= case.accepted_ratio);
-    if p_exceed.value <= case.accepted_ratio && compliant.is_none() {
-        if p_exceed.value + case.unknown_ratio > case.accepted_ratio {
-            let share = percent(case.unknown_ratio);
-            return (Decision::NoVerdict, format!("{rocking} {exceeds}, but {share} of its histories failed."));
-        }
-        if case.bottoms {
-            let why = format!(
-                "{rocking} {exceeds}. This assumes a linear cushion, but its pads are compressed beyond their \
-                 thickness: give their contact law."
-            );
-            return (Decision::NoVerdict, why);
-        }
-        let why = format!("{rocking} {exceeds}, within the accepted {limit}.{}", doubt(p_exceed, case));
-        return (Decision::Leave, why);
-    }
-    let above = match compliant {
-        Some(p) => {
-            let p = percent(p);
-            format!("{exceeds} by Eq. (5), but with {p} on a compliant base, more than the accepted {limit}.")
-        }
-        None => format!("{exceeds}, more than the accepted {limit}."),
-    };
-    match (case.softer, case.governing) {
-        (Some((true, note)), _) => (Decision::Soften, format!("{above} A softer pad suffices: {note}")),
-        (Some((false, note)), _) => (Decision::Restrain, format!("{above} No pad suffices: {note}")),
-        (None, Some(Criterion::FloorAcceleration)) => (
+    match (shock, case.softer) {
+        (ShockAnswer::Stands, _) => (Decision::Leave, format!("{falling} {shock_words}")),
+        (_, Some((true, note))) => (Decision::Soften, format!("{falling} {shock_words} {note}")),
+        (_, Some((false, note))) => (Decision::Restrain, format!("{falling} {shock_words} No pad suffices: {note}")),
+        (_, None) if case.governing == Some(Criterion::FloorAcceleration) => (
             Decision::Restrain,
             format!(
-                "{above} Neither a pad nor a restraint lowers the acceleration of the floor: restrain it, and move it \
-                 to a lower floor or isolate it."
+                "{falling} {shock_words} Neither a pad nor a restraint lowers the acceleration of the floor: restrain \
+                 it, and move it to a lower floor or isolate it."
             ),
         ),
-        (None, _) => (Decision::Restrain, format!("{above} No pad suffices: {}.", case.beyond_pads)),
+        (_, None) => (Decision::Restrain, format!("{falling} {shock_words} No pad suffices: {}.", case.beyond_pads)),
+    }
+}
+
+fn only_falling(case: &Case) -> &'static str {
+    if case.missing.contains(&"tolerance") { "no tolerance was given" } else { "nothing else was asked" }
+}
+
+/// The model with the larger upper end: the one that decides.
+pub(super) fn deciding(answers: &Answers, of: impl Fn(&ModelAnswers) -> Option<Probability>) -> Option<Probability> {
+    let both = [of(&answers.rigid), answers.compliant.as_ref().and_then(of)];
+    both.into_iter().flatten().reduce(|most, next| if next.high > most.high { next } else { most })
+}
+
+/// `8 % (6 to 11 %)`.
+fn spread(p: Probability) -> String {
+    format!("{} ({} to {})", percent(p.value), percent(p.low).replace(" %", ""), percent(p.high))
+}
+
+fn falling(case: &Case) -> String {
+    let answers = case.answers;
+    let (worlds, limit) = (counted(answers.worlds as usize, "world"), percent(case.accepted_ratio));
+    let Some(p) = deciding(answers, |model| Some(model.overturn)) else { return String::new() };
+    let models = both_words(answers, |model| Some(model.overturn), case.accepted_ratio);
+    let hits = (p.value * f64::from(answers.worlds)).round();
+    match answers.falls {
+        FallsAnswer::Stays if !case.lifts => {
+            format!("It stays standing: it rocks in none of {worlds} (accepted {limit}).")
+        }
+        FallsAnswer::Stays => {
+            let high = percent(p.high);
+            format!("It stays standing: at most {high} fall ({hits} of {worlds}; accepted {limit}).{models}")
+        }
+        FallsAnswer::Falls => {
+            format!("It falls in {} of {worlds}, more than the accepted {limit}.{models}", spread(p))
+        }
+        FallsAnswer::Close => {
+            let records = match case.records {
+                Some((records, Some(needed))) if needed > records && p.value == 0.0 => format!(
+                    " With {} no more can be said; {needed} could settle it.",
+                    counted(records as usize, "record")
+                ),
+                _ => String::new(),
+            };
+            format!("It falls in {} of {worlds} against {limit}: too close to call.{records}{models}", spread(p))
+        }
+    }
+}
+
+/// Both models, where they disagree.
+fn both_words(answers: &Answers, of: impl Fn(&ModelAnswers) -> Option<Probability>, accepted_ratio: f64) -> String {
+    let (Some(rigid), Some(pads)) = (of(&answers.rigid), answers.compliant.as_ref().and_then(&of)) else {
+        return String::new();
+    };
+    if (rigid.value > accepted_ratio) == (pads.value > accepted_ratio) {
+        return String::new();
+    }
+    format!(
+        " On a rigid base it is {}, on its pads {}: the models disagree, and the worse counts.",
+        percent(rigid.value),
+        percent(pads.value)
+    )
+}
+
+fn shock_words(case: &Case) -> String {
+    let answers = case.answers;
+    let limit = percent(case.accepted_ratio);
+    let Some(p) = deciding(answers, |model| model.exceed) else { return String::new() };
+    let what = governing_words(case.governing);
+    let models = both_words(answers, |model| model.exceed, case.accepted_ratio);
+    match answers.shock {
+        ShockAnswer::Stands => {
+            format!("{what} in at most {} of the worlds (accepted {limit}).{models}", percent(p.high))
+        }
+        ShockAnswer::Exceeded => {
+            format!("{what} in {} of the worlds, more than the accepted {limit}.{models}", spread(p))
+        }
+        ShockAnswer::Close => {
+            format!("{what} in {} of the worlds against {limit}: too close to call.{models}", spread(p))
+        }
+        ShockAnswer::Unknown => String::new(),
     }
 }
 
 fn governing_words(governing: Option<Criterion>) -> &'static str {
     match governing {
-        Some(Criterion::Peak) => "Its peak shock exceeds its tolerance",
+        Some(Criterion::Peak) => "Its shock exceeds the peak that it withstands",
         Some(Criterion::Spectrum) => "The spectrum of its shock exceeds that of its tolerance",
         Some(Criterion::DamageBoundary) => "Its shock exceeds its damage boundary",
         Some(Criterion::VelocityChange) => "Its velocity change exceeds its tolerance",
         Some(Criterion::EdgeLift) => "Its uplift exceeds its tolerance",
         Some(Criterion::FloorAcceleration) => "The acceleration of its floor exceeds its tolerance",
-        Some(Criterion::Overturning) => "It overturns or exceeds its tolerance",
+        Some(Criterion::Overturning) => "It falls or exceeds its tolerance",
         None => "It exceeds its tolerance",
     }
 }
 
-fn in_words(p: Probability) -> String {
-    let [value, low, high] = [p.value, p.low, p.high].map(percent);
-    format!("with a probability of {value} (95 % interval: {low} to {high})")
-}
-
 /// A share in percent; below 0.01 % its digits mean nothing.
 pub(super) fn percent(share: f64) -> String {
-    if share > 0.0 && share < 1e-4 { "under 0.01 %".to_owned() } else { percent_significant(share, 3) }
+    if share > 0.0 && share < 1e-4 { "under 0.01 %".to_owned() } else { percent_significant(share, 2) }
 }
 
 /// `level`, `level and height`, `level, height and thickness`.
@@ -147,90 +228,99 @@ pub(crate) fn listed(names: &[&str]) -> String {
     }
 }
 
-/// Demand/capacity of the hardest motion from which one more motion could exceed it.
-const CLOSE_DEMAND: f64 = 0.5;
-
-/// A sentence where the interval includes the accepted probability, so that more motions could
-/// change the verdict. Where no motion comes near the tolerance, the interval only shows how few
-/// motions there are.
-fn doubt(p: Probability, case: &Case) -> String {
-    let is_close = p.value > 0.0 || case.hardest >= CLOSE_DEMAND;
-    if is_close && p.low <= case.accepted_ratio && p.high > case.accepted_ratio {
-        " The interval includes the accepted probability: more motions could change the verdict.".to_owned()
-    } else {
-        String::new()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn case() -> Case<'static> {
-        let never = Probability { value: 0.0, low: 0.0, high: 0.17 };
-        Case {
-            accepted_ratio: 0.1,
-            lifts: true,
-            p_overturn: never,
-            p_exceed: Some(never),
-            decides: true,
-            governing: Some(Criterion::Peak),
-            missing: &[],
-            pfa_g: 0.2,
-            hardest: 0.9,
-            unknown_ratio: 0.0,
-            bottoms: false,
-            softer: None,
-            beyond_pads: "",
-            p_compliant: None,
-            tolerance_source: "a test",
+    fn p(value: f64, low: f64, high: f64) -> Probability {
+        Probability { value, low, high }
+    }
+
+    fn answers(falls: FallsAnswer, shock: ShockAnswer) -> Answers {
+        let model = ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.04, 0.02, 0.07)) };
+        Answers {
+            falls,
+            shock,
+            asks_shock: true,
+            models_agree: None,
+            worlds: 320,
+            worlds_cap: 320,
+            worlds_compliant: None,
+            confidence: 0.98,
+            rigid: model,
+            compliant: None,
+            restitution_p16_p84: [0.9, 0.95],
         }
     }
 
-    fn sure(value: f64) -> Probability {
-        Probability { value, low: value, high: value }
+    fn case(answers: &Answers) -> Case<'_> {
+        Case {
+            accepted_ratio: 0.1,
+            answers,
+            lifts: true,
+            decides: true,
+            governing: Some(Criterion::Peak),
+            missing: &[],
+            softer: None,
+            beyond_pads: "its pads were not given",
+            tolerance_source: "a test",
+            records: None,
+        }
     }
 
     #[test]
     fn the_rules_one_by_one() {
-        let decided = |case: Case| decide(&case).0;
-        assert_eq!(decided(case()), Decision::Leave);
-        assert_eq!(decided(Case { p_overturn: sure(0.2), p_exceed: None, ..case() }), Decision::Restrain);
-        assert_eq!(decided(Case { p_exceed: Some(sure(0.2)), ..case() }), Decision::Restrain);
-        assert_eq!(decided(Case { p_exceed: Some(sure(0.2)), softer: Some((true, "")), ..case() }), Decision::Soften);
-        assert_eq!(
-            decided(Case { p_exceed: Some(sure(0.2)), softer: Some((false, "")), ..case() }),
-            Decision::Restrain
-        );
-        assert_eq!(decided(Case { p_compliant: Some(0.2), ..case() }), Decision::Restrain);
-        assert_eq!(decided(Case { unknown_ratio: 0.2, ..case() }), Decision::NoVerdict);
-        assert_eq!(decided(Case { bottoms: true, ..case() }), Decision::NoVerdict);
-        assert_eq!(decided(Case { p_exceed: None, missing: &["tolerance"], ..case() }), Decision::NoVerdict);
-        // A recalled tolerance decides neither way, but overturning needs no tolerance.
-        assert_eq!(decided(Case { decides: false, ..case() }), Decision::NoVerdict);
-        assert_eq!(decided(Case { decides: false, p_exceed: Some(sure(0.9)), ..case() }), Decision::NoVerdict);
-        assert_eq!(decided(Case { decides: false, p_overturn: sure(0.9), ..case() }), Decision::Restrain);
-    }
-
-    #[test]
-    fn an_object_at_rest_without_a_tolerance_has_no_verdict() {
-        let (decision, why) = decide(&Case { lifts: false, p_exceed: None, missing: &["tolerance"], ..case() });
-        assert_eq!(decision, Decision::NoVerdict);
+        use FallsAnswer::{Close, Falls, Stays};
+        let decided = |falls, shock, softer, decides| {
+            let answers = answers(falls, shock);
+            decide(&Case { softer, decides, ..case(&answers) }).0
+        };
+        for shock in [ShockAnswer::Stands, ShockAnswer::Exceeded, ShockAnswer::Close, ShockAnswer::Unknown] {
+            assert_eq!(decided(Falls, shock, None, true), Decision::Restrain);
+            assert_eq!(decided(Close, shock, None, true), Decision::Restrain);
+        }
+        assert_eq!(decided(Stays, ShockAnswer::Stands, None, true), Decision::Leave);
+        assert_eq!(decided(Stays, ShockAnswer::Unknown, None, true), Decision::NoVerdict);
+        for shock in [ShockAnswer::Exceeded, ShockAnswer::Close] {
+            assert_eq!(decided(Stays, shock, None, true), Decision::Restrain);
+            assert_eq!(decided(Stays, shock, Some((true, "")), true), Decision::Soften);
+            assert_eq!(decided(Stays, shock, Some((false, "")), true), Decision::Restrain);
+            assert_eq!(decided(Stays, shock, None, false), Decision::NoVerdict);
+        }
+        let only = Answers { asks_shock: false, ..answers(Stays, ShockAnswer::Unknown) };
+        let (decision, why) = decide(&Case { missing: &["tolerance"], ..case(&only) });
+        assert_eq!(decision, Decision::Leave);
         assert_eq!(
             why,
-            "It does not rock. Only overturning was assessed, because its tolerance was not given; the median PFA of \
-             its floor is 0.2 g."
+            "It stays standing: at most 1.4 % fall (0 of 320 worlds; accepted 10 %). Only falling was assessed: no \
+             tolerance was given."
         );
     }
 
     #[test]
-    fn the_strictest_high_rating_counts() {
-        let all = Accepted { other_ratio: 0.1, life_safety_ratio: 0.02, property_ratio: 0.2, function_ratio: 0.05 };
+    fn models_that_disagree_are_both_told() {
+        let both = Answers {
+            rigid: ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.04, 0.02, 0.07)) },
+            compliant: Some(ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.31, 0.25, 0.37)) }),
+            ..answers(FallsAnswer::Stays, ShockAnswer::Exceeded)
+        };
+        let (_, why) = decide(&case(&both));
+        let expected = "exceeds the peak that it withstands in 31 % (25 to 37 %) of the worlds, more than the accepted \
+                        10 %. On a rigid base it is 4 %, on its pads 31 %: the models disagree, and the worse counts.";
+        assert!(why.contains(expected), "{why}");
+    }
+
+    #[test]
+    fn the_strictest_rating_counts() {
+        let all = freestand_study::study::assessment::Settings::default().accepted;
         let rated = |ls, pl, fl| Consequences { life_safety: ls, property: pl, function: fl };
-        let (high, low) = (Some(Rating::High), Some(Rating::Low));
-        assert_eq!(accepted(&all, None, &rated(None, None, None)), (0.1, AcceptedFor::Default));
-        assert_eq!(accepted(&all, None, &rated(high, high, high)), (0.02, AcceptedFor::LifeSafety));
-        assert_eq!(accepted(&all, None, &rated(low, high, None)), (0.2, AcceptedFor::Property));
-        assert_eq!(accepted(&all, Some(0.3), &rated(high, None, None)), (0.3, AcceptedFor::ThisObject));
+        let [high, medium, low] = [Rating::High, Rating::Medium, Rating::Low].map(Some);
+        assert_eq!(accepted(&all, None, &rated(None, None, None), None), (0.1, AcceptedFor::Default));
+        assert_eq!(accepted(&all, None, &rated(None, None, None), Some(99.0)), (0.2, AcceptedFor::SmallItem));
+        assert_eq!(accepted(&all, None, &rated(None, None, None), Some(100.0)), (0.1, AcceptedFor::Default));
+        assert_eq!(accepted(&all, None, &rated(high, high, high), None), (0.02, AcceptedFor::LifeSafety));
+        assert_eq!(accepted(&all, None, &rated(low, medium, high), None), (0.05, AcceptedFor::Function));
+        assert_eq!(accepted(&all, None, &rated(medium, low, None), Some(1.0)), (0.05, AcceptedFor::LifeSafety));
+        assert_eq!(accepted(&all, Some(0.3), &rated(high, None, None), None), (0.3, AcceptedFor::ThisObject));
     }
 }

@@ -1,50 +1,67 @@
 //! The verdict on each object: restrain it, put it on a softer pad, or leave it as it is.
 //!
-//! Tier 0 decides objects that no motion of their floor can uplift, by their threshold. Tier 1,
-//! which is off unless the study asks for it, decides objects whose probability is far from the
-//! accepted one, by the uplift spectra of their floor. Tier 2 follows every other object about both
-//! axes under every motion, with repeated draws of its uncertain values. Tier 3 repeats the motions
-//! on a compliant base where the probability is near the accepted one.
+//! Every object lives through worlds, each one complete draw of everything that is not known
+//! ([`crate::worlds`], `draw`): on a rigid base, and on its pads where it has any (`trial`). Worlds
+//! are added until the interval of each probability leaves the accepted one, or there are as many
+//! as could settle it. Two questions are answered apart, whether it falls and whether a shock is
+//! too hard for it (`decision`); a softer pad is accepted where it would be left alone on it
+//! (`softer`).
 
 mod assessment;
 mod capacity;
 mod comparisons;
 mod decision;
-mod group;
+mod draw;
 mod object;
+mod outcomes;
+mod per_year;
 mod response;
-mod screen;
-mod second_opinion;
-mod tornado;
-mod uncertainty;
+mod shares;
+mod softer;
+mod trial;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::inventory::Item;
-use crate::result::{AcceptedFor, Assessment, Decision, FloorFacts};
-use freestand_study::study::Study;
+use rayon::prelude::*;
 
-pub(crate) use decision::{accepted, listed};
-pub(crate) use group::{Member, assess_group};
+use crate::inventory::{Consequences, Item, Rating};
+use crate::output::outcomes_rows;
+use crate::result::{AcceptedFor, Assessment, Decision};
+use crate::worlds::Worlds;
+use freestand::G0_M_S2;
+use freestand_input::problem::{Problem, Problems};
+use freestand_study::study::Study;
+use freestand_study::study::assessment::{Questions, Settings};
+
+use trial::Trial;
+
+pub(crate) use decision::listed;
 pub(crate) use object::Subject;
 
 /// What all objects share.
 pub(crate) struct Context<'a> {
     pub(crate) study: &'a Study,
-    /// Names of the motions.
-    pub(crate) names: Vec<String>,
-    /// Their keys for random numbers.
-    keys: Vec<u64>,
-    spectra: screen::Spectra,
+    pub(crate) worlds: Worlds<'a>,
+    /// Whether it is calculated what the answers depend on.
+    wants_shares: bool,
     wants_to_stop: &'a (dyn Fn() -> bool + Sync),
     histories: AtomicU64,
 }
 
+/// Rows of an inventory up to which it is calculated what the answers depend on, where the study
+/// does not say.
+const MAX_ROWS_WITH_SHARES: usize = 500;
+
 impl<'a> Context<'a> {
-    /// For motions of these names; no history is counted yet.
-    pub(crate) fn new(study: &'a Study, names: Vec<String>, wants_to_stop: &'a (dyn Fn() -> bool + Sync)) -> Self {
-        let keys = names.iter().map(|name| uncertainty::key(name)).collect();
-        Self { study, names, keys, spectra: Default::default(), wants_to_stop, histories: AtomicU64::new(0) }
+    /// For an inventory of `rows`; no history is counted yet.
+    pub(crate) fn new(
+        study: &'a Study,
+        worlds: Worlds<'a>,
+        rows: usize,
+        wants_to_stop: &'a (dyn Fn() -> bool + Sync),
+    ) -> Self {
+        let wants_shares = study.assessment.worlds.shares.unwrap_or(rows <= MAX_ROWS_WITH_SHARES);
+        Self { study, worlds, wants_shares, wants_to_stop, histories: AtomicU64::new(0) }
     }
 
     /// Rocking histories that were computed.
@@ -56,28 +73,104 @@ impl<'a> Context<'a> {
     fn count(&self, histories: usize) {
         self.histories.fetch_add(histories as u64, Ordering::Relaxed);
     }
+
+    /// An error where the run is to stop.
+    pub(crate) fn go_on(&self) -> Result<(), Problems> {
+        if (self.wants_to_stop)() { Err(Problem::stopped().into()) } else { Ok(()) }
+    }
+}
+
+/// An object, and what is asked of it.
+pub(crate) struct Member<'a> {
+    pub(crate) item: &'a Item,
+    pub(crate) subject: Subject,
+    pub(crate) accepted_ratio: f64,
+    pub(crate) accepted_for: AcceptedFor,
+    /// Whether its verdict rests on shocks too.
+    pub(crate) asks_shock: bool,
+    /// Its random numbers.
+    key: u64,
+}
+
+impl<'a> Member<'a> {
+    pub(crate) fn new(item: &'a Item, subject: Subject, settings: &Settings) -> Self {
+        let (accepted_ratio, accepted_for) = accepted(item, settings);
+        let asks_shock = asks_shock(item, settings.questions);
+        Self { item, subject, accepted_ratio, accepted_for, asks_shock, key: draw::key(&item.id) }
+    }
+}
+
+/// The accepted probability of an object, and what sets it.
+pub(crate) fn accepted(item: &Item, settings: &Settings) -> (f64, AcceptedFor) {
+    let cg_height_m = item.cg_height_m.or(item.height_m.map(|height_m| 0.5 * height_m));
+    let fall_j = item.mass_kg.zip(cg_height_m).map(|(mass_kg, cg_m)| mass_kg * G0_M_S2 * cg_m);
+    decision::accepted(&settings.accepted, item.accepted_ratio, &item.consequences, fall_j)
+}
+
+/// Whether the verdict of a row rests on shocks too: as it says, as the study says, or where it has
+/// a tolerance or its function or the property is rated high.
+fn asks_shock(item: &Item, of_study: Option<Questions>) -> bool {
+    let Consequences { function, property, .. } = item.consequences;
+    let is_high = [function, property].contains(&Some(Rating::High));
+    match item.questions.or(of_study) {
+        Some(questions) => questions == Questions::FallsAndShock,
+        None => item.tolerance.is_some() || is_high,
+    }
+}
+
+/// The assessments of some objects, in their order; what happened to them in every world is put
+/// into `outcomes`.
+pub(crate) fn assess_group(
+    context: &Context,
+    members: &[Member],
+    outcomes: Option<&mut Vec<u8>>,
+) -> Result<Vec<Assessment>, Problems> {
+    let mut trials: Vec<Trial> =
+        members.iter().map(|member| Trial::new(context, member, member.subject.clone())).collect();
+    trial::live(context, &mut trials)?;
+    if let Some(rows) = outcomes {
+        *rows = outcomes_rows(trials.iter().flat_map(outcomes::outcomes))?;
+    }
+    let softened = softer::softer(context, &trials)?;
+    let shares = shares::shares(context, &trials)?;
+    let per_year = per_year::per_year(context, &trials)?;
+    let done: Vec<Result<Assessment, Problems>> = trials
+        .par_iter()
+        .zip(softened)
+        .zip(shares)
+        .zip(per_year)
+        .map(|(((trial, softened), shares), per_year)| {
+            context.go_on()?;
+            let mut assessed = assessment::assessment(context, trial, softened)?;
+            (assessed.shares, assessed.per_year) = (shares, per_year);
+            Ok(assessed)
+        })
+        .collect();
+    done.into_iter().collect()
 }
 
 /// The assessment of an object before anything is computed.
-pub(crate) fn blank(item: &Item, accepted: (f64, AcceptedFor), floor: Option<FloorFacts>) -> Assessment {
+pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
+    let (accepted_ratio, accepted_for) = accepted(item, settings);
     Assessment {
         id: item.id.clone(),
         decision: Decision::NoVerdict,
         why: String::new(),
         tier: 0,
-        accepted_ratio: accepted.0,
-        accepted_for: accepted.1,
-        floor,
+        answers: None,
+        on_pads: None,
+        shares: None,
+        per_year: None,
+        accepted_ratio,
+        accepted_for,
+        floor: None,
         response: None,
         shock: None,
         capacity: None,
         p_overturn: None,
         p_exceed: None,
-        draws: 0,
         sliding: None,
         softening: None,
-        compliant: None,
-        tornado: Vec::new(),
         restraint: Vec::new(),
         clearance_m: None,
         context: Vec::new(),
@@ -94,10 +187,4 @@ fn notes(item: &Item) -> Vec<String> {
         notes.push("No width is given, so rocking was computed about one axis only.".to_owned());
     }
     notes
-}
-
-impl Member<'_> {
-    fn blank(&self, floor: FloorFacts) -> Assessment {
-        blank(self.item, (self.accepted_ratio, self.accepted_for), Some(floor))
-    }
 }

@@ -12,6 +12,7 @@ use crate::inventory::Item;
 use crate::result::Axis;
 
 use super::capacity::Capacity;
+use super::draw::own_damping_ratio;
 
 /// What the models need of an [`Item`].
 #[derive(Debug, Clone)]
@@ -32,6 +33,8 @@ pub(super) struct Body {
     pub(super) pad_thickness_m: Option<f64>,
     /// Standard deviation of ln k; `None`: the study's.
     pub(super) stiffness_spread: Option<f64>,
+    /// ζ of the cushion as it was given; `None`: not measured.
+    pub(super) damping_ratio: Option<f64>,
 }
 
 /// The object in one plane of motion.
@@ -97,6 +100,7 @@ impl Subject {
             cushion: edge.cushion.clone(),
             pad_thickness_m: edge.pad_thickness_m,
             stiffness_spread: item.cushion_log_sd,
+            damping_ratio: own_damping_ratio(&edge.cushion, mass_kg),
         });
         let capacity = item.tolerance.as_ref().and_then(Capacity::new);
         Ok(Self { level_ratio, axes, restitution: item.restitution, body, capacity })

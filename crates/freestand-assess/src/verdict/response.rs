@@ -1,18 +1,18 @@
-//! The response of an object to one motion about each of its axes, and its demand.
+//! The response of an object in one world: about each of its axes, on a rigid base and on its pads.
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
+use freestand::compliant::{CompliantRocking, CompliantSummary, PadOutcome};
 use freestand::cushion::Cushion;
-use freestand::motion::Motion;
-use freestand::rocking::{Base, Outcome, Restitution, RockingOptions, RockingSummary, Until, rock_each};
+use freestand::rocking::{Outcome, Restitution, RockingOptions, RockingSummary, Until};
 
-use freestand_study::cushion::BOTTOMED;
 use freestand_study::run::LONGEST_TAIL_S;
 
 use super::capacity::{Capacity, Demand, Terms};
+use super::draw::Draw;
 use super::object::{Hit, Subject, hit};
 
-/// One axis under one motion.
+/// One axis on a rigid base.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct AxisMotion {
     pub(super) rocking: RockingSummary,
@@ -22,93 +22,151 @@ pub(super) struct AxisMotion {
     pub(super) terms: Option<Terms>,
 }
 
-/// The object under one motion: every axis, or why a history failed.
-pub(super) type MotionResponse = Result<Vec<AxisMotion>, String>;
-
-/// The values of one history besides the geometry.
+/// One axis on its pads.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Values<'a> {
-    pub(super) mass_kg: f64,
-    pub(super) cushion: &'a Cushion,
+pub(super) struct PadMotion {
+    pub(super) has_overturned: bool,
+    /// Whether an edge let go of its pad.
+    pub(super) has_let_go: bool,
+    /// U; `None` from a solver that does not know it.
+    pub(super) pad_uplift_ratio: Option<f64>,
+    pub(super) lift_m: f64,
+    /// With the factor of the world \[m/s²\].
+    pub(super) edge_m_s2: f64,
+    pub(super) compression_m: f64,
+    /// `None`: demand or capacity is not known.
+    pub(super) terms: Option<Terms>,
 }
 
-/// The options of every history, the same as in `run`.
-pub(super) fn options(subject_restitution: Restitution) -> RockingOptions {
-    RockingOptions {
-        restitution: subject_restitution,
-        until: Until::Settled { at_most_s: LONGEST_TAIL_S },
-        ..RockingOptions::default()
-    }
+/// The object on a rigid base: every axis, or why a history failed.
+pub(super) type RigidResponse = Result<Vec<AxisMotion>, String>;
+
+/// The object on its pads: every axis, or why a history failed.
+pub(super) type PadResponse = Result<Vec<PadMotion>, String>;
+
+/// An object in one world.
+#[derive(Debug, Clone)]
+pub(super) struct Lived {
+    pub(super) draw: Draw,
+    pub(super) rigid: RigidResponse,
+    /// `None`: the model was not asked in this world.
+    pub(super) pads: Option<PadResponse>,
+    /// Peak acceleration of its floor \[m/s²\].
+    pub(super) pfa_m_s2: f64,
+    /// Peak velocity of its floor \[m/s\].
+    pub(super) pfv_m_s: f64,
 }
 
-/// Blocks under one motion, each in its worst direction: one that overturns it, otherwise the
-/// envelope of all directions.
-pub(super) fn rock_directions(
-    objects: &[(Block, Restitution)],
-    directions: &[Motion],
-) -> Vec<Result<RockingSummary, String>> {
-    let mut worst: Vec<Result<RockingSummary, String>> = Vec::new();
-    for motion in directions {
-        let base = Base { horizontal: Some(motion), vertical: None };
-        let found = rock_each(objects, base, &options(Restitution::Housner));
-        let found = found.into_iter().map(|one| one.map_err(|error| error.to_string()));
-        worst = if worst.is_empty() { found.collect() } else { worst.into_iter().zip(found).map(worse).collect() };
-    }
-    worst
+/// The options of every history on a rigid base, the same as in `run`.
+pub(super) fn options(restitution: Restitution) -> RockingOptions {
+    RockingOptions { restitution, until: Until::Settled { at_most_s: LONGEST_TAIL_S }, ..RockingOptions::default() }
 }
 
-fn worse(
-    (one, other): (Result<RockingSummary, String>, Result<RockingSummary, String>),
-) -> Result<RockingSummary, String> {
-    let (mut one, other) = (one?, other?);
-    match (one.outcome, other.outcome) {
-        (Outcome::Overturned, _) | (_, Outcome::NoUplift) => Ok(one),
-        (_, Outcome::Overturned) | (Outcome::NoUplift, _) => Ok(other),
-        (Outcome::Rocked, Outcome::Rocked) => {
-            for (side, theirs) in one.sides.iter_mut().zip(other.sides) {
-                side.peak_rotation_rad = side.peak_rotation_rad.max(theirs.peak_rotation_rad);
-                side.impact_omega_rad_s = side.impact_omega_rad_s.max(theirs.impact_omega_rad_s);
-            }
-            one.peak_rotation_rad = one.peak_rotation_rad.max(other.peak_rotation_rad);
-            one.uplift_m = one.uplift_m.max(other.uplift_m);
-            one.cg_rise_m = one.cg_rise_m.max(other.cg_rise_m);
-            one.impact_count = one.impact_count.max(other.impact_count);
-            Ok(one)
-        }
-    }
-}
-
-/// Shock and demand of a history with a mass and a cushion; `None` where they are not known.
+/// Shock and demand of a history with the values of its world.
 pub(super) fn axis_motion(
     subject: &Subject,
+    draw: &Draw,
     block: &Block,
     rocking: RockingSummary,
-    values: Option<Values<'_>>,
+    body: Option<&(f64, Cushion)>,
     floor_m_s2: f64,
-) -> Result<AxisMotion, String> {
-    let is_upright = rocking.outcome != Outcome::Overturned;
-    let found = match values.filter(|_| is_upright) {
-        Some(Values { mass_kg, cushion }) => {
-            Some(hit(block, &rocking, mass_kg, cushion).ok_or_else(|| BOTTOMED.to_owned())?)
+) -> AxisMotion {
+    let has_overturned = rocking.outcome == Outcome::Overturned;
+    // Where a cushion bottoms, no shock is known.
+    let found = body.filter(|_| !has_overturned).and_then(|(mass_kg, cushion)| {
+        let mut hit = hit(block, &rocking, *mass_kg, cushion)?;
+        // The formula of an undamped cushion is 2 v.
+        hit.velocity_change_m_s *= 0.5 * (1.0 + draw.rebound_restitution());
+        Some(hit)
+    });
+    let terms = subject.capacity.as_ref().and_then(|capacity| {
+        if has_overturned {
+            return Some(Terms::OVERTURNED);
         }
-        None => None,
-    };
-    let terms = subject.capacity.as_ref().and_then(|capacity| terms(capacity, &rocking, found.as_ref(), floor_m_s2));
-    Ok(AxisMotion { rocking, hit: found, terms })
+        let demand = found.as_ref().map(|hit| Demand {
+            edge_m_s2: draw.model * hit.larger_g() * G0_M_S2,
+            velocity_change_m_s: hit.velocity_change_m_s,
+            duration_s: hit.duration_s,
+        });
+        let is_at_rest = rocking.outcome == Outcome::NoUplift;
+        terms(capacity, demand, is_at_rest, rocking.uplift_m, floor_m_s2)
+    });
+    AxisMotion { rocking, hit: found, terms }
 }
 
-fn terms(capacity: &Capacity, rocking: &RockingSummary, hit: Option<&Hit>, floor_m_s2: f64) -> Option<Terms> {
-    if rocking.outcome == Outcome::Overturned {
-        return Some(Terms::OVERTURNED);
-    }
-    let demand = hit.map(|hit| Demand {
-        edge_m_s2: hit.larger_g() * G0_M_S2,
-        velocity_change_m_s: hit.velocity_change_m_s,
-        duration_s: hit.duration_s,
-    });
-    let is_at_rest = rocking.outcome == Outcome::NoUplift;
-    capacity.terms(demand, is_at_rest, rocking.uplift_m, floor_m_s2, |duration_s| capacity.severity_ratio(duration_s))
+fn terms(
+    capacity: &Capacity,
+    demand: Option<Demand>,
+    is_at_rest: bool,
+    uplift_m: f64,
+    floor_m_s2: f64,
+) -> Option<Terms> {
+    capacity.terms(demand, is_at_rest, uplift_m, floor_m_s2, |duration_s| capacity.severity_ratio(duration_s))
 }
+
+/// What a history on pads means in its world.
+pub(super) fn pad_motion(subject: &Subject, draw: &Draw, found: &CompliantSummary, floor_m_s2: f64) -> PadMotion {
+    let edge_m_s2 = draw.compliant * found.peak_edge_acceleration_m_s2();
+    let demand = Demand {
+        edge_m_s2,
+        velocity_change_m_s: found.velocity_change_m_s,
+        duration_s: found.pulse_duration_s.unwrap_or(0.0),
+    };
+    let has_overturned = found.outcome == PadOutcome::Overturned;
+    let is_at_rest = found.touch_count == 0;
+    let terms = |capacity: &Capacity| match has_overturned {
+        true => Some(Terms::OVERTURNED),
+        false => terms(capacity, Some(demand), is_at_rest, found.lift_m, floor_m_s2),
+    };
+    PadMotion {
+        has_overturned,
+        has_let_go: found.outcome != PadOutcome::StayedOn,
+        pad_uplift_ratio: Some(found.pad_uplift_ratio),
+        lift_m: found.lift_m,
+        edge_m_s2,
+        compression_m: found.peak_compression_m,
+        terms: subject.capacity.as_ref().and_then(terms),
+    }
+}
+
+/// The same from the solver for any contact law.
+pub(super) fn pad_motion_of(subject: &Subject, draw: &Draw, found: &CompliantRocking, floor_m_s2: f64) -> PadMotion {
+    let hardest = found.touches.iter().max_by(|a, b| a.peak_acceleration_m_s2.total_cmp(&b.peak_acceleration_m_s2));
+    let pulse = hardest.and_then(|touch| Some(touch.end_time_s? - touch.time_s));
+    let changes = found.touches.iter().map(|touch| touch.speed_m_s + touch.rebound_m_s.unwrap_or(0.0).max(0.0));
+    let outcome = match found.outcome {
+        Outcome::Overturned => PadOutcome::Overturned,
+        Outcome::Rocked => PadOutcome::LetGo,
+        Outcome::NoUplift => PadOutcome::StayedOn,
+    };
+    let summary = CompliantSummary {
+        outcome,
+        pad_uplift_ratio: 0.0,
+        lift_m: found.uplift_m,
+        peak_edge_accelerations_m_s2: found.peak_edge_accelerations_m_s2,
+        touch_count: found.touches.len(),
+        touch_speed_m_s: found.touches.iter().map(|touch| touch.speed_m_s).fold(0.0, f64::max),
+        velocity_change_m_s: changes.fold(0.0, f64::max),
+        pulse_duration_s: pulse,
+        contact_duration_s: pulse,
+        peak_compression_m: found.peak_compression_m,
+        let_go_time_s: None,
+        first_uplift_time_s: found.first_uplift_time_s,
+        overturn_time_s: found.overturn_time_s,
+    };
+    PadMotion { pad_uplift_ratio: None, ..pad_motion(subject, draw, &summary, floor_m_s2) }
+}
+
+/// An object that its pads do not keep upright.
+pub(super) const TOPPLED: PadMotion = PadMotion {
+    has_overturned: true,
+    has_let_go: true,
+    pad_uplift_ratio: None,
+    lift_m: 0.0,
+    edge_m_s2: 0.0,
+    compression_m: 0.0,
+    terms: Some(Terms::OVERTURNED),
+};
 
 /// Whether any axis overturns.
 pub(super) fn overturned(axes: &[AxisMotion]) -> bool {
@@ -138,8 +196,22 @@ pub(super) fn ranked(axes: &[AxisMotion], number: impl Fn(&AxisMotion) -> f64) -
 
 /// Demand/capacity about the worse axis; `None` where that of one axis is not known.
 pub(super) fn demand_capacity(axes: &[AxisMotion]) -> Option<f64> {
-    if overturned(axes) {
-        return Some(f64::INFINITY);
+    worst(axes.iter().map(|one| one.terms))
+}
+
+/// The same on pads.
+pub(super) fn pads_demand_capacity(axes: &[PadMotion]) -> Option<f64> {
+    worst(axes.iter().map(|one| one.terms))
+}
+
+fn worst(terms: impl Iterator<Item = Option<Terms>>) -> Option<f64> {
+    let mut known = Some(0.0f64);
+    for one in terms {
+        let ratio = one.map(|terms| terms.ratio());
+        if ratio == Some(f64::INFINITY) {
+            return ratio;
+        }
+        known = known.zip(ratio).map(|(most, ratio)| most.max(ratio));
     }
-    axes.iter().map(|one| Some(one.terms?.ratio())).try_fold(0.0, |most: f64, ratio| Some(most.max(ratio?)))
+    known
 }

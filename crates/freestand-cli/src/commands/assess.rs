@@ -55,6 +55,9 @@ pub(crate) struct AssessArgs {
     /// Tables to write besides objects.csv, assessment.xlsx and report.html
     #[arg(long, value_enum, value_delimiter = ',', default_value = "csv")]
     format: Vec<Format>,
+    /// Also write outcomes.csv: what happened to every object in every world, by each model
+    #[arg(long)]
+    outcomes: bool,
     /// Number of objects, the most urgent first, that get a page in the report [default: 200]
     #[arg(long, value_name = "N")]
     pages: Option<usize>,
@@ -90,7 +93,8 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     settings.cushion_library = args.cushion_library.clone().or(settings.cushion_library.take());
     let inventory = inventory_of(&study, args.inventory.as_deref(), args.sheet.as_deref())?;
     let out = global.folder();
-    let job = Job { resume: args.resume, force: global.force, parquet: args.format.contains(&Format::Parquet) };
+    let parquet = args.format.contains(&Format::Parquet);
+    let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes };
 
     let stop = Stop::listen();
     let bar = printer.progress_bar(false);
@@ -129,6 +133,6 @@ fn text(report: &JobReport) -> String {
     if report.interrupted {
         text.push_str("stopped before the end: continue with --resume\n");
     }
-    text.push_str(&format!("report.html, assessment.xlsx, objects.csv in {}\n", report.out));
+    text.push_str(&format!("report.html, assessment.xlsx, objects.csv, worlds.csv in {}\n", report.out));
     text
 }

@@ -331,7 +331,7 @@ pub fn problem(error: CompliantError) -> Problem {
         CompliantError::VerticalMismatch => {
             (ProblemKind::Value, "resample one of them so that both have the same step and length")
         }
-        CompliantError::StepTooSmall { .. } => (
+        CompliantError::StepTooSmall { .. } | CompliantError::NotFinite { .. } => (
             ProblemKind::Computation,
             "check the units of the motion and of the cushion, and whether the cushion bottoms",
         ),

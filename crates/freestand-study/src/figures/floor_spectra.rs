@@ -59,6 +59,8 @@ pub(crate) fn floor_spectra(study: &Study, result: &StudyResult) -> Page {
         let words = match (&study.ground, &target.spectrum) {
             // The motions fit it on rock and over some periods only.
             (Ground::Simulated(_), _) => "code spectrum",
+            // Their mean fits it, over some periods.
+            _ if study.ground.suite().is_some() => "target of the suite",
             (_, CodeSpectrum::Table(_)) => "target spectrum",
             _ => "target: code spectrum",
         };

@@ -133,6 +133,7 @@ fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
         processing: Vec::new(),
         motion: Motion::new(dt_s, accel).unwrap(),
         matched: None,
+        suite: None,
         across: None,
     };
     ReadMotion { motion, notes: Vec::new(), start_note: None, unit: "m/s2" }

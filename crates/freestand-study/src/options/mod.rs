@@ -17,7 +17,7 @@ use std::path::Path;
 
 use toml::de::{DeTable, DeValue};
 
-use assessment::assessment;
+use assessment::{assessment, restraint, worlds};
 use building::building;
 use cushion::CUSHION_KEYS;
 use freestand_input::keys::Words;
@@ -28,7 +28,7 @@ use ground::ground;
 use objects::objects;
 use outputs::outputs;
 
-pub(crate) use assessment::AssessmentOptions;
+pub(crate) use assessment::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 pub(crate) use building::{BuildingOptions, LevelOptions};
 pub(crate) use ground::{ComponentsOption, GroundOptions};
 pub(crate) use objects::{ObjectsOptions, RestitutionOption};
@@ -45,11 +45,13 @@ pub(crate) struct Options {
     pub(crate) objects: ObjectsOptions,
     pub(crate) outputs: OutputsOptions,
     pub(crate) assessment: AssessmentOptions,
+    pub(crate) worlds: WorldOptions,
+    pub(crate) restraint: RestraintOptions,
 }
 
 /// Whether a text is TOML and has a table of a study.
 pub(crate) fn has_table_of_ours(text: &str) -> bool {
-    let names = ["ground", "building", "objects", "outputs", "assessment"];
+    let names = ["ground", "building", "objects", "outputs", "assessment", "worlds", "restraint"];
     DeTable::parse(text.trim_start_matches('\u{feff}'))
         .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
 }
@@ -79,6 +81,14 @@ pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
     }
     if let Some(mut table) = top.table(&mut reader, "assessment") {
         options.assessment = assessment(&mut reader, &mut table);
+        table.finish(&mut reader);
+    }
+    if let Some(mut table) = top.table(&mut reader, "worlds") {
+        options.worlds = worlds(&mut reader, &mut table);
+        table.finish(&mut reader);
+    }
+    if let Some(mut table) = top.table(&mut reader, "restraint") {
+        options.restraint = restraint(&mut reader, &mut table);
         table.finish(&mut reader);
     }
     top.finish(&mut reader);

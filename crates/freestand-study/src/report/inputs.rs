@@ -10,6 +10,7 @@ use crate::cushion::{EdgeCushion, cushion_words};
 use crate::result::StudyResult;
 use crate::simulated::source_words;
 use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, SyntheticGround};
+use crate::suite::Suite;
 use crate::summary::{accuracy_words, restitution_words};
 use crate::target::Target;
 use freestand_input::words::{fixed, number, percent};
@@ -27,6 +28,7 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
                 let facts: Vec<_> = target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
                 html.push_str(&properties("", &facts));
             }
+            html.push_str(&study.ground.suite().map_or_else(String::new, suite_selected));
             html.push_str(&recorded_motions("Recorded motions as used", &records.iter().collect::<Vec<_>>()));
             html.push_str(&study.ground.target().map_or_else(String::new, |target| misfits(target, result)));
         }
@@ -160,6 +162,27 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
             "M: moment magnitude; R: distance; corner: corner frequency or frequencies of the source spectrum; T_d: \
              duration of the window.",
         )
+}
+
+/// The target of a suite, what the suite reaches, and the files that it could not use.
+fn suite_selected(suite: &Suite) -> String {
+    let mut facts: Vec<(&str, String)> =
+        suite.target.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
+    let folder = suite.folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    facts.extend([
+        ("Suite", format!("{}, of the folder {folder}", suite.count_words())),
+        ("Periods compared", suite.period_words()),
+        ("Mean of ln Sa against ln of the target", suite.mean_words()),
+        ("Standard deviation of ln Sa", suite.sd_words()),
+        ("Files that are not records of horizontal motion", suite.skipped.join(", ")),
+    ]);
+    let rows: Vec<_> = suite.left_out.iter().map(|one| vec![words(&one.file), words(&one.reason)]).collect();
+    let left_out = if rows.is_empty() {
+        String::new()
+    } else {
+        table("Left out of the suite", &[vec![words("File"), words("Why")]], &rows)
+    };
+    properties("", &facts) + &left_out
 }
 
 fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {

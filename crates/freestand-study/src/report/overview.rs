@@ -19,7 +19,11 @@ pub(super) fn title(study: &Study) -> String {
             format!("Free-standing objects under the motion {}", records[0].name)
         }
         Ground::Recorded(records) => {
-            let matched = if study.ground.target().is_some() { ", matched to a spectrum" } else { "" };
+            let matched = match (study.ground.target(), study.ground.suite()) {
+                (Some(_), _) => ", matched to a spectrum",
+                (None, Some(_)) => ", selected for a spectrum",
+                (None, None) => "",
+            };
             format!("Free-standing objects under {} recorded motions{matched}", records.len())
         }
         Ground::OnFloors => match &study.levels[..] {
@@ -79,6 +83,9 @@ fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> St
         (Ground::Recorded(_), 1) if is_matched => "one recorded ground motion, matched to a spectrum".to_owned(),
         (Ground::Recorded(_), n) if is_matched => format!("{n} recorded ground motions, matched to a spectrum"),
         (Ground::Recorded(_), 1) => "one recorded ground motion".to_owned(),
+        (Ground::Recorded(_), n) if study.ground.suite().is_some() => {
+            format!("{n} recorded ground motions, selected for a spectrum")
+        }
         (Ground::Recorded(_), n) => format!("{n} recorded ground motions"),
         (Ground::OnFloors, 1) => "one given floor motion".to_owned(),
         (Ground::OnFloors, n) => format!("{n} given floor motions each"),

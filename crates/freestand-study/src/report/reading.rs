@@ -137,6 +137,11 @@ pub(super) fn assumptions(study: &Study) -> String {
             "The records were matched to the target spectrum: their phases are kept, their amplitudes are not. \
              Their scatter is smaller than that of real earthquakes.",
         ),
+        Ground::Recorded(_) if study.ground.suite().is_some() => items.push(
+            "The records were selected and scaled so that their spectra together have the mean of the target and a \
+             stated dispersion; the shape of each is its own. A factor changes the amplitudes of a record, not its \
+             duration or its frequencies.",
+        ),
         Ground::Recorded(_) | Ground::OnFloors => {}
     }
     let assumed =

@@ -1,63 +1,153 @@
-//! Resolves `[assessment]`.
+//! Resolves `[assessment]`, `[worlds]` and `[restraint]`.
 
 use std::path::PathBuf;
 
+use freestand::decision::Looks;
+
 use super::{Resolver, or};
-use crate::options::AssessmentOptions;
-use crate::study::assessment::{Accepted, Settings, Spread};
+use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
+use crate::study::assessment::{Accepted, Bracket, Questions, RestraintSettings, Settings, Spread, WorldSettings};
+use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
-/// Largest number of draws of the uncertain values for each motion.
-const MAX_DRAWS: u64 = 10_000;
+/// Most worlds of an object: the interval of a probability of 1 in 1000 is then settled.
+const MAX_WORLDS: u64 = 100_000;
 
 impl Resolver<'_> {
-    pub(super) fn assessment(&mut self, written: &AssessmentOptions) -> Settings {
+    pub(super) fn assessment(
+        &mut self,
+        written: &AssessmentOptions,
+        worlds: &WorldOptions,
+        restraint: &RestraintOptions,
+    ) -> Settings {
         let defaults = Settings::default();
-        let accepted_ratio = self.probability("accepted", &written.accepted, defaults.accepted.other_ratio);
-        let Spread { restitution, stiffness, mass, geometry, model } = defaults.spread;
+        for (key, line) in &written.replaced {
+            let hint = "leave it out, or set first and most in the table [worlds]";
+            self.note(Some(*line), format!("{key} has been replaced by the table [worlds]"), hint);
+        }
+        let Spread { restitution, stiffness, mass, geometry, model, compliant } = defaults.spread;
         let path = |written: &Option<Written<String>>| -> Option<PathBuf> {
             written.as_ref().map(|written| self.base_dir.join(&written.value))
         };
         let [inventory, library, cushion_library] =
             [&written.inventory, &written.library, &written.cushion_library].map(path);
-        let settings = Settings {
+        Settings {
             inventory,
             sheet: written.sheet.as_ref().map(|sheet| sheet.value.clone()),
             library,
             cushion_library,
-            accepted: Accepted {
-                other_ratio: accepted_ratio,
-                life_safety_ratio: self.probability(
-                    "accepted_life_safety",
-                    &written.accepted_life_safety,
-                    accepted_ratio,
-                ),
-                property_ratio: self.probability("accepted_property", &written.accepted_property, accepted_ratio),
-                function_ratio: self.probability("accepted_function", &written.accepted_function, accepted_ratio),
-            },
+            accepted: self.accepted(written, defaults.accepted),
+            questions: self.named("questions", &written.questions, &Questions::ALL),
+            is_annual: or(&written.annual, defaults.is_annual),
             seed: or(&written.seed, defaults.seed),
-            draws: self.draws("draws", &written.draws, defaults.draws),
-            most_draws: self.draws("most_draws", &written.most_draws, defaults.most_draws),
+            worlds: self.worlds(worlds, defaults.worlds),
             spread: Spread {
                 restitution: self.spread("restitution_spread", &written.restitution_spread, restitution),
                 stiffness: self.spread("stiffness_spread", &written.stiffness_spread, stiffness),
                 mass: self.spread("mass_spread", &written.mass_spread, mass),
                 geometry: self.spread("geometry_spread", &written.geometry_spread, geometry),
                 model: self.spread("model_spread", &written.model_spread, model),
+                compliant: self.spread("compliant_spread", &written.compliant_spread, compliant),
             },
+            pad_damping_ratio: self.pad_damping(written, defaults.pad_damping_ratio),
+            compliant_factor: self.factor("compliant_factor", &written.compliant_factor, defaults.compliant_factor),
             friction_ratio: self.friction(written, defaults.friction_ratio),
             pad_strain_ratio: self.pad_strain(&written.pad_strain, defaults.pad_strain_ratio),
-            pad_damping_ratio: self.spread("pad_damping", &written.pad_damping, defaults.pad_damping_ratio),
             compliant: or(&written.compliant, defaults.compliant),
-            screen: or(&written.screen, defaults.screen),
             pages: usize::try_from(or(&written.pages, defaults.pages as u64)).unwrap_or(usize::MAX),
-        };
-        if settings.most_draws < settings.draws {
-            let line = written.most_draws.as_ref().or(written.draws.as_ref()).map(|one| one.line);
-            let message = format!("most_draws = {} is less than draws = {}", settings.most_draws, settings.draws);
-            self.note(line, message, "give both: draws are doubled until they reach most_draws");
+            restraint: self.restraint(restraint, defaults.restraint),
         }
-        settings
+    }
+
+    /// `accepted` alone counts for every object; a probability of a rating counts for that rating,
+    /// and one of a high rating also for the milder ratings, where it is the larger.
+    fn accepted(&mut self, written: &AssessmentOptions, defaults: Accepted) -> Accepted {
+        let base = match &written.accepted {
+            Some(_) => Accepted::all(self.probability("accepted", &written.accepted, defaults.other_ratio)),
+            None => defaults,
+        };
+        let mut ratios = [base.life_safety_ratio, base.function_ratio, base.property_ratio];
+        for ((ratios, keys), written) in ratios.iter_mut().zip(ACCEPTED_KEYS).zip(&written.accepted_by_rating) {
+            let mut stricter: f64 = 0.0;
+            for ((ratio, key), written) in ratios.iter_mut().zip(keys).zip(written) {
+                *ratio = self.probability(key, written, ratio.max(stricter));
+                stricter = *ratio;
+            }
+        }
+        let [life_safety_ratio, function_ratio, property_ratio] = ratios;
+        Accepted { life_safety_ratio, function_ratio, property_ratio, ..base }
+    }
+
+    fn worlds(&mut self, written: &WorldOptions, defaults: WorldSettings) -> WorldSettings {
+        let correlation = "a correlation from 0 to 1";
+        let unit = |value: f64| (0.0..=1.0).contains(&value);
+        self.require(&written.component_correlation, unit, "component_correlation", correlation);
+        self.require(&written.components, |count| count == 1 || count == 2, "components", "1 or 2");
+        self.require(&written.confidence, |value| value > 0.5 && value < 1.0, "confidence", "above 0.5 and below 1");
+        for (key, count) in [("first", &written.first), ("most", &written.most)] {
+            let expected = format!("a whole number from 1 to {MAX_WORLDS}");
+            self.require(count, |count| (1..=MAX_WORLDS).contains(&count), key, &expected);
+        }
+        let count = |written: &Option<Written<u64>>, default: u32| {
+            u32::try_from(or(written, u64::from(default))).unwrap_or(default).clamp(1, MAX_WORLDS as u32)
+        };
+        let (first, most) =
+            (count(&written.first, defaults.looks.first()), count(&written.most, defaults.looks.most()));
+        let confidence = or(&written.confidence, defaults.looks.confidence());
+        if first > most {
+            let line = written.first.as_ref().or(written.most.as_ref()).map(|one| one.line);
+            let message = format!("first = {first} is more than most = {most}");
+            self.note(line, message, "give both: the number of worlds is doubled from first until it reaches most");
+        }
+        WorldSettings {
+            spectral_spread: self.spread("spectral_spread", &written.spectral_spread, defaults.spectral_spread),
+            intensity_spread: self.spread("intensity_spread", &written.intensity_spread, defaults.intensity_spread),
+            component_correlation: or(&written.component_correlation, defaults.component_correlation),
+            components: count(&written.components, defaults.components),
+            period_spread: self.spread("period_spread", &written.period_spread, defaults.period_spread),
+            damping_spread: self.spread("damping_spread", &written.damping_spread, defaults.damping_spread),
+            // What it refuses was told above.
+            looks: Looks::new(first, most, confidence).unwrap_or_default(),
+            shares: written.shares.as_ref().map(|shares| shares.value),
+        }
+    }
+
+    fn restraint(&mut self, written: &RestraintOptions, defaults: RestraintSettings) -> RestraintSettings {
+        let of_one = "a share above 0, at most 1";
+        self.require(&written.dead_load_ratio, |share| share > 0.0 && share <= 1.0, "dead_load_ratio", of_one);
+        let factors = [
+            ("overstrength_ratio", &written.overstrength_ratio),
+            ("amplification_ratio", &written.amplification_ratio),
+            ("response_ratio", &written.response_ratio),
+            ("importance_ratio", &written.importance_ratio),
+        ];
+        let factors = factors.map(|(key, written)| {
+            self.require(written, |factor| factor > 0.0 && factor <= 20.0, key, "a factor above 0, at most 20");
+            written.as_ref().map(|factor| factor.value)
+        });
+        let [overstrength_ratio, amplification_ratio, response_ratio, importance_ratio] = factors;
+        self.require(&written.bracket_height_m, |height| height > 0.0, "bracket_height", "positive");
+        RestraintSettings {
+            dead_load_ratio: or(&written.dead_load_ratio, defaults.dead_load_ratio),
+            overstrength_ratio,
+            amplification_ratio,
+            response_ratio,
+            importance_ratio,
+            bracket_height_m: written.bracket_height_m.as_ref().map(|height| height.value),
+            bracket: self.named("bracket", &written.bracket, &Bracket::ALL).unwrap_or(defaults.bracket),
+        }
+    }
+
+    /// One of some names.
+    fn named<T: Copy>(&mut self, key: &str, written: &Option<Written<String>>, all: &[(&str, T)]) -> Option<T> {
+        let Written { value, line } = written.as_ref()?;
+        let found = all.iter().find(|(name, _)| value.trim().eq_ignore_ascii_case(name));
+        if found.is_none() {
+            let names: Vec<String> = all.iter().map(|(name, _)| format!("\"{name}\"")).collect();
+            let message = format!("{key} must be {}, not \"{}\"", names.join(" or "), shorten(value));
+            self.note(Some(*line), message, format!("write {key} = {}", names.first().map_or("", String::as_str)));
+        }
+        found.map(|(_, value)| *value)
     }
 
     fn probability(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
@@ -72,15 +162,38 @@ impl Resolver<'_> {
         or(written, default)
     }
 
-    fn draws(&mut self, key: &str, written: &Option<Written<u64>>, default: u32) -> u32 {
-        let expected = format!("a whole number from 1 to {MAX_DRAWS}");
-        self.require(written, |count| (1..=MAX_DRAWS).contains(&count), key, &expected);
-        u32::try_from(or(written, u64::from(default))).unwrap_or(default)
+    fn factor(&mut self, key: &str, written: &Option<Written<f64>>, default: f64) -> f64 {
+        self.require(written, |value| value > 0.0 && value <= 10.0, key, "a factor above 0, at most 10");
+        or(written, default)
+    }
+
+    /// `pad_damping` sets both ends of the range.
+    fn pad_damping(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
+        let keys = [
+            ("pad_damping", &written.pad_damping),
+            ("pad_damping_low", &written.pad_damping_low),
+            ("pad_damping_high", &written.pad_damping_high),
+        ];
+        for (key, one) in keys {
+            self.require(one, |value| value > 0.0 && value <= 1.0, key, "a damping ratio above 0, at most 1");
+        }
+        for (key, one) in &keys[1..] {
+            self.exclusive(keys[0], (key, one));
+        }
+        let both = written.pad_damping.as_ref().map(|one| one.value);
+        let low = or(&written.pad_damping_low, both.unwrap_or(default.0));
+        let high = or(&written.pad_damping_high, both.unwrap_or(default.1));
+        if low > high {
+            let line = written.pad_damping_low.as_ref().or(written.pad_damping_high.as_ref()).map(|one| one.line);
+            let message = format!("pad_damping_low = {low} is above pad_damping_high = {high}");
+            self.note(line, message, "give both: one that is left out has its default value");
+        }
+        (low, high)
     }
 
     fn friction(&mut self, written: &AssessmentOptions, default: (f64, f64)) -> (f64, f64) {
         for (key, one) in [("friction_low", &written.friction_low), ("friction_high", &written.friction_high)] {
-            self.require(one, |value| (0.0..=10.0).contains(&value), key, "a coefficient from 0 to 10");
+            self.require(one, |value| (0.0..=10.0).contains(&value), key, "a coefficient of friction from 0 to 10");
         }
         let range = (or(&written.friction_low, default.0), or(&written.friction_high, default.1));
         if range.0 > range.1 {
@@ -112,19 +225,38 @@ mod tests {
 
     #[test]
     fn what_is_accepted_counts_for_every_class_that_is_not_named() {
-        let text = "[assessment]\naccepted = \"5 %\"\naccepted_life_safety = 0.01\ninventory = \"a/b.csv\"\n";
+        let text = "[assessment]\naccepted = \"5 %\"\naccepted_life_safety = 0.01\naccepted_function = \"8 %\"\n\
+                    inventory = \"a/b.csv\"\n";
         let settings = resolve(text, None, "here".as_ref()).unwrap().assessment;
-        let Accepted { other_ratio, life_safety_ratio, property_ratio, function_ratio } = settings.accepted;
-        assert_eq!((other_ratio, life_safety_ratio, property_ratio, function_ratio), (0.05, 0.01, 0.05, 0.05));
+        let expected = Accepted {
+            life_safety_ratio: [0.01, 0.05, 0.05],
+            // A milder rating is never stricter.
+            function_ratio: [0.08; 3],
+            ..Accepted::all(0.05)
+        };
+        assert_eq!(settings.accepted, expected);
         assert_eq!(settings.inventory, Some("here/a/b.csv".into()));
+        let one = resolve("[assessment]\naccepted_life_safety_medium = 0.03\n", None, "".as_ref()).unwrap().assessment;
+        assert_eq!(one.accepted.life_safety_ratio, [0.02, 0.03, 0.20]);
     }
 
     #[test]
     fn everything_that_is_wrong_is_said_with_its_line() {
-        let text = "[assessment]\naccepted = 1.5\ndraws = 0\nmost_draws = 4\nmass_spread = -1\nfriction_low = \
-                    0.9\npad_strain = 2\nscren = true\n";
+        let text = "[assessment]\naccepted = 1.5\ndraws = 8\nscreen = true\nmass_spread = -1\nfriction_low = 0.9\n\
+                    pad_strain = 2\nscren = true\npad_damping = 0\nquestions = \"shock\"\n[worlds]\nfirst = 2000\n\
+                    spectral_spread = 3\ncomponents = 3\nconfidence = 1\n[restraint]\nbracket = \"soft\"\n\
+                    dead_load_ratio = 1.2\n";
         let problems = resolve(text, None, "".as_ref()).unwrap_err().problems;
-        let lines: Vec<Option<usize>> = problems.iter().map(|problem| problem.line).collect();
-        assert_eq!(lines, [2, 3, 5, 6, 7, 8].map(Some), "{problems:?}");
+        let mut lines: Vec<Option<usize>> = problems.iter().map(|problem| problem.line).collect();
+        lines.sort_unstable();
+        let expected = [2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 14, 15, 17, 18];
+        assert_eq!(lines, expected.map(Some), "{problems:?}");
+    }
+
+    #[test]
+    fn one_damping_sets_both_ends_of_its_range() {
+        let damping = |text: &str| resolve(text, None, "".as_ref()).unwrap().assessment.pad_damping_ratio;
+        assert_eq!(damping("[assessment]\npad_damping = 0.1\n"), (0.1, 0.1));
+        assert_eq!(damping("[assessment]\npad_damping_high = 0.3\n"), (0.05, 0.3));
     }
 }

@@ -13,12 +13,10 @@ use freestand_input::toml_reader::Written;
 const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
 
 impl Resolver<'_> {
+    /// Its warnings are still with it.
     pub(super) fn building(&mut self, words: &Words) -> Option<BuildingInput> {
         match building::resolve(words, self.base_dir) {
-            Ok(building) => {
-                self.warnings.extend(building.warnings.clone());
-                Some(building)
-            }
+            Ok(building) => Some(building),
             Err(problems) => {
                 for mut problem in problems {
                     let line = words.line_of(&problem.keys);

@@ -4,23 +4,39 @@ use freestand::synthesis::{MatchedMotion, Resemblance};
 use rayon::prelude::*;
 
 use super::recorded::reading_keys;
+use super::suite::suite_keys;
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::matched::{MatchMethod, Matched, match_record};
 use crate::options::GroundOptions;
-use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, Ground, RecordedMotion, SyntheticGround};
+use crate::study::{BuildingInput, DEFAULT_MOTIONS, DEFAULT_SEED, Ground, Level, RecordedMotion, SyntheticGround};
 use crate::target::Target;
 use freestand_input::keys::KeyStyle;
-use freestand_input::problem::ProblemKind;
+use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
 /// Keys of `processing` that scale records to a target of their own.
-const SCALES_TO: [&str; 3] = ["scale_to", "scale_to_sa", "scale_to_spectrum"];
+pub(super) const SCALES_TO: [&str; 3] = ["scale_to", "scale_to_sa", "scale_to_spectrum"];
 
 impl Resolver<'_> {
-    pub(super) fn ground(&mut self, written: &GroundOptions, overrides: &Overrides) -> Option<Ground> {
+    /// `building` and `levels` are those that the motions pass through: a suite has their periods.
+    pub(super) fn ground(
+        &mut self,
+        written: &GroundOptions,
+        overrides: &Overrides,
+        building: Option<&BuildingInput>,
+        levels: &[Level],
+    ) -> Option<Ground> {
         if let Some(files) = &overrides.motions {
             return self.read(files, None).map(Ground::Recorded);
+        }
+        if let Some(folder) = &written.suite {
+            return self.suite(written, folder, building, levels).map(Ground::Recorded);
+        }
+        for (key, line) in suite_keys(written) {
+            if line.is_some() {
+                self.note(line, format!("{key} needs suite"), "name the folder of the records: suite = \"records\"");
+            }
         }
         let Some(motions) = &written.motions else {
             for (key, line) in reading_keys(written) {
@@ -137,8 +153,17 @@ impl Resolver<'_> {
     }
 
     pub(super) fn target(&mut self, written: &GroundOptions) -> Option<Target> {
+        self.target_with(written, Target::check_matched_band)
+    }
+
+    /// The target, if `check` accepts it; what it refuses is the fault of `spectrum`.
+    pub(super) fn target_with(
+        &mut self,
+        written: &GroundOptions,
+        check: impl Fn(&Target) -> Result<(), Problem>,
+    ) -> Option<Target> {
         let resolved = Target::resolve(&written.target, self.base_dir).and_then(|target| {
-            target.check_matched_band().map_err(|problem| problem.of(&["spectrum"]))?;
+            check(&target).map_err(|problem| problem.of(&["spectrum"]))?;
             Ok(target)
         });
         match resolved {

@@ -9,6 +9,7 @@ mod objects;
 mod outputs;
 mod recorded;
 mod simulated;
+mod suite;
 
 use std::path::{Path, PathBuf};
 
@@ -111,8 +112,10 @@ pub fn resolve_with(
     let (options, problems) = options::parse(text, source);
     let is_complete = problems.is_empty();
     let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete, reading: None };
-    let Options { ground, building, objects, outputs, assessment } = options;
-    if has_measured_floors(&building) || (ground.motions.is_some() && overrides.motions.is_none()) {
+    let Options { ground, building, objects, outputs, assessment, worlds, restraint } = options;
+    if has_measured_floors(&building)
+        || ((ground.motions.is_some() || ground.suite.is_some()) && overrides.motions.is_none())
+    {
         resolver.reading = resolver.reading(&ground);
     }
     let levels = resolver.levels(&building, &ground);
@@ -120,7 +123,10 @@ pub fn resolve_with(
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
     } else {
-        (resolver.ground(&ground, overrides), resolver.building(&building.words).map(Some))
+        let building = resolver.building(&building.words);
+        let ground = resolver.ground(&ground, overrides, building.as_ref(), &levels);
+        resolver.warnings.extend(building.iter().flat_map(|building| building.warnings.clone()));
+        (ground, building.map(Some))
     };
     let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
     if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
@@ -130,7 +136,7 @@ pub fn resolve_with(
     }
     let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
     let objects = resolver.objects(&objects);
-    let assessment = resolver.assessment(&assessment);
+    let assessment = resolver.assessment(&assessment, &worlds, &restraint);
     let names = ground_input.as_ref().map(|input| input.names(&levels));
     let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
     match (ground_input, building_input, objects) {

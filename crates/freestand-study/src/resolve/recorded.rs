@@ -9,6 +9,7 @@ use freestand_input::words::counted;
 use freestand_records::processing::azimuth_deg;
 
 use super::ground::synthetic_keys;
+use super::suite::suite_keys;
 use super::{Overrides, Resolver};
 
 /// Step between the directions in which every object is tried, unless the study states one
@@ -123,10 +124,12 @@ impl Resolver<'_> {
             ("motions", ground.motions.as_ref().map(|w| w.line)),
             ("across", ground.across.as_ref().map(|w| w.line)),
             ("match", ground.match_by.as_ref().map(|w| w.line)),
+            ("suite", ground.suite.as_ref().map(|w| w.line)),
         ];
         // Those of the second axis are in `across`.
         let model_keys = building.words.lines().filter(|(key, _)| !key.starts_with("across_"));
-        for (key, line) in synthetic_keys(ground).into_iter().chain(motions).chain(model_keys) {
+        let of_ground = synthetic_keys(ground).into_iter().chain(motions).chain(suite_keys(ground));
+        for (key, line) in of_ground.chain(model_keys) {
             if line.is_some() {
                 let message = format!("{key} has no effect: the study gives the motions of its floors");
                 self.note(line, message, format!("leave {key} or the motions of the levels out"));

@@ -3,6 +3,7 @@
 pub mod assessment;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use freestand::block::Block;
 use freestand::motion::Motion;
@@ -12,6 +13,7 @@ pub use crate::building::BuildingInput;
 use crate::cushion::EdgeCushion;
 use crate::matched::{Matched, synthetic_name};
 use crate::simulated::{FoundEarthquake, SimulatedRequest};
+use crate::suite::Suite;
 use crate::target::Target;
 use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
@@ -95,12 +97,20 @@ impl Ground {
         }
     }
 
-    /// The code spectrum for this ground: the target, or the spectrum whose rock spectrum the
-    /// simulated earthquakes fit.
+    /// How the motions were selected from a folder, if they were.
+    pub fn suite(&self) -> Option<&Suite> {
+        match self {
+            Self::Recorded(motions) => motions.iter().find_map(|motion| motion.suite.as_deref()),
+            Self::Synthetic(_) | Self::Simulated(_) | Self::OnFloors => None,
+        }
+    }
+
+    /// The code spectrum for this ground: the target, the spectrum that records were selected for,
+    /// or the one whose rock spectrum the simulated earthquakes fit.
     pub fn code_spectrum(&self) -> Option<&Target> {
         match self {
             Self::Simulated(simulated) => simulated.hazard.as_ref(),
-            _ => self.target(),
+            _ => self.target().or_else(|| Some(&self.suite()?.target)),
         }
     }
 
@@ -185,6 +195,8 @@ pub struct RecordedMotion {
     pub processing: Vec<String>,
     /// The spectrum that it was matched to, if any.
     pub matched: Option<Matched>,
+    /// The suite that it was selected for, with its factor, if any; all records of a study share it.
+    pub suite: Option<Arc<Suite>>,
     /// The samples, as used.
     pub motion: Motion,
     /// The second horizontal component, at right angles to the first, if any.
@@ -210,7 +222,8 @@ impl RecordedMotion {
     /// The files that were read in addition to its own.
     pub fn other_inputs(&self) -> impl Iterator<Item = &InputFile> {
         let second = self.across.as_ref().and_then(|second| second.file.as_ref());
-        let target = self.matched.as_ref().and_then(|matched| matched.target.file.as_ref());
+        let matched = self.matched.as_ref().map(|matched| &matched.target);
+        let target = matched.or_else(|| Some(&self.suite.as_ref()?.target)).and_then(|target| target.file.as_ref());
         self.station_xml.iter().chain(&self.scale_target).chain(target).chain(second)
     }
 }

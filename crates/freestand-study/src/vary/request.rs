@@ -176,6 +176,7 @@ fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'sta
 
 fn inapplicable_ground(ground: &Ground, name: &str) -> Option<&'static str> {
     let is_matched = matches!(ground, Ground::Recorded(_)) && ground.target().is_some();
+    let is_suite = ground.suite().is_some();
     match (ground, name) {
         (Ground::Synthetic(_), "scale") => Some("synthetic motions follow their target"),
         (Ground::Synthetic(_), _) => None,
@@ -184,6 +185,9 @@ fn inapplicable_ground(ground: &Ground, name: &str) -> Option<&'static str> {
         (Ground::Simulated(simulated), _) if simulated.hazard.is_some() => None,
         (Ground::Simulated(_), _) => Some("the motions are of one magnitude and distance"),
         (_, "seed") if is_matched => Some("the motions are matched records"),
+        (_, "seed") if is_suite => Some("the motions are records of a suite"),
+        (_, "scale") if is_suite => Some("the factors of a suite follow its target"),
+        (_, _) if is_suite => None,
         (_, "scale") if is_matched => Some("matched records follow their target"),
         (_, "scale") => None,
         (_, _) if is_matched => None,
@@ -218,7 +222,7 @@ fn default_values(study: &Study, name: &str) -> Vec<String> {
             SiteClass::ALL.into_iter().filter(|class| *class != own).map(|class| class.name().to_owned()).collect()
         }
         ("site", _, ground) => {
-            let Some(target) = ground.target() else { return Vec::new() };
+            let Some(target) = ground.code_spectrum() else { return Vec::new() };
             let own = target.spectrum.site_name();
             let classes: Vec<&str> = match &target.spectrum {
                 CodeSpectrum::As1170_4(_) => SiteClass::ALL.map(SiteClass::name).to_vec(),

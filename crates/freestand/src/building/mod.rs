@@ -372,6 +372,32 @@ impl Building {
         }
         Ok(self)
     }
+
+    /// The building with all periods multiplied by `period_factor` and all damping ratios by
+    /// `damping_factor`; the shapes stay. Factors of 1 change nothing.
+    ///
+    /// # Errors
+    /// A fundamental period above [`MAX_PERIOD_S`], a factor that is not positive and finite, or
+    /// damping that is not below critical.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand::building::Building;
+    /// let building = Building::beam(0.65, 0.05, 5.0, 3)?.with_factors(1.2, 0.5)?;
+    /// assert!((building.period_s() - 0.78).abs() < 1e-12 && building.damping_ratio() == Some(0.025));
+    /// # Ok::<(), freestand::building::BuildingError>(())
+    /// ```
+    pub fn with_factors(mut self, period_factor: f64, damping_factor: f64) -> Result<Self, BuildingError> {
+        for (i, mode) in self.modes.iter_mut().enumerate() {
+            let (period_s, damping_ratio) = (mode.period_s * period_factor, mode.damping_ratio * damping_factor);
+            check_period(period_s)?;
+            if !(0.0..1.0).contains(&damping_ratio) {
+                return Err(BuildingError::ModeDamping { mode: i + 1, damping_ratio });
+            }
+            (mode.period_s, mode.damping_ratio) = (period_s, damping_ratio);
+        }
+        Ok(self)
+    }
 }
 
 fn check_period(period_s: f64) -> Result<(), BuildingError> {

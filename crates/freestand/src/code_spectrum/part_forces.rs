@@ -6,10 +6,11 @@
 //! | AS 1170.4, section 8 | a_floor I_c a_c/R_c | 0.05 | 0.5 |
 //! | ASCE 7-16, 13.3.1 | 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p | 0.3 S_DS I_p | 1.6 S_DS I_p |
 //! | ASCE 7-22, 13.3.1 | 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) | 0.3 S_DS I_p | 1.6 S_DS I_p |
-//! | EN 1998-1, 4.3.5.2 | α S \[3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5\] γ_a/q_a | α S γ_a/q_a | |
+//! | EN 1998-1 | A α S \[3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5\] γ_a/q_a | α S γ_a/q_a | |
 //! | NZS 1170.5, section 8 | C(0) C_Hi C_i C_ph R_p | | 3.6 |
 //!
-//! a_floor is [`super::parts::floor_acceleration_g`].
+//! a_floor is [`super::parts::floor_acceleration_g`]; A, which is 1 in the code, is an
+//! amplification that the user knows.
 //!
 //! # Limitation
 //! The formulas and limits are quoted from memory: check them in your edition. They are design
@@ -166,13 +167,16 @@ pub fn asce7_22_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_22Part)
 pub struct Eurocode8Part {
     /// T_a/T_1, the period of the element over that of the building; 0 for a rigid one.
     pub period_ratio: f64,
+    /// Amplification A over an element of this period, 1 in the code. Where the amplification of
+    /// the element over a rigid one is known, it goes here, with a period ratio of 0.
+    pub amplification_ratio: f64,
     /// Importance factor γ_a: 1, or 1.5 for an element that is important for life safety.
     pub importance_ratio: f64,
     /// Behaviour factor q_a: 1 or 2.
     pub behaviour_ratio: f64,
 }
 
-/// Force over weight according to Eurocode 8: S_a γ_a/q_a.
+/// Force over weight according to Eurocode 8: A S_a γ_a/q_a, with A S_a at least a_g S.
 ///
 /// # Reference
 /// EN 1998-1:2004, Eqs. (4.24) and (4.25); quoted from memory.
@@ -181,12 +185,18 @@ pub struct Eurocode8Part {
 /// a_g S = 0.24 g on the roof, rigid, q_a = 2: 0.24 · 2.5/2.
 /// ```
 /// use freestand::code_spectrum::part_forces::{Eurocode8Part, eurocode8_force};
-/// let cabinet = Eurocode8Part { period_ratio: 0.0, importance_ratio: 1.0, behaviour_ratio: 2.0 };
+/// let cabinet = Eurocode8Part {
+///     period_ratio: 0.0,
+///     amplification_ratio: 1.0,
+///     importance_ratio: 1.0,
+///     behaviour_ratio: 2.0,
+/// };
 /// assert!((eurocode8_force(0.24, 1.0, &cabinet).force_ratio - 0.3).abs() < 1e-15);
 /// ```
 pub fn eurocode8_force(ground_acceleration_g: f64, level_ratio: f64, part: &Eurocode8Part) -> PartForce {
     let unit = ground_acceleration_g * part.importance_ratio / part.behaviour_ratio;
-    PartForce::within(unit * eurocode8_factor_ratio(level_ratio, part.period_ratio), unit, f64::INFINITY)
+    let factor = part.amplification_ratio * eurocode8_factor_ratio(level_ratio, part.period_ratio);
+    PartForce::within(unit * factor, unit, f64::INFINITY)
 }
 
 /// A part according to NZS 1170.5, section 8.
@@ -275,12 +285,18 @@ mod tests {
     }
 
     /// a_g S = 0.2 g. In resonance at mid-height 3 · 1.5 − 0.5 = 4: 0.8 · 1.5/2 = 0.6. Far above
-    /// the building's period the amplification is 1: 3/10 − 0.5 < 1.
+    /// the building's period the amplification is 1: 3/10 − 0.5 < 1. Rigid at mid-height with a
+    /// known amplification of 1.6: 1.6 · 1.75 = 2.8: 0.42; one of 0.5: 0.875, raised to 1.
     #[test]
     fn eurocode_8_and_its_least() {
-        let part = Eurocode8Part { period_ratio: 1.0, importance_ratio: 1.5, behaviour_ratio: 2.0 };
+        let part =
+            Eurocode8Part { period_ratio: 1.0, amplification_ratio: 1.0, importance_ratio: 1.5, behaviour_ratio: 2.0 };
         assert!((eurocode8_force(0.2, 0.5, &part).force_ratio - 0.6).abs() < 1e-15);
         let soft = Eurocode8Part { period_ratio: 4.0, ..part };
         assert!((eurocode8_force(0.2, 0.0, &soft).force_ratio - 0.15).abs() < 1e-15);
+        let known = |amplification_ratio| Eurocode8Part { period_ratio: 0.0, amplification_ratio, ..part };
+        assert!((eurocode8_force(0.2, 0.5, &known(1.6)).force_ratio - 0.42).abs() < 1e-15);
+        let low = eurocode8_force(0.2, 0.5, &known(0.5));
+        assert!((low.force_ratio - 0.15).abs() < 1e-15 && low.governing == Governing::Minimum);
     }
 }

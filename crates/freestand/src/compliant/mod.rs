@@ -23,6 +23,7 @@
 //! end of a contact or of a slip, or a kink of a tabulated law.
 
 mod audit;
+mod bulk;
 mod equation;
 mod equilibrium;
 mod events;
@@ -40,6 +41,12 @@ use crate::cushion::Cushion;
 use crate::rocking::{Base, Outcome};
 
 pub use audit::EnergyAudit;
+#[doc(hidden)]
+pub use bulk::rock_compliant_many_on;
+pub use bulk::{
+    CompliantSummary, CompliantWorld, PadOutcome, pad_uplift_threshold_m_s2, rock_compliant_many, rocking_frequency_hz,
+    stands_on_pads,
+};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use history::{CompliantPoint, CompliantRecorder};
 pub use solve::{Piece, rock_compliant, rock_compliant_observed};
@@ -377,6 +384,12 @@ pub enum CompliantError {
         time_s: f64,
         /// Length of the step \[s\].
         step_s: f64,
+    },
+    /// A motion too strong for numbers.
+    #[error("the motion of the object grew beyond all numbers by {time_s} s")]
+    NotFinite {
+        /// Time \[s\].
+        time_s: f64,
     },
     /// More than [`MAX_STEPS`] steps.
     #[error(

@@ -1,5 +1,6 @@
 //! Random numbers keyed by their use.
 
+use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
@@ -33,4 +34,18 @@ pub fn draw_stream(seed: u64, object: u64, record: u64, draw: u64) -> ChaCha8Rng
 pub fn lognormal_draw(random: &mut ChaCha8Rng, median: f64, log_sd: f64) -> f64 {
     let normal: f64 = StandardNormal.sample(random);
     median * (log_sd * normal).exp()
+}
+
+/// A number between `low` and `high` whose logarithm is uniform; both must be positive.
+///
+/// # Example
+/// ```
+/// use freestand::fragility::{draw_stream, log_uniform_draw};
+/// let ratio = log_uniform_draw(&mut draw_stream(1, 7, 3, 0), 0.05, 0.20);
+/// assert!((0.05..=0.20).contains(&ratio));
+/// assert_eq!(log_uniform_draw(&mut draw_stream(1, 7, 3, 0), 0.1, 0.1), 0.1);
+/// ```
+pub fn log_uniform_draw(random: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
+    let share: f64 = random.random();
+    low * (high / low).powf(share)
 }

@@ -11,8 +11,8 @@ use thiserror::Error;
 
 use crate::block::Block;
 
-pub use draws::{draw_stream, lognormal_draw};
-pub use interval::probability_interval;
+pub use draws::{draw_stream, log_uniform_draw, lognormal_draw};
+pub use interval::{clopper_pearson, probability_interval};
 
 /// Φ, the standard normal distribution.
 fn normal_ratio(z: f64) -> f64 {

@@ -1,13 +1,12 @@
-//! Small drawings as inline SVG: bars of counts, the sides of an object, the bars of the tornado.
+//! Small drawings as inline SVG: bars of counts, the sides of an object.
 
 use std::fmt::Write;
 
 use crate::inventory::Item;
 use crate::output::overview::Counts;
 use crate::output::words::{colours, sign};
-use crate::result::{Decision, Swing};
+use crate::result::Decision;
 use freestand_input::words::number;
-use freestand_study::result::Ranked;
 
 /// Width and height of a bar of counts \[px\].
 const BAR_PX: (f64, f64) = (180.0, 15.0);
@@ -141,69 +140,6 @@ fn view(side: &str, [h, w, b, z]: [f64; 4], middle: f64) -> String {
     svg
 }
 
-/// A bar of the tornado \[px\]: where the scale of numbers ends, where `overturned` is, its width
-/// and its height.
-const SWING_PX: (f64, f64, f64, f64) = (190.0, 210.0, 220.0, 20.0);
-
-/// What the bars of a tornado share: the value at the right end of the scale, and the limit where
-/// there is one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Scale {
-    full: f64,
-    limit: Option<f64>,
-}
-
-impl Scale {
-    /// The scale that holds all bars.
-    pub(super) fn of(swings: &[Swing], limit: Option<f64>) -> Self {
-        let numbers = swings.iter().flat_map(|swing| [swing.at_low, swing.at_high, swing.as_is]);
-        let numbers = numbers.filter_map(Ranked::value).chain(limit).filter(|value| value.is_finite());
-        Self { full: 1.05 * numbers.fold(1e-9, f64::max), limit }
-    }
-
-    /// The place of a value; overturned is to the right of every number.
-    fn place(&self, value: Ranked) -> Option<f64> {
-        let (end, beyond, ..) = SWING_PX;
-        match value {
-            Ranked::Value(value) if value.is_finite() => Some(end * (value / self.full).clamp(0.0, 1.0)),
-            Ranked::Overturned => Some(beyond),
-            _ => None,
-        }
-    }
-}
-
-/// One value of the tornado: a bar from its low to its high end, a line at the result, a dashed
-/// line at the limit.
-pub(super) fn swing_bar(swing: &Swing, scale: Scale) -> String {
-    let (_, beyond, width, height) = SWING_PX;
-    let mut svg =
-        format!("<svg viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" aria-hidden=\"true\">");
-    if let Some(x) = scale.limit.and_then(|limit| scale.place(Ranked::Value(limit))) {
-        let _ = write!(
-            svg,
-            "<line x1=\"{x:.1}\" y1=\"0\" x2=\"{x:.1}\" y2=\"{height}\" stroke=\"#222\" stroke-dasharray=\"4 3\"/>"
-        );
-    }
-    if let (Some(low), Some(high)) = (scale.place(swing.at_low), scale.place(swing.at_high)) {
-        let fill = if swing.flips { "#e8b48d" } else { "#c9d6e2" };
-        let (from, length) = (low.min(high), (low - high).abs().max(1.0));
-        let _ = write!(
-            svg,
-            "<rect x=\"{from:.1}\" y=\"4\" width=\"{length:.1}\" height=\"12\" fill=\"{fill}\" fill-opacity=\"0.85\" \
-             stroke=\"#333\"/>"
-        );
-        if low.max(high) == beyond {
-            let _ = write!(svg, "<path d=\"M{beyond} 2 l8 8 l-8 8 z\" fill=\"#333\"/>");
-        }
-    }
-    if let Some(x) = scale.place(swing.as_is) {
-        let _ =
-            write!(svg, "<line x1=\"{x:.1}\" y1=\"1\" x2=\"{x:.1}\" y2=\"19\" stroke=\"#000\" stroke-width=\"2.5\"/>");
-    }
-    svg.push_str("</svg>");
-    svg
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -232,24 +168,5 @@ mod tests {
             svg.contains("x=\"0.0\" y=\"0.5\" width=\"54.0\"") && svg.contains("x=\"54.0\" y=\"0.5\" width=\"126.0\"")
         );
         assert_eq!(stacked_bar(&Counts::default(), 0).matches("<rect").count(), 0);
-    }
-
-    #[test]
-    fn overturned_lies_beyond_every_number() {
-        let swing = Swing {
-            parameter: crate::result::Parameter::Motion,
-            low: String::new(),
-            high: String::new(),
-            at_low: Ranked::Value(0.5),
-            at_high: Ranked::Overturned,
-            as_is: Ranked::Value(1.0),
-            flips: true,
-        };
-        // The scale ends at 1.05: 0.5 is at 190 · 0.5/1.05 = 90.5, and the bar ends at 210.
-        let svg = swing_bar(&swing, Scale::of(std::slice::from_ref(&swing), Some(1.0)));
-        assert!(svg.contains("<rect x=\"90.5\" y=\"4\" width=\"119.5\""), "{svg}");
-        let nothing = Swing { at_low: Ranked::NoData, at_high: Ranked::NoData, as_is: Ranked::NoData, ..swing };
-        let svg = swing_bar(&nothing, Scale::of(&[], None));
-        assert!(!svg.contains("<rect") && !svg.contains("<line"));
     }
 }

@@ -5,13 +5,13 @@ use std::fmt::Write;
 use crate::inventory::{Inventory, Item, Rating};
 use crate::output::overview::place;
 use crate::output::words::{margin, probability, ranked, ranked_milli, tier};
-use crate::result::{Assessment, AxisResponse, Response};
+use crate::result::{Assessment, AxisResponse, ModelAnswers, Probability, Response};
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, table, words as text};
 use freestand_study::cushion::cushion_words;
 use freestand_study::result::Ranked;
 
-use super::drawing::{Scale, sketch, swing_bar};
+use super::drawing::sketch;
 use super::equations::equations;
 use super::summary::badge;
 use super::{anchor, name, words};
@@ -40,7 +40,7 @@ pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Asse
     html.push_str(&pairs(&object_figures(item, found)));
     html.push_str("</div>\n</div>\n");
     html.push_str(&response(found));
-    html.push_str(&what_would_change_it(found));
+    html.push_str(&what_it_depends_on(found));
     html.push_str(&what_to_do(found));
     if let Some(chain) = &found.chain {
         html.push_str(&heading("The shock, step by step"));
@@ -66,13 +66,18 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
     let overturn = found.p_overturn.map_or_else(String::new, probability);
     let exceed = found.p_exceed.map_or_else(String::new, probability);
     let accepted = format!("{} ({})", percent(found.accepted_ratio, 0), found.accepted_for.name());
-    let draws = if found.draws == 0 { String::new() } else { format!("{} draws for each motion", found.draws) };
+    let worlds = found.answers.as_ref().map_or_else(String::new, |answers| {
+        format!("{} of at most {}", counted(answers.worlds as usize, "world"), answers.worlds_cap)
+    });
     let mut rows = vec![
         ("Demand/capacity", margin(found)),
         ("Probability of exceeding the tolerance", exceed),
         ("Probability of overturning", overturn),
         ("Accepted probability", accepted),
-        ("Decided by", [tier(found.tier), &draws].into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(", ")),
+        (
+            "Decided by",
+            [tier(found.tier), &worlds].into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(", "),
+        ),
     ];
     match (&found.capacity, &item.tolerance) {
         (Some(capacity), _) => {
@@ -244,39 +249,64 @@ fn axes(axes: &[AxisResponse]) -> String {
     table("", &[headings], &rows)
 }
 
-fn what_would_change_it(found: &Assessment) -> String {
-    if found.tornado.is_empty() {
-        return String::new();
+/// Both models, what the answer depends on, and what to measure.
+fn what_it_depends_on(found: &Assessment) -> String {
+    let mut html = String::new();
+    if let Some(answers) = &found.answers {
+        html.push_str(&heading("The models"));
+        let cell = |p: Option<Probability>| figure(p.map_or_else(|| "–".to_owned(), probability));
+        let row = |name: &str, model: &ModelAnswers| vec![text(name), cell(Some(model.overturn)), cell(model.exceed)];
+        let mut rows = vec![row("Rigid base, Eq. (5)", &answers.rigid)];
+        rows.extend(answers.compliant.as_ref().map(|model| row("Compliant base, on its pads", model)));
+        let headings = vec![text("Model"), figure("Falls"), figure("Tolerance exceeded")];
+        html.push_str(&table("", &[headings], &rows));
+        if let Some(pads) = &found.on_pads {
+            let number = |value: Option<f64>, unit: &str| {
+                value.map_or_else(|| "–".to_owned(), |value| format!("{} {unit}", number(value, 3)))
+            };
+            html.push_str(&paragraph(&format!(
+                "On its pads it rocks at {} with both edges down; a steady {} lifts an edge off its pad, and an edge \
+                 leaves its pad in {} of the worlds. The median shock is {}, the median uplift {}.",
+                number(pads.rocking_frequency_hz, "Hz"),
+                number(pads.pad_uplift_threshold_g, "g"),
+                percent(pads.let_go_share, 0),
+                ranked(pads.edge_acceleration_g_median, "g"),
+                ranked_milli(pads.lift_m_median, "mm")
+            )));
+        }
     }
-    let (measure, limit, of) = match &found.capacity {
-        Some(_) => ("", Some(1.0), "demand/capacity of the median motion, with a dashed line at 1"),
-        None => ("g", None, "the shock of the median motion in g"),
-    };
-    let mut html = heading("What would change it");
-    html.push_str(&paragraph(&format!(
-        "Each bar shows {of} while one value varies over its range and the others stay unchanged; the black line is \
-         the present result. ✱ marks a value that crosses the limit: at one end of its range, the share of motions \
-         that exceed the limit is on the other side of the accepted probability."
-    )));
-    let scale = Scale::of(&found.tornado, limit);
-    let rows: Vec<Vec<Cell>> = found
-        .tornado
-        .iter()
-        .map(|swing| {
-            vec![
-                text(swing.parameter.name()),
-                markup(name(&swing.low), ""),
-                figure(ranked(swing.at_low, measure)),
-                markup(swing_bar(swing, scale), "bar"),
-                figure(ranked(swing.at_high, measure)),
-                markup(name(&swing.high), ""),
-                text(if swing.flips { "✱ crosses the limit" } else { "does not cross the limit" }),
-            ]
-        })
-        .collect();
-    let headings = ["Value", "From", "gives", "", "gives", "To", "Limit"];
-    let headings = headings.map(|heading| if heading == "gives" { figure(heading) } else { text(heading) });
-    html.push_str(&table("", &[headings.to_vec()], &rows));
+    if let Some(shares) = &found.shares {
+        let known: Vec<_> = shares.by_group.iter().filter_map(|(cause, share)| Some((cause, (*share)?))).collect();
+        if !known.is_empty() {
+            html.push_str(&heading("What the answer depends on"));
+            let rows: Vec<Vec<Cell>> =
+                known.iter().map(|(cause, share)| vec![text(cause.name()), figure(percent(*share, 0))]).collect();
+            html.push_str(&table("", &[vec![text("Drawn again alone"), figure("Share")]], &rows));
+            html.push_str(&paragraph(
+                "The share is that of worlds in which the answer changes if only this value is drawn again, divided by \
+                 that of two unrelated worlds. The shares of values that act together overlap.",
+            ));
+        }
+        if let Some((cause, low, high)) = &shares.measure_first {
+            html.push_str(&paragraph(&format!(
+                "Measure first: {}. At its 10 % point the probability is {}, at its 90 % point {}: on both sides of \
+                 the accepted one.",
+                cause.name(),
+                percent(*low, 0),
+                percent(*high, 0)
+            )));
+        }
+    }
+    if let Some(per_year) = &found.per_year {
+        let at_least = if per_year.is_at_least { "at least " } else { "" };
+        let exceed = per_year
+            .exceed
+            .map_or_else(String::new, |p| format!("; that its tolerance is exceeded, {at_least}{}", number(p, 2)));
+        html.push_str(&paragraph(&format!(
+            "Probability per year that it falls: {at_least}{}{exceed}. It does not decide.",
+            number(per_year.overturn, 2)
+        )));
+    }
     html
 }
 
@@ -301,7 +331,7 @@ fn what_to_do(found: &Assessment) -> String {
             let _ = write!(said, " It is {pad} mm thick and is compressed by {stroke} mm.");
         }
         if let Some(shock_g) = softening.edge_acceleration_g {
-            let _ = write!(said, " The shock on this pad is {} g.", number(shock_g, 3));
+            let _ = write!(said, " The median shock on this pad is {} g.", number(shock_g, 3));
         }
         let _ = writeln!(html, "<p>{} Check: {}</p>", words(&said), words(&softening.note));
     }
@@ -333,19 +363,6 @@ fn what_to_do(found: &Assessment) -> String {
             })
             .collect();
         html.push_str(&table("", &[headings], &rows));
-    }
-    if let Some(compliant) = &found.compliant {
-        html.push_str(&heading("Second opinion: the compliant base"));
-        let shock = compliant.shock_ratio.map_or_else(String::new, |ratio| {
-            format!(" Its median shock is {} times that of Eq. (5).", number(ratio, 3))
-        });
-        let agrees =
-            if compliant.agrees { "This leads to the same verdict." } else { "This leads to a DIFFERENT verdict." };
-        html.push_str(&paragraph(&format!(
-            "On the compliant base it overturns under {} of {}.{shock} {agrees}",
-            compliant.overturned,
-            counted(compliant.motions, "motion")
-        )));
     }
     html
 }

@@ -82,7 +82,7 @@ fn first(overview: &Overview, pages: usize) -> String {
     html.push_str(
         "<table class=\"first\"><thead><tr><th scope=\"col\" class=\"n\">Rank</th><th scope=\"col\">Object</th><th \
          scope=\"col\">Verdict</th><th scope=\"col\" class=\"n\">Demand / capacity</th><th \
-         scope=\"col\">Governing</th><th scope=\"col\">P(exceeded), 95 %</th><th scope=\"col\" class=\"n\">Median \
+         scope=\"col\">Governing</th><th scope=\"col\">P(exceeded)</th><th scope=\"col\" class=\"n\">Median \
          shock</th></tr></thead>\n<tbody>\n",
     );
     for one in overview.urgent.values() {
@@ -108,7 +108,7 @@ fn first_row(one: &Urgent, has_page: bool) -> String {
          /><small>{}</small><small class=\"why\">{}</small></th>\
          <td data-label=\"Verdict\">{}</td>\
          <td class=\"n\" data-label=\"Demand / capacity\">{}</td><td data-label=\"Governing\">{}</td>\
-         <td data-label=\"P(exceeded), 95 %\">{}</td><td class=\"n\" data-label=\"Median shock\">{}</td></tr>\n",
+         <td data-label=\"P(exceeded)\">{}</td><td class=\"n\" data-label=\"Median shock\">{}</td></tr>\n",
         one.rank,
         name(&one.item),
         name(&one.place),

@@ -4,7 +4,7 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 
 use crate::inventory::{Item, Rating};
-use crate::result::{Assessment, Probability, RestraintForce};
+use crate::result::{Answers, Assessment, Cause, ModelAnswers, Probability, RestraintForce, reported_force};
 use freestand_study::cushion::cushion_words;
 
 use super::{Cell, Column, Kind, Line};
@@ -40,99 +40,141 @@ pub(crate) const COLUMNS: &[Column] = &[
         Some(found) => Cell::text(&found.why),
         None => Cell::text(NOT_ASSESSED),
     }),
-    text("governing", "the governing criterion at the motion that decides", |l| {
+    text("governing", "the governing criterion in the world that decides", |l| {
         of_text(l, |found| found.capacity.as_ref().map(|capacity| capacity.governing.name()))
     }),
     ranked(
         "demand_capacity_ratio",
         "1",
-        "demand/capacity of the median motion; above 1 the tolerance is exceeded",
+        "demand/capacity of the median world; above 1 the tolerance is exceeded",
         |l| Cell::ranked(l.assessment().and_then(|found| Some(found.capacity.as_ref()?.demand_capacity))),
     ),
-    ranked("demand_capacity_ratio_p84", "1", "demand/capacity that 84 % of the motions do not exceed", |l| {
+    ranked("demand_capacity_ratio_p84", "1", "demand/capacity that 84 % of the worlds do not exceed", |l| {
         Cell::ranked(l.assessment().and_then(|found| Some(found.capacity.as_ref()?.demand_capacity_p84)))
     }),
     share("p_exceed", "probability that a criterion is exceeded or that it overturns", |l| {
         chance(l, |found| found.p_exceed, |p| p.value)
     }),
-    share("p_exceed_low", "lower end of the 95 % interval of p_exceed", |l| {
-        chance(l, |found| found.p_exceed, |p| p.low)
-    }),
-    share("p_exceed_high", "upper end of the 95 % interval of p_exceed", |l| {
-        chance(l, |found| found.p_exceed, |p| p.high)
-    }),
+    share("p_exceed_low", "lower end of the interval of p_exceed", |l| chance(l, |found| found.p_exceed, |p| p.low)),
+    share("p_exceed_high", "upper end of the interval of p_exceed", |l| chance(l, |found| found.p_exceed, |p| p.high)),
     share("p_overturn", "probability that it overturns", |l| chance(l, |found| found.p_overturn, |p| p.value)),
-    share("p_overturn_low", "lower end of the 95 % interval of p_overturn", |l| {
+    share("p_overturn_low", "lower end of the interval of p_overturn", |l| {
         chance(l, |found| found.p_overturn, |p| p.low)
     }),
-    share("p_overturn_high", "upper end of the 95 % interval of p_overturn", |l| {
+    share("p_overturn_high", "upper end of the interval of p_overturn", |l| {
         chance(l, |found| found.p_overturn, |p| p.high)
     }),
     share("accepted_ratio", "accepted probability", |l| of(l, |found| Some(found.accepted_ratio))),
     text("accepted_for", "what sets the accepted probability", |l| of_text(l, |found| Some(found.accepted_for.name()))),
-    count("draws", "draws of the uncertain values for each motion; 0: none were needed", |l| {
-        Cell::count(l.assessment().map(|found| found.draws as usize))
+    text("falls", "whether it falls: stays, falls, close", |l| {
+        of_text(l, |found| Some(found.answers.as_ref()?.falls.name()))
     }),
-    count("tier", "tier that decided: 0 thresholds, 1 spectra, 2 histories of the object, 3 the compliant base", |l| {
+    text("shock", "whether a shock is too hard: stands, exceeded, close, unknown", |l| {
+        of_text(l, |found| Some(found.answers.as_ref()?.shock.name()))
+    }),
+    flag("close_call", "whether an answer is too close to the accepted probability to call", |l| {
+        yes(l.assessment().and_then(|found| Some(found.answers.as_ref()?.is_close())))
+    }),
+    text("close_on", "which answer is too close to call: falls, shock, both", |l| {
+        of_text(l, |found| Some(found.answers.as_ref()?.close_on()).filter(|on| !on.is_empty()))
+    }),
+    text("models_agree", "whether both models are on one side of the accepted probability; empty: one model", |l| {
+        of_text(l, |found| found.answers.as_ref()?.models_agree.map(|agree| if agree { "yes" } else { "no" }))
+    }),
+    count("worlds", "worlds", |l| of_count(l, |answers| Some(answers.worlds))),
+    count("settled_at", "worlds at which no question was open any more; empty: a close call", |l| {
+        of_count(l, |answers| (!answers.is_close()).then_some(answers.worlds))
+    }),
+    count("worlds_cap", "worlds after which no more are added", |l| of_count(l, |answers| Some(answers.worlds_cap))),
+    count("worlds_compliant", "worlds on the compliant base, where they are fewer", |l| {
+        of_count(l, |answers| answers.worlds_compliant)
+    }),
+    number("confidence", "1", "confidence of the intervals", |l| {
+        of(l, |found| Some(found.answers.as_ref()?.confidence))
+    }),
+    share("p_overturn_rigid", "probability that it falls, on a rigid base", |l| {
+        rigid(l, |m| Some(m.overturn), |p| p.value)
+    }),
+    share("p_overturn_rigid_low", "lower end of its interval", |l| rigid(l, |m| Some(m.overturn), |p| p.low)),
+    share("p_overturn_rigid_high", "upper end of its interval", |l| rigid(l, |m| Some(m.overturn), |p| p.high)),
+    share("p_overturn_compliant", "probability that it falls, on its pads", |l| {
+        pads(l, |m| Some(m.overturn), |p| p.value)
+    }),
+    share("p_overturn_compliant_low", "lower end of its interval", |l| pads(l, |m| Some(m.overturn), |p| p.low)),
+    share("p_overturn_compliant_high", "upper end of its interval", |l| pads(l, |m| Some(m.overturn), |p| p.high)),
+    share("p_exceed_rigid", "probability that a criterion is exceeded or that it falls, on a rigid base", |l| {
+        rigid(l, |m| m.exceed, |p| p.value)
+    }),
+    share("p_exceed_rigid_low", "lower end of its interval", |l| rigid(l, |m| m.exceed, |p| p.low)),
+    share("p_exceed_rigid_high", "upper end of its interval", |l| rigid(l, |m| m.exceed, |p| p.high)),
+    share("p_exceed_compliant", "probability that a criterion is exceeded or that it falls, on its pads", |l| {
+        pads(l, |m| m.exceed, |p| p.value)
+    }),
+    share("p_exceed_compliant_low", "lower end of its interval", |l| pads(l, |m| m.exceed, |p| p.low)),
+    share("p_exceed_compliant_high", "upper end of its interval", |l| pads(l, |m| m.exceed, |p| p.high)),
+    number("p_overturn_per_year", "1", "probability per year that it falls", |l| {
+        of(l, |found| Some(found.per_year.as_ref()?.overturn))
+    }),
+    number("p_exceed_per_year", "1", "probability per year that a criterion is exceeded or that it falls", |l| {
+        of(l, |found| found.per_year.as_ref()?.exceed)
+    }),
+    count("tier", "tier that decided: 0 it rocks in no world, 2 a rigid base, 3 a rigid base and its pads", |l| {
         Cell::count(l.assessment().map(|found| found.tier.into()))
     }),
     // Its response.
-    count("motions", "motions for which the histories about every axis succeeded", |l| {
+    count("motions", "worlds for which the histories about every axis succeeded", |l| {
         Cell::count(l.assessment().and_then(|found| Some(found.response.as_ref()?.motions)))
     }),
-    count("motions_failed", "motions for which a history failed", |l| {
+    count("motions_failed", "worlds for which a history failed", |l| {
         Cell::count(l.assessment().and_then(|found| Some(found.response.as_ref()?.failed)))
     }),
-    share("uplift_share", "share of the motions that cause uplift", |l| {
+    share("uplift_share", "share of the worlds that cause uplift", |l| {
         of(l, |found| Some(found.response.as_ref()?.uplift_share))
     }),
-    share("overturn_share", "share of the motions that overturn it", |l| {
+    share("overturn_share", "share of the worlds that overturn it", |l| {
         of(l, |found| Some(found.response.as_ref()?.overturn_share))
     }),
-    ranked("uplift_m_median", "m", "uplift, median motion", |l| lift(l, 1)),
-    ranked("uplift_m_p16", "m", "uplift that 16 % of the motions do not exceed", |l| lift(l, 0)),
-    ranked("uplift_m_p84", "m", "uplift that 84 % of the motions do not exceed", |l| lift(l, 2)),
-    ranked("rotation_ratio_median", "1", "peak rotation over the slenderness angle, median motion", |l| {
+    ranked("uplift_m_median", "m", "uplift, median world", |l| lift(l, 1)),
+    ranked("uplift_m_p16", "m", "uplift that 16 % of the worlds do not exceed", |l| lift(l, 0)),
+    ranked("uplift_m_p84", "m", "uplift that 84 % of the worlds do not exceed", |l| lift(l, 2)),
+    ranked("rotation_ratio_median", "1", "peak rotation over the slenderness angle, median world", |l| {
         Cell::ranked(l.assessment().and_then(|found| Some(found.response.as_ref()?.rotation_ratio[1])))
     }),
-    count("impacts_max", "largest number of impacts under one motion", |l| {
+    count("impacts_max", "largest number of impacts in one world", |l| {
         Cell::count(l.assessment().and_then(|found| Some(found.response.as_ref()?.impacts_max)))
     }),
     // Its shock.
-    ranked("edge_acceleration_g_median", "g", "shock, the larger source, median motion", |l| shock(l, 1)),
-    ranked("edge_acceleration_g_p16", "g", "shock, the larger source, that 16 % of the motions do not exceed", |l| {
+    ranked("edge_acceleration_g_median", "g", "shock, the larger source, median world", |l| shock(l, 1)),
+    ranked("edge_acceleration_g_p16", "g", "shock, the larger source, that 16 % of the worlds do not exceed", |l| {
         shock(l, 0)
     }),
-    ranked("edge_acceleration_g_p84", "g", "shock, the larger source, that 84 % of the motions do not exceed", |l| {
+    ranked("edge_acceleration_g_p84", "g", "shock, the larger source, that 84 % of the worlds do not exceed", |l| {
         shock(l, 2)
     }),
-    number("edge_acceleration_g_max", "g", "largest shock of the motions that do not overturn it", |l| {
+    number("edge_acceleration_g_max", "g", "largest shock of the worlds that do not overturn it", |l| {
         of(l, |found| found.shock.as_ref()?.edge_acceleration_max_g)
     }),
     ranked(
         "edge_acceleration_uplift_g_median",
         "g",
-        "shock from the rise of the centre of gravity, median motion",
+        "shock from the rise of the centre of gravity, median world",
         |l| lifted(l, 1),
     ),
     ranked(
         "edge_acceleration_uplift_g_p16",
         "g",
-        "shock from the rise of the centre of gravity that 16 % of the motions do not exceed",
+        "shock from the rise of the centre of gravity that 16 % of the worlds do not exceed",
         |l| lifted(l, 0),
     ),
     ranked(
         "edge_acceleration_uplift_g_p84",
         "g",
-        "shock from the rise of the centre of gravity that 84 % of the motions do not exceed",
+        "shock from the rise of the centre of gravity that 84 % of the worlds do not exceed",
         |l| lifted(l, 2),
     ),
-    number(
-        "ceiling_g",
-        "g",
-        "ceiling: the largest shock from the rise of the centre of gravity under any motion",
-        |l| of(l, |found| Some(found.shock.as_ref()?.ceiling_g)),
-    ),
+    number("ceiling_g", "g", "ceiling: the largest shock from the rise of the centre of gravity in any world", |l| {
+        of(l, |found| Some(found.shock.as_ref()?.ceiling_g))
+    }),
     number("pulse_duration_s", "s", "duration of the pulse; π√(m_eff/k) on a spring", |l| {
         of(l, |found| Some(found.shock.as_ref()?.pulse_duration_s))
     }),
@@ -141,17 +183,17 @@ pub(crate) const COLUMNS: &[Column] = &[
     }),
     count(
         "impacts_above_tolerance",
-        "impacts above the tolerance under the most severe motion that does not overturn it",
+        "impacts above the tolerance in the hardest world that does not overturn it",
         |l| Cell::count(l.assessment().and_then(|found| found.shock.as_ref()?.impacts_above_tolerance)),
     ),
     // Its floor, sliding and clearance.
-    number("pfa_g_median", "g", "PFA of its floor, median motion", |l| {
+    number("pfa_g_median", "g", "PFA of its floor, median world", |l| {
         of(l, |found| Some(found.floor.as_ref()?.pfa_g_median))
     }),
-    number("pfa_g_max", "g", "PFA of its floor, largest of all motions", |l| {
+    number("pfa_g_max", "g", "PFA of its floor, largest of all worlds", |l| {
         of(l, |found| Some(found.floor.as_ref()?.pfa_g_max))
     }),
-    number("pfv_m_s_median", "m/s", "PFV of its floor, median motion", |l| {
+    number("pfv_m_s_median", "m/s", "PFV of its floor, median world", |l| {
         of(l, |found| Some(found.floor.as_ref()?.pfv_m_s_median))
     }),
     number("floor_ratio", "1", "median PFA over the peak of the tolerance", |l| {
@@ -176,23 +218,36 @@ pub(crate) const COLUMNS: &[Column] = &[
     flag("softening_admissible", "whether that pad passed every check", |l| {
         yes(l.assessment().and_then(|found| Some(found.softening.as_ref()?.admissible)))
     }),
-    number(
-        "softened_edge_acceleration_g",
-        "g",
-        "largest shock on that pad under the motions that were repeated",
-        |l| of(l, |found| found.softening.as_ref()?.edge_acceleration_g),
-    ),
-    number("pad_stroke_m", "m", "largest compression of that pad", |l| {
+    number("softened_edge_acceleration_g", "g", "median shock on that pad, on the compliant base", |l| {
+        of(l, |found| found.softening.as_ref()?.edge_acceleration_g)
+    }),
+    number("pad_stroke_m", "m", "compression of that pad that 95 % of the worlds do not exceed", |l| {
         of(l, |found| found.softening.as_ref()?.stroke_m)
     }),
-    number("restraint_force_n", "N", "largest horizontal force of a restraint, of all sources", |l| {
-        of(l, |found| largest(found, |force| force.force_n))
+    number("restraint_force_n", "N", "horizontal force of a restraint by the study's own code, or by its floor", |l| {
+        restraint(l, |force| force.force_n)
     }),
-    text("restraint_source", "clause of this force", |l| {
-        of_text(l, |found| Some(strongest(found, |force| force.force_n)?.source.as_str()))
+    text("restraint_source", "clause of this force; the other columns of the restraint are by the same clause", |l| {
+        of_text(l, |found| Some(reported_force(&found.restraint)?.source.as_str()))
     }),
-    number("anchor_tension_n", "N", "largest tension of all anchors along one edge together, of all sources", |l| {
-        of(l, |found| largest(found, |force| force.anchor_tension_n))
+    number("held_weight_ratio", "1", "weight that holds it down against the force, over its weight", |l| {
+        restraint(l, |force| force.held_weight_ratio)
+    }),
+    number("overstrength_ratio", "1", "factor on the force for anchors in concrete", |l| {
+        restraint(l, |force| force.overstrength_ratio)
+    }),
+    number("anchor_tension_n", "N", "tension of all anchors along one edge together; 0: its weight suffices", |l| {
+        restraint(l, |force| force.anchor_tension_n)
+    }),
+    number("anchor_tension_concrete_n", "N", "the same for anchors in concrete", |l| {
+        restraint(l, |force| force.anchor_tension_concrete_n)
+    }),
+    number("bracket_height_m", "m", "height of a bracket in place of the anchors", |l| {
+        restraint(l, |force| force.bracket_height_m)
+    }),
+    number("bracket_force_n", "N", "horizontal force of that bracket", |l| restraint(l, |force| force.bracket_force_n)),
+    number("bracket_base_shear_n", "N", "horizontal force at the feet beside that bracket", |l| {
+        restraint(l, |force| force.bracket_base_shear_n)
     }),
     // The values of the calculation.
     text("tolerance", "its tolerance, in words", |l| {
@@ -252,11 +307,53 @@ pub(crate) const COLUMNS: &[Column] = &[
             Restitution::Housner | Restitution::Value(_) => None,
         })
     }),
-    number("compliant_shock_ratio", "1", "shock on the compliant base over the shock of Eq. (5)", |l| {
-        of(l, |found| found.compliant.as_ref()?.shock_ratio)
+    number("restitution_p16", "1", "restitution that was drawn, at 16 %", |l| {
+        of(l, |found| Some(found.answers.as_ref()?.restitution_p16_p84[0]))
     }),
-    flag("compliant_agrees", "whether the compliant base leads to the same verdict", |l| {
-        yes(l.assessment().and_then(|found| found.compliant.as_ref()).map(|compliant| compliant.agrees))
+    number("restitution_p84", "1", "restitution that was drawn, at 84 %", |l| {
+        of(l, |found| Some(found.answers.as_ref()?.restitution_p16_p84[1]))
+    }),
+    number("rebound_restitution", "1", "rebound over landing velocity of an edge on its pads", |l| {
+        of(l, |found| Some(found.on_pads.as_ref()?.rebound_restitution))
+    }),
+    number("rocking_frequency_hz", "Hz", "frequency of rocking with both edges on their pads", |l| {
+        of(l, |found| found.on_pads.as_ref()?.rocking_frequency_hz)
+    }),
+    number("pad_uplift_threshold_g", "g", "steady floor acceleration that lifts an edge off its pad", |l| {
+        of(l, |found| found.on_pads.as_ref()?.pad_uplift_threshold_g)
+    }),
+    number(
+        "pad_uplift_ratio_p84",
+        "1",
+        "U that 84 % of the worlds do not exceed; above 1 an edge leaves its pad",
+        |l| of(l, |found| found.on_pads.as_ref()?.pad_uplift_ratio_p84),
+    ),
+    ranked("edge_acceleration_compliant_g_median", "g", "shock on its pads, median world", |l| {
+        Cell::ranked(l.assessment().and_then(|found| Some(found.on_pads.as_ref()?.edge_acceleration_g_median)))
+    }),
+    ranked("lift_compliant_m_median", "m", "uplift on its pads, median world", |l| {
+        Cell::ranked(l.assessment().and_then(|found| Some(found.on_pads.as_ref()?.lift_m_median)))
+    }),
+    share("softened_p_exceed_high", "upper end of the interval of p_exceed on the softer pad", |l| {
+        of(l, |found| found.softening.as_ref()?.p_exceed_high)
+    }),
+    share("softened_p_overturn_high", "upper end of the interval of p_overturn on the softer pad", |l| {
+        of(l, |found| found.softening.as_ref()?.p_overturn_high)
+    }),
+    number("share_motion", "1", "share of the answer that depends on the ground motion", |l| depends(l, Cause::Motion)),
+    number("share_building", "1", "share that depends on the building", |l| depends(l, Cause::Building)),
+    number("share_restitution", "1", "share that depends on restitution", |l| depends(l, Cause::Restitution)),
+    number("share_pad", "1", "share that depends on the pads", |l| depends(l, Cause::Pad)),
+    number("share_body", "1", "share that depends on size and mass", |l| depends(l, Cause::Body)),
+    number("share_model", "1", "share that depends on the error of the models", |l| depends(l, Cause::Model)),
+    text("measure_first", "what to measure first: the accepted probability lies between its two ends", |l| {
+        of_text(l, |found| Some(found.shares.as_ref()?.measure_first?.0.name()))
+    }),
+    number("measure_first_low", "1", "probability where that is at its 10 % point", |l| {
+        of(l, |found| Some(found.shares.as_ref()?.measure_first?.1))
+    }),
+    number("measure_first_high", "1", "probability where that is at its 90 % point", |l| {
+        of(l, |found| Some(found.shares.as_ref()?.measure_first?.2))
     }),
     text("notes", "notes in the inventory", |l| Cell::text(&l.item.notes)),
     text("remarks", "assumptions and warnings about this object", |l| {
@@ -266,6 +363,22 @@ pub(crate) const COLUMNS: &[Column] = &[
 
 /// The reason in a row without a decision.
 const NOT_ASSESSED: &str = "Not assessed yet: the run was stopped before its end, and this result is partial.";
+
+fn of_count<'a>(line: &Line<'a>, get: impl Fn(&Answers) -> Option<u32>) -> Cell<'a> {
+    Cell::count(line.assessment().and_then(|found| get(found.answers.as_ref()?)).map(|count| count as usize))
+}
+
+fn rigid<'a>(line: &Line<'a>, of: fn(&ModelAnswers) -> Option<Probability>, end: fn(&Probability) -> f64) -> Cell<'a> {
+    chance(line, |found| of(&found.answers.as_ref()?.rigid), end)
+}
+
+fn pads<'a>(line: &Line<'a>, of: fn(&ModelAnswers) -> Option<Probability>, end: fn(&Probability) -> f64) -> Cell<'a> {
+    chance(line, |found| of(found.answers.as_ref()?.compliant.as_ref()?), end)
+}
+
+fn depends<'a>(line: &Line<'a>, cause: Cause) -> Cell<'a> {
+    of(line, |found| found.shares.as_ref()?.by_group.iter().find(|(one, _)| *one == cause)?.1)
+}
 
 type Extract = for<'a> fn(&Line<'a>) -> Cell<'a>;
 
@@ -301,7 +414,7 @@ fn of_item<'a>(line: &Line<'a>, value: fn(&Item) -> Option<f64>) -> Cell<'a> {
     Cell::number(value(line.item))
 }
 
-fn of<'a>(line: &Line<'a>, value: fn(&Assessment) -> Option<f64>) -> Cell<'a> {
+fn of<'a>(line: &Line<'a>, value: impl Fn(&Assessment) -> Option<f64>) -> Cell<'a> {
     Cell::number(line.assessment().and_then(value))
 }
 
@@ -311,7 +424,7 @@ fn of_text<'a>(line: &Line<'a>, text: for<'t> fn(&'t Assessment) -> Option<&'t s
 
 fn chance<'a>(
     line: &Line<'a>,
-    chance: fn(&Assessment) -> Option<Probability>,
+    chance: impl Fn(&Assessment) -> Option<Probability>,
     value: fn(&Probability) -> f64,
 ) -> Cell<'a> {
     Cell::number(line.assessment().and_then(chance).map(|probability| value(&probability)))
@@ -341,11 +454,7 @@ fn rating<'a>(rating: Option<Rating>) -> Cell<'a> {
     })
 }
 
-/// The largest force by `need`; the first of two equal ones.
-pub(crate) fn strongest(found: &Assessment, need: fn(&RestraintForce) -> f64) -> Option<&RestraintForce> {
-    found.restraint.iter().reduce(|most, next| if need(next) > need(most) { next } else { most })
-}
-
-fn largest(found: &Assessment, need: fn(&RestraintForce) -> f64) -> Option<f64> {
-    strongest(found, need).map(need)
+/// A value of the force that counts for the object.
+fn restraint<'a>(line: &Line<'a>, value: fn(&RestraintForce) -> f64) -> Cell<'a> {
+    Cell::number(line.assessment().and_then(|found| reported_force(&found.restraint)).map(value))
 }

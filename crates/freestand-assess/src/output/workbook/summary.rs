@@ -186,7 +186,7 @@ impl Page<'_> {
                 "place",
                 "demand/capacity",
                 "governing criterion",
-                "probability (95 % interval)",
+                "probability (interval)",
                 "median shock",
                 "why",
             ],

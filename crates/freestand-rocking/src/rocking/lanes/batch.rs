@@ -7,11 +7,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use pulp::Simd;
 
-use super::math::{Column, Masks, Math, Numbers};
 use super::ranks::{ABREAST, Ranks};
 use super::series::{Edge, Ground, Series, TERMS};
 use super::shaking::Interval;
 use super::unroll::{unroll, unroll_down};
+use crate::vector::{Column, Masks, Math, Numbers};
 
 /// Number of lanes in a batch.
 pub(super) const BATCH: usize = 2 * ABREAST;

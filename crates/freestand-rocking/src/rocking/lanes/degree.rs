@@ -5,10 +5,10 @@ use std::f64::consts::FRAC_PI_2;
 use pulp::{Arch, Simd, WithSimd};
 
 use super::batch::Batch;
-use super::math::{Column, Math};
 use super::ranks::{ABREAST, Rank};
 use super::series::{Edge, Ground, Series};
 use super::shaking::Interval;
+use crate::vector::{Column, Math};
 
 type AdvanceRanks = fn(Arch, &mut [Rank], &Interval, &mut Vec<u32>);
 

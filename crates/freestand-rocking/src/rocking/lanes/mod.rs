@@ -3,7 +3,7 @@
 //! ÿ = −x²\[(1+ü_v/g) sin φ + s (ü_h/g) cos φ\], φ = α − y, x = p h, y = sθ, in units of a step h,
 //! which is a sample interval or a part of it. Moving blocks occupy lanes, sixteen side by side
 //! (`ranks`), and take each step together (`tile`). Each has its own Taylor series, with series of
-//! the sine and the cosine (`series`, `math`); `degree` contains the code that is compiled for each
+//! the sine and the cosine (`series`, `vector`); `degree` contains the code that is compiled for each
 //! degree of the series and each vector unit, and all other code is compiled once. Bounds on the
 //! terms of a series show which lanes certainly have no event in the step. The other lanes are
 //! copied to a batch (`batch`), where landings and maxima are roots of the series. From there a
@@ -13,12 +13,11 @@
 //! rest of the response follows from the conservation of energy (`quiet`).
 //!
 //! Each lane is calculated on its own: no result depends on a neighbour. Multiplications and
-//! additions are fused only where the code says so (`math`).
+//! additions are fused only where the code says so (`vector`).
 
 mod batch;
 mod chatter;
 mod degree;
-mod math;
 mod quiet;
 mod ranks;
 mod series;

@@ -1,7 +1,7 @@
 //! Moving blocks in ranks, each as wide as two vectors.
 
-use super::math::Column;
 use super::tile::Rocker;
+use crate::vector::Column;
 
 /// Number of blocks in a rank: two of the widest vectors.
 pub(super) const ABREAST: usize = 16;

@@ -2,8 +2,8 @@
 
 #![expect(clippy::absurd_extreme_comparisons, reason = "loops are unrolled with constants, one of which is zero")]
 
-use super::math::{Masks, Math, Numbers};
 use super::unroll::{unroll, unroll_down};
+use crate::vector::{Masks, Math, Numbers};
 use pulp::Simd;
 
 /// Highest degree of a series.

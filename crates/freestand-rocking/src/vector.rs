@@ -25,30 +25,32 @@ macro_rules! each {
 
 /// Two vectors of numbers whose operations alternate: each vector's chain of operations runs while
 /// the other's waits.
-pub(super) type Numbers<S> = [<S as Simd>::f64s; 2];
+pub type Numbers<S> = [<S as Simd>::f64s; 2];
 
 /// One truth value for each number.
-pub(super) type Masks<S> = [<S as Simd>::m64s; 2];
+pub type Masks<S> = [<S as Simd>::m64s; 2];
 
 /// One number for each of N lanes.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
-pub(super) struct Column<const N: usize>(pub(super) [f64; N]);
+pub struct Column<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Column<N> {
     /// Number of pairs of vectors in a column.
-    pub(super) const fn pairs<S: Simd>() -> usize {
+    pub const fn pairs<S: Simd>() -> usize {
         N / (2 * S::F64_LANES)
     }
 
+    /// The pair of vectors `i`.
     #[inline(always)]
-    pub(super) fn get<S: Simd>(&self, i: usize) -> Numbers<S> {
+    pub fn get<S: Simd>(&self, i: usize) -> Numbers<S> {
         let (vectors, _) = S::as_simd_f64s(&self.0);
         vectors.as_chunks().0[i]
     }
 
+    /// Puts the pair of vectors `i`.
     #[inline(always)]
-    pub(super) fn set<S: Simd>(&mut self, i: usize, value: Numbers<S>) {
+    pub fn set<S: Simd>(&mut self, i: usize, value: Numbers<S>) {
         let (vectors, _) = S::as_mut_simd_f64s(&mut self.0);
         vectors.as_chunks_mut().0[i] = value;
     }
@@ -76,94 +78,114 @@ impl<const N: usize> DerefMut for Column<N> {
 
 /// The operations of one generation of vector units, on two vectors.
 #[derive(Clone, Copy)]
-pub(super) struct Math<S>(pub(super) S);
+pub struct Math<S>(pub S);
 
 impl<S: Simd> Math<S> {
+    /// a in every lane.
     #[inline(always)]
-    pub(super) fn splat(self, a: f64) -> Numbers<S> {
+    pub fn splat(self, a: f64) -> Numbers<S> {
         [self.0.splat_f64s(a); 2]
     }
 
     /// a + b.
     #[inline(always)]
-    pub(super) fn add(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+    pub fn add(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.add_f64s(a[i], b[i]))
     }
 
     /// a − b.
     #[inline(always)]
-    pub(super) fn sub(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+    pub fn sub(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.sub_f64s(a[i], b[i]))
     }
 
     /// a b.
     #[inline(always)]
-    pub(super) fn mul(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+    pub fn mul(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.mul_f64s(a[i], b[i]))
     }
 
     /// a / b.
     #[inline(always)]
-    pub(super) fn div(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+    pub fn div(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.div_f64s(a[i], b[i]))
     }
 
     /// a b + c, rounded once.
     #[inline(always)]
-    pub(super) fn fma(self, a: Numbers<S>, b: Numbers<S>, c: Numbers<S>) -> Numbers<S> {
+    pub fn fma(self, a: Numbers<S>, b: Numbers<S>, c: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.mul_add_f64s(a[i], b[i], c[i]))
     }
 
     /// c − a b, rounded once.
     #[inline(always)]
-    pub(super) fn fnma(self, a: Numbers<S>, b: Numbers<S>, c: Numbers<S>) -> Numbers<S> {
+    pub fn fnma(self, a: Numbers<S>, b: Numbers<S>, c: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.negate_mul_add_f64s(a[i], b[i], c[i]))
     }
 
+    /// |a|.
     #[inline(always)]
-    pub(super) fn abs(self, a: Numbers<S>) -> Numbers<S> {
+    pub fn abs(self, a: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.abs_f64s(a[i]))
     }
 
+    /// The larger one; b where one is not a number.
     #[inline(always)]
-    pub(super) fn sqrt(self, a: Numbers<S>) -> Numbers<S> {
+    pub fn larger(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+        self.select(self.gt(a, b), a, b)
+    }
+
+    /// The smaller one; b where one is not a number.
+    #[inline(always)]
+    pub fn smaller(self, a: Numbers<S>, b: Numbers<S>) -> Numbers<S> {
+        self.select(self.gt(b, a), a, b)
+    }
+
+    /// √a.
+    #[inline(always)]
+    pub fn sqrt(self, a: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.sqrt_f64s(a[i]))
     }
 
     /// a > b, false where one is not a number.
     #[inline(always)]
-    pub(super) fn gt(self, a: Numbers<S>, b: Numbers<S>) -> Masks<S> {
+    pub fn gt(self, a: Numbers<S>, b: Numbers<S>) -> Masks<S> {
         each!(i, self.0.greater_than_f64s(a[i], b[i]))
     }
 
     /// a ≥ b, false where one is not a number.
     #[inline(always)]
-    pub(super) fn ge(self, a: Numbers<S>, b: Numbers<S>) -> Masks<S> {
+    pub fn ge(self, a: Numbers<S>, b: Numbers<S>) -> Masks<S> {
         each!(i, self.0.greater_than_or_equal_f64s(a[i], b[i]))
     }
 
+    /// Both.
     #[inline(always)]
-    pub(super) fn and(self, a: Masks<S>, b: Masks<S>) -> Masks<S> {
+    pub fn and(self, a: Masks<S>, b: Masks<S>) -> Masks<S> {
         each!(i, self.0.and_m64s(a[i], b[i]))
     }
 
+    /// Either.
     #[inline(always)]
-    pub(super) fn or(self, a: Masks<S>, b: Masks<S>) -> Masks<S> {
+    pub fn or(self, a: Masks<S>, b: Masks<S>) -> Masks<S> {
         each!(i, self.0.or_m64s(a[i], b[i]))
     }
 
+    /// Not.
     #[inline(always)]
-    pub(super) fn not(self, a: Masks<S>) -> Masks<S> {
+    pub fn not(self, a: Masks<S>) -> Masks<S> {
         each!(i, self.0.not_m64s(a[i]))
     }
 
+    /// `yes` where the mask is true, else `no`.
     #[inline(always)]
-    pub(super) fn select(self, mask: Masks<S>, yes: Numbers<S>, no: Numbers<S>) -> Numbers<S> {
+    pub fn select(self, mask: Masks<S>, yes: Numbers<S>, no: Numbers<S>) -> Numbers<S> {
         each!(i, self.0.select_f64s(mask[i], yes[i], no[i]))
     }
 
+    /// Whether the mask is true anywhere.
     #[inline(always)]
-    pub(super) fn any(self, mask: Masks<S>) -> bool {
+    pub fn any(self, mask: Masks<S>) -> bool {
         mask.iter().any(|mask| self.0.first_true_m64s(*mask) < S::F64_LANES)
     }
 
@@ -171,7 +193,7 @@ impl<S: Simd> Math<S> {
     /// y² at Chebyshev nodes of [0, (π/2)²], with the leading coefficients of the Taylor series, so
     /// that small angles keep their digits.
     #[inline(always)]
-    pub(super) fn sin_cos(self, y: Numbers<S>) -> (Numbers<S>, Numbers<S>) {
+    pub fn sin_cos(self, y: Numbers<S>) -> (Numbers<S>, Numbers<S>) {
         let t = self.mul(y, y);
         let t2 = self.mul(t, t);
         let t4 = self.mul(t2, t2);

@@ -1,10 +1,15 @@
 //! Ground motions from record files: reads them, chooses components, scales and names them.
 
+mod folder;
+mod pairing;
+
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use freestand::motion::Motion;
 use freestand::signal::rotate::Pair;
+
+pub(crate) use folder::{Folder, read_folder};
 
 use crate::study::{RecordedMotion, SecondComponent};
 use freestand_input::file::load;
@@ -141,65 +146,100 @@ pub(crate) fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize
 }
 
 fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion, Problems> {
-    let (file, sha256) = read_file(path, files)?;
-    let in_file = |problem: Problem| problem.in_file(path);
-    let (processed, chosen, across) = match &files.second {
-        Second::None => {
-            let (processed, chosen) =
-                process_file(&file, files.component.as_deref(), &files.processing).map_err(in_file)?;
-            (processed, chosen, None)
-        }
+    let loaded = Loaded::read(path, files)?;
+    Ok(match &files.second {
+        Second::None => loaded.motion(Used::Chosen, files)?,
         Second::SameFile(called) => {
             let called = called.as_ref().map(|(first, second)| (first.as_str(), second.as_str()));
-            let (first, second) = pair_of_one(&file, called).map_err(in_file)?;
-            let (processed, across) = both(first, second, (&first.name, &second.name), files).map_err(in_file)?;
-            (processed, chosen_words(first, second), Some(SecondComponent { file: None, motion: across }))
+            loaded.motion(Used::Two(called), files)?
         }
         Second::Files(paths) => {
             let Some(second_path) = paths.get(index) else {
                 let problem = Problem::new(ProblemKind::Value, "there is no file with its second component");
-                return Err(in_file(problem.hint("name one for each motion, in the same order")).into());
+                return Err(problem.in_file(path).hint("name one for each motion, in the same order").into());
             };
-            let (second_file, second_sha256) = read_file(second_path, files)?;
-            let component = files.component.as_deref();
-            let first = file.select(component).map_err(in_file)?;
-            let second = second_file.select(component).map_err(|problem| problem.in_file(second_path))?;
-            let names = (name_of(path), name_of(second_path));
-            let (processed, across) = both(first, second, (&names.0, &names.1), files).map_err(in_file)?;
-            let input = InputFile { path: second_path.clone(), sha256: second_sha256 };
-            let words = format!(", with {} across", names.1);
-            (processed, words, Some(SecondComponent { file: Some(input), motion: across }))
+            let second = Loaded::read(second_path, files)?;
+            loaded.motion(Used::With(&second), files)?
         }
-    };
-    let scale_target = match &files.processing.scale {
-        Scale::Spectrum(target) => target.file.clone(),
-        _ => None,
-    };
-    let motion = RecordedMotion {
-        name: name_of(path),
-        path: path.to_path_buf(),
-        sha256,
-        description: format!("{}{chosen}", file.format),
-        scale_ratio: processed.scale_ratio,
-        station_xml: file.station_xml(),
-        scale_target,
-        processing: processed.steps,
-        matched: None,
-        motion: processed.motion,
-        across,
-    };
-    let start_note = start_note(&file);
-    // Two components that were turned to an azimuth are of one file and have the same unit.
-    let chosen = file.select(files.component.as_deref()).ok().or(file.components.first());
-    let unit = chosen.map_or("m/s2", |component| component.unit);
-    let notes = file.notes.into_iter().chain(processed.notes).collect();
-    Ok(ReadMotion { motion, notes, start_note, unit })
+    })
 }
 
-fn read_file(path: &Path, files: &MotionFiles) -> Result<(MotionFile, String), Problems> {
-    let bytes = load(path)?;
-    let sha256 = sha256_hex(&bytes);
-    Ok((parse_motions(bytes, path, &files.read)?, sha256))
+/// A file as it was read.
+struct Loaded {
+    file: MotionFile,
+    sha256: String,
+}
+
+/// Which components of a file are used.
+#[derive(Clone, Copy)]
+enum Used<'a> {
+    /// The chosen one, or the only one; two of them turned to an azimuth.
+    Chosen,
+    /// Two of the file: those called so, or the only two that are horizontal.
+    Two(Option<(&'a str, &'a str)>),
+    /// Its own, and across it that of another file.
+    With(&'a Loaded),
+}
+
+impl Loaded {
+    fn read(path: &Path, files: &MotionFiles) -> Result<Self, Problems> {
+        let bytes = load(path)?;
+        let sha256 = sha256_hex(&bytes);
+        Ok(Self { file: parse_motions(bytes, path, &files.read)?, sha256 })
+    }
+
+    /// The components, processed.
+    fn motion(&self, used: Used<'_>, files: &MotionFiles) -> Result<ReadMotion, Problem> {
+        let Self { file, sha256 } = self;
+        let path = file.path.as_path();
+        let in_file = |problem: Problem| problem.in_file(path);
+        let (processed, chosen, across) = match used {
+            Used::Chosen => {
+                let (processed, chosen) =
+                    process_file(file, files.component.as_deref(), &files.processing).map_err(in_file)?;
+                (processed, chosen, None)
+            }
+            Used::Two(called) => {
+                let (first, second) = pair_of_one(file, called).map_err(in_file)?;
+                let (processed, across) = both(first, second, (&first.name, &second.name), files).map_err(in_file)?;
+                (processed, chosen_words(first, second), Some(SecondComponent { file: None, motion: across }))
+            }
+            Used::With(other) => {
+                let second_path = &other.file.path;
+                let component = files.component.as_deref();
+                let first = file.select(component).map_err(in_file)?;
+                let second = other.file.select(component).map_err(|problem| problem.in_file(second_path))?;
+                let names = (name_of(path), name_of(second_path));
+                let (processed, across) = both(first, second, (&names.0, &names.1), files).map_err(in_file)?;
+                let input = InputFile { path: second_path.clone(), sha256: other.sha256.clone() };
+                let words = format!(", with {} across", names.1);
+                (processed, words, Some(SecondComponent { file: Some(input), motion: across }))
+            }
+        };
+        let scale_target = match &files.processing.scale {
+            Scale::Spectrum(target) => target.file.clone(),
+            _ => None,
+        };
+        let motion = RecordedMotion {
+            name: name_of(path),
+            path: path.to_path_buf(),
+            sha256: sha256.clone(),
+            description: format!("{}{chosen}", file.format),
+            scale_ratio: processed.scale_ratio,
+            station_xml: file.station_xml(),
+            scale_target,
+            processing: processed.steps,
+            matched: None,
+            suite: None,
+            motion: processed.motion,
+            across,
+        };
+        // Two components that were turned to an azimuth are of one file and have the same unit.
+        let component = file.select(files.component.as_deref()).ok().or(file.components.first());
+        let unit = component.map_or("m/s2", |component| component.unit);
+        let notes = file.notes.iter().cloned().chain(processed.notes).collect();
+        Ok(ReadMotion { motion, notes, start_note: start_note(file), unit })
+    }
 }
 
 /// Both components processed; the steps of the second follow those of the first.

@@ -1,0 +1,85 @@
+//! `outcomes.csv`: what happened to every object in every world, by each model.
+
+use freestand_input::problem::Problem;
+
+use super::table::Cell;
+use super::worlds::csv_of;
+
+/// The file's name.
+pub(crate) const OUTCOMES_NAME: &str = "outcomes.csv";
+
+const HEADER: [&str; 14] = [
+    "id",
+    "world",
+    "model",
+    "fell",
+    "exceeded",
+    "demand_capacity",
+    "lift_m",
+    "edge_acceleration_g",
+    "restitution",
+    "stiffness_n_m",
+    "pad_damping_ratio",
+    "mass_kg",
+    "height_m",
+    "thickness_m",
+];
+
+/// An object in a world by one model, with the values that it had there.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct OutcomeRow<'a> {
+    pub(crate) id: &'a str,
+    pub(crate) world: u32,
+    /// `rigid` or `compliant`.
+    pub(crate) model: &'static str,
+    /// `None`: it could not be followed.
+    pub(crate) has_fallen: Option<bool>,
+    /// `None`: not known, or there is no tolerance.
+    pub(crate) has_exceeded: Option<bool>,
+    /// Infinite where it fell.
+    pub(crate) demand_capacity_ratio: Option<f64>,
+    /// `None`: it fell.
+    pub(crate) lift_m: Option<f64>,
+    /// `None`: it fell, or mass or cushion is not known.
+    pub(crate) edge_acceleration_g: Option<f64>,
+    /// About the thickness, as height and thickness are.
+    pub(crate) restitution: f64,
+    pub(crate) stiffness_n_m: Option<f64>,
+    pub(crate) pad_damping_ratio: Option<f64>,
+    pub(crate) mass_kg: Option<f64>,
+    pub(crate) height_m: f64,
+    pub(crate) thickness_m: f64,
+}
+
+/// The header of the file.
+pub(crate) fn outcomes_head() -> Result<Vec<u8>, Problem> {
+    csv_of([HEADER.map(Cell::text).to_vec()])
+}
+
+/// Rows of the file, without its header.
+pub(crate) fn outcomes_rows<'a>(rows: impl Iterator<Item = OutcomeRow<'a>>) -> Result<Vec<u8>, Problem> {
+    let flag = |one: Option<bool>| one.map_or(Cell::Missing, |one| Cell::Count(u64::from(one)));
+    let cells = |row: OutcomeRow<'a>| {
+        let demand = match row.demand_capacity_ratio {
+            Some(f64::INFINITY) => Cell::Overturned,
+            other => Cell::number(other),
+        };
+        vec![
+            Cell::text(row.id),
+            Cell::Count(u64::from(row.world)),
+            Cell::text(row.model),
+            flag(row.has_fallen),
+            flag(row.has_exceeded),
+            demand,
+            Cell::number(row.lift_m),
+            Cell::number(row.edge_acceleration_g),
+            Cell::number(Some(row.restitution)),
+            Cell::number(row.stiffness_n_m),
+            Cell::number(row.pad_damping_ratio),
+            Cell::number(row.mass_kg),
+            Cell::number(Some(row.height_m)),
+            Cell::number(Some(row.thickness_m)),
+        ]
+    };
+    csv_of(rows.map(cells))
+}

@@ -1,0 +1,179 @@
+//! One draw of everything that is not known of an object in a world.
+
+use freestand::block::Block;
+use freestand::cushion::{ContactLaw, Cushion};
+use freestand::fragility::{log_uniform_draw, lognormal_draw, lognormal_probability};
+use freestand::rocking::Restitution;
+use freestand::worlds::{Group, is_first_side_along_x, object_stream, restitution_at, restitution_draw};
+use sha2::{Digest, Sha256};
+
+use freestand_study::study::assessment::{Settings, Spread};
+
+use super::object::{AxisGeometry, Subject};
+
+/// Standard deviation of the logarithm of a damping ratio that a drop test found (assumed).
+const MEASURED_DAMPING_SPREAD: f64 = 0.2;
+
+/// The values of an object in one world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Draw {
+    /// Whether its thickness lies along x; if not, it lies along y.
+    pub(super) is_thickness_along_x: bool,
+    /// Of each axis.
+    pub(super) restitution: [f64; 2],
+    heights: f64,
+    sides: [f64; 2],
+    mass: f64,
+    pub(super) stiffness: f64,
+    pub(super) pad_damping_ratio: f64,
+    /// The error of Eq. (5).
+    pub(super) model: f64,
+    /// The factor on peak accelerations on the compliant base.
+    pub(super) compliant: f64,
+}
+
+/// A number that depends on a text alone: random numbers belong to the names of objects, not to
+/// their places.
+pub(super) fn key(text: &str) -> u64 {
+    let digest = Sha256::digest(text.as_bytes());
+    digest.iter().take(8).fold(0, |key, byte| key << 8 | u64::from(*byte))
+}
+
+/// What is different from the draw of the world itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Change {
+    /// Nothing.
+    None,
+    /// This group is drawn again.
+    Again(Group),
+    /// The values of this group are all at this number of standard deviations, on the side where a
+    /// positive number is less favourable to slender objects: a narrower and higher object, a
+    /// stiffer pad with less damping, less energy lost in an impact.
+    At(Group, f64),
+}
+
+impl Change {
+    fn repetition(self, group: Group) -> u32 {
+        u32::from(self == Self::Again(group))
+    }
+
+    /// The number of standard deviations of a group, where that is fixed.
+    pub(super) fn normal(self, group: Group) -> Option<f64> {
+        match self {
+            Self::At(changed, normal) if changed == group => Some(normal),
+            _ => None,
+        }
+    }
+}
+
+/// The draw of an object, given by its [`key`], in a world.
+pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u32, change: Change) -> Draw {
+    let stream = |group: Group| object_stream(settings.seed, world, object, group, change.repetition(group));
+    let Spread { restitution, stiffness, mass, geometry, model, compliant } = settings.spread;
+
+    // One random number for both axes: they land on the same floor.
+    let normal = change.normal(Group::Restitution).map(|normal| -normal);
+    let of_axis = |axis: &AxisGeometry| {
+        let median = median_restitution(subject.restitution, &axis.block);
+        match normal {
+            Some(normal) => restitution_at(median, restitution, normal),
+            None => restitution_draw(&mut stream(Group::Restitution), median, restitution),
+        }
+    };
+    let restitution = [0, 1].map(|axis| subject.axes.get(axis).map_or(0.0, of_axis));
+
+    let mut random = stream(Group::Pad);
+    let own = subject.body.as_ref().and_then(|body| body.stiffness_spread).unwrap_or(stiffness);
+    let (low, high) = settings.pad_damping_ratio;
+    let measured = subject.body.as_ref().and_then(|body| body.damping_ratio);
+    let mut stiffness = lognormal_draw(&mut random, 1.0, own);
+    let mut pad_damping_ratio = match measured {
+        Some(measured) => lognormal_draw(&mut random, measured, MEASURED_DAMPING_SPREAD),
+        None => log_uniform_draw(&mut random, low, high),
+    };
+    // The share of pads that have less damping.
+    if let Some(normal) = change.normal(Group::Pad) {
+        stiffness = (own * normal).exp();
+        pad_damping_ratio = match measured {
+            Some(measured) => measured * (-MEASURED_DAMPING_SPREAD * normal).exp(),
+            None => low * (high / low).powf(lognormal_probability((-normal).exp(), 1.0, 1.0)),
+        };
+    }
+
+    random = stream(Group::Body);
+    let mut next = |spread: f64| lognormal_draw(&mut random, 1.0, spread);
+    let (mut mass, mut heights, mut sides) = (next(mass), next(geometry), [next(geometry), next(geometry)]);
+    if let Some(normal) = change.normal(Group::Body) {
+        mass = (settings.spread.mass * normal).exp();
+        heights = (geometry * normal).exp();
+        sides = [(-geometry * normal).exp(); 2];
+    }
+
+    random = stream(Group::Model);
+    let mut next = |median: f64, spread: f64| lognormal_draw(&mut random, median, spread);
+    let (model, compliant) = (next(1.0, model), next(settings.compliant_factor, compliant));
+    Draw {
+        is_thickness_along_x: is_first_side_along_x(settings.seed, world, object, 0),
+        restitution,
+        heights,
+        sides,
+        mass,
+        stiffness,
+        pad_damping_ratio,
+        model,
+        compliant,
+    }
+}
+
+/// The restitution of the unchanged block, about which it is drawn: so an uncertain height does not
+/// count twice. The larger of both edges.
+fn median_restitution(restitution: Restitution, block: &Block) -> f64 {
+    restitution.ratios(block).map_or(0.0, |[one, other]| one.max(other))
+}
+
+impl Draw {
+    /// The block about an axis, and its restitution.
+    pub(super) fn block(&self, subject: &Subject, axis: usize) -> Option<(Block, Restitution)> {
+        let geometry: &AxisGeometry = subject.axes.get(axis)?;
+        let block = geometry.scaled(self.heights, self.sides.get(axis).copied().unwrap_or(1.0));
+        Some((block, Restitution::Value(self.restitution.get(axis).copied().unwrap_or(0.0).min(1.0))))
+    }
+
+    /// Whether an axis moves under the component along x.
+    pub(super) fn is_along_x(&self, axis: usize) -> bool {
+        (axis == 0) == self.is_thickness_along_x
+    }
+
+    /// Mass \[kg\] and cushion under one edge; `None` where they are not known.
+    pub(super) fn body(&self, subject: &Subject) -> Option<(f64, Cushion)> {
+        let body = subject.body.as_ref()?;
+        Some((body.mass_kg * self.mass, body.cushion.times(self.stiffness).ok()?))
+    }
+
+    /// Height and side in the plane of an axis \[m\].
+    pub(super) fn size_m(&self, subject: &Subject, axis: usize) -> (f64, f64) {
+        let factor = self.sides.get(axis).copied().unwrap_or(1.0);
+        subject.axes.get(axis).map_or((0.0, 0.0), |one| (one.height_m * self.heights, one.side_m * factor))
+    }
+
+    /// c = 2 ζ √(k m) of the pads under one edge \[N s/m\].
+    pub(super) fn pad_damping_n_s_m(&self, stiffness_n_m: f64, mass_kg: f64) -> f64 {
+        2.0 * self.pad_damping_ratio * (stiffness_n_m * mass_kg).sqrt()
+    }
+
+    /// e: rebound over impact velocity of an edge that lands on its pads, an upper envelope of
+    /// landings computed on the compliant base at lifts of 10 mm to 30 mm.
+    pub(super) fn rebound_restitution(&self) -> f64 {
+        (0.63 - 1.2 * (self.pad_damping_ratio - 0.05)).clamp(0.4, 0.7)
+    }
+}
+
+/// The damping ratio c/(2√(k m)) that a cushion brings with it.
+pub(super) fn own_damping_ratio(cushion: &Cushion, mass_kg: f64) -> Option<f64> {
+    match *cushion.law() {
+        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+            Some(damping_n_s_m / (2.0 * (stiffness_n_m * mass_kg).sqrt())).filter(|ratio| *ratio > 0.0)
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,67 @@
+//! What happened to an object in each world, for those who check or refit its probabilities.
+
+use freestand::G0_M_S2;
+
+use crate::output::OutcomeRow;
+
+use super::object::Hit;
+use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, overturned, pads_demand_capacity};
+use super::trial::{Model, Question, Trial};
+
+/// The rows of a trial: its worlds in their order, the rigid base before the pads.
+pub(super) fn outcomes<'a>(trial: &'a Trial) -> impl Iterator<Item = OutcomeRow<'a>> {
+    trial.lived.iter().enumerate().flat_map(move |(world, lived)| {
+        let models = [Model::Rigid, Model::Pads].into_iter();
+        models.filter_map(move |model| outcome(trial, world as u32, lived, model))
+    })
+}
+
+fn outcome<'a>(trial: &'a Trial, world: u32, lived: &Lived, model: Model) -> Option<OutcomeRow<'a>> {
+    let has_fallen = trial.answer(lived, Question::Falls, model)?;
+    let body = lived.draw.body(&trial.subject);
+    let (height_m, thickness_m) = lived.draw.size_m(&trial.subject, 0);
+    let [demand_capacity_ratio, lift_m, edge_acceleration_g] = match model {
+        Model::Rigid => lived.rigid.as_ref().map_or([None; 3], |axes| of_rigid(axes, lived.draw.model)),
+        Model::Pads => lived.pads.as_ref()?.as_ref().map_or([None; 3], |axes| of_pads(axes)),
+    };
+    let capacity = trial.subject.capacity.as_ref();
+    Some(OutcomeRow {
+        id: &trial.member.item.id,
+        world,
+        model: match model {
+            Model::Rigid => "rigid",
+            Model::Pads => "compliant",
+        },
+        has_fallen,
+        has_exceeded: capacity.and_then(|_| trial.answer(lived, Question::Shock, model)?),
+        demand_capacity_ratio: demand_capacity_ratio.filter(|_| capacity.is_some()),
+        lift_m,
+        edge_acceleration_g,
+        restitution: lived.draw.restitution[0],
+        stiffness_n_m: body.as_ref().and_then(|(_, cushion)| cushion.linear_stiffness_n_m()),
+        pad_damping_ratio: body.as_ref().map(|_| lived.draw.pad_damping_ratio),
+        mass_kg: body.as_ref().map(|(mass_kg, _)| *mass_kg),
+        height_m,
+        thickness_m,
+    })
+}
+
+/// Demand/capacity, lift \[m\] and shock with the error of its world \[g\], about the worse axis.
+fn of_rigid(axes: &[AxisMotion], model: f64) -> [Option<f64>; 3] {
+    if overturned(axes) {
+        return [demand_capacity(axes), None, None];
+    }
+    let lift_m = axes.iter().map(|one| one.rocking.uplift_m).reduce(f64::max);
+    let shocks: Option<Vec<f64>> = axes.iter().map(|one| one.hit.as_ref().map(Hit::larger_g)).collect();
+    let shock_g = shocks.and_then(|shocks| shocks.into_iter().reduce(f64::max));
+    [demand_capacity(axes), lift_m, shock_g.map(|shock_g| model * shock_g)]
+}
+
+/// The same on pads.
+fn of_pads(axes: &[PadMotion]) -> [Option<f64>; 3] {
+    if axes.iter().any(|one| one.has_overturned) {
+        return [pads_demand_capacity(axes), None, None];
+    }
+    let most = |number: fn(&PadMotion) -> f64| axes.iter().map(number).reduce(f64::max);
+    [pads_demand_capacity(axes), most(|one| one.lift_m), most(|one| one.edge_m_s2 / G0_M_S2)]
+}

@@ -1,0 +1,156 @@
+//! What an answer depends on, and what to measure first.
+
+use crate::result::{Cause, Shares};
+use freestand::decision::jansen_share;
+use freestand::worlds::Group;
+use freestand_input::problem::Problems;
+
+use super::Context;
+use super::draw::Change;
+use super::response::Lived;
+use super::trial::{Model, Question, Trial, answer, lived_in};
+
+/// Fewest worlds with the event, and without it, from which a share says anything.
+const FEWEST: usize = 10;
+
+/// Worlds in which one group is drawn again.
+const MAX_WORLDS: usize = 160;
+
+/// The 90 % point of a normal distribution.
+const NORMAL_90: f64 = 1.281_551_565_544_600_4;
+
+/// A probability within this factor of the accepted one may lie on its other side where one group
+/// is known.
+const NEAR_FACTOR: f64 = 4.0;
+
+/// What may be measured.
+const MEASURED: [Cause; 4] = [Cause::Building, Cause::Restitution, Cause::Pad, Cause::Body];
+
+impl Cause {
+    fn group(self) -> Group {
+        match self {
+            Self::Motion => Group::Motion,
+            Self::Building => Group::Building,
+            Self::Restitution => Group::Restitution,
+            Self::Pad => Group::Pad,
+            Self::Body => Group::Body,
+            Self::Model => Group::Model,
+        }
+    }
+}
+
+/// For each trial; `None` where it is not asked or no world has the event.
+pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<Shares>>, Problems> {
+    let mut found: Vec<Option<Shares>> = trials.iter().map(|_| None).collect();
+    if !context.wants_shares {
+        return Ok(found);
+    }
+    let mut asked: Vec<Asked> =
+        trials.iter().enumerate().filter_map(|(place, trial)| Asked::new(place, trial)).collect();
+    for cause in Cause::ALL {
+        let wants = |one: &Asked| one.wants_shares && is_varied(one.trial, cause);
+        for (place, again) in events(context, &asked, wants, Change::Again(cause.group()))? {
+            let one = &mut asked[place];
+            let pairs: Vec<(bool, bool)> = one.own.iter().copied().zip(again).collect();
+            one.by_group.push((cause, jansen_share(&pairs).map(|share| share.total_ratio)));
+        }
+    }
+    for cause in MEASURED {
+        let wants = |one: &Asked| one.is_near && is_varied(one.trial, cause);
+        let low = events(context, &asked, wants, Change::At(cause.group(), -NORMAL_90))?;
+        let high = events(context, &asked, wants, Change::At(cause.group(), NORMAL_90))?;
+        for ((place, low), (_, high)) in low.into_iter().zip(high) {
+            let one = &mut asked[place];
+            let [low, high] = [low, high].map(|events| share(&events));
+            let accepted = one.trial.member.accepted_ratio;
+            let crosses = (low > accepted) != (high > accepted);
+            // The widest first.
+            if crosses && one.measure_first.is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs()) {
+                one.measure_first = Some((cause, low, high));
+            }
+        }
+    }
+    for Asked { place, by_group, measure_first, .. } in asked {
+        found[place] = Some(Shares { by_group, measure_first });
+    }
+    Ok(found)
+}
+
+/// A trial with the event in some of its worlds.
+struct Asked<'a> {
+    place: usize,
+    trial: &'a Trial<'a>,
+    /// Whether each of its first worlds has the event.
+    own: Vec<bool>,
+    wants_shares: bool,
+    is_near: bool,
+    by_group: Vec<(Cause, Option<f64>)>,
+    /// The group whose probabilities at its 10 % and its 90 % point lie on both sides of the
+    /// accepted one.
+    measure_first: Option<(Cause, f64, f64)>,
+}
+
+impl<'a> Asked<'a> {
+    fn new(place: usize, trial: &'a Trial<'a>) -> Option<Self> {
+        let worlds = trial.lived.len().min(MAX_WORLDS);
+        let own: Vec<bool> = trial.lived[..worlds].iter().map(|lived| has_event(trial, lived)).collect();
+        let hits = own.iter().filter(|hit| **hit).count();
+        let (p, accepted) = (share(&own), trial.member.accepted_ratio);
+        (hits > 0).then_some(Self {
+            place,
+            trial,
+            wants_shares: hits >= FEWEST && worlds - hits >= FEWEST,
+            is_near: p * NEAR_FACTOR > accepted && p < NEAR_FACTOR * accepted,
+            own,
+            by_group: Vec::new(),
+            measure_first: None,
+        })
+    }
+}
+
+fn share(events: &[bool]) -> f64 {
+    events.iter().filter(|hit| **hit).count() as f64 / events.len().max(1) as f64
+}
+
+/// The events of those that want a change, with their places in `asked`: floor by floor, so that the
+/// motions of a floor are made once for all objects on it.
+fn events(
+    context: &Context,
+    asked: &[Asked],
+    wants: impl Fn(&Asked) -> bool,
+    change: Change,
+) -> Result<Vec<(usize, Vec<bool>)>, Problems> {
+    let mut groups: Vec<((u64, usize), Vec<usize>)> = Vec::new();
+    for (place, one) in asked.iter().enumerate().filter(|(_, one)| wants(one)) {
+        let key = (one.trial.subject.level_ratio.to_bits(), one.own.len());
+        match groups.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, places)) => places.push(place),
+            None => groups.push((key, vec![place])),
+        }
+    }
+    let mut found = Vec::new();
+    for ((level, worlds), places) in groups {
+        context.go_on()?;
+        let trials: Vec<&Trial> = places.iter().map(|&place| asked[place].trial).collect();
+        let range = 0..u32::try_from(worlds).unwrap_or(u32::MAX);
+        let lived = lived_in(context, f64::from_bits(level), range, &trials, change)?;
+        for (place, lived) in places.into_iter().zip(lived) {
+            let trial = asked[place].trial;
+            found.push((place, lived.iter().map(|one| has_event(trial, one)).collect()));
+        }
+    }
+    found.sort_by_key(|(place, _)| *place);
+    Ok(found)
+}
+
+/// Pads count where there are any.
+fn is_varied(trial: &Trial, cause: Cause) -> bool {
+    cause != Cause::Pad || trial.subject.body.is_some()
+}
+
+/// Whether it falls or exceeds its tolerance by any model, as far as that is asked.
+fn has_event(trial: &Trial, lived: &Lived) -> bool {
+    let question = if trial.is_open(Question::Shock) { Question::Shock } else { Question::Falls };
+    let models = [Model::Rigid, Model::Pads].into_iter();
+    models.filter_map(|model| answer(&trial.subject, lived, question, model)?).any(|yes| yes)
+}

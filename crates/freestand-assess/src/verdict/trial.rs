@@ -1,0 +1,425 @@
+//! An object in as many worlds as its questions need.
+
+use std::ops::Range;
+
+use freestand::G0_M_S2;
+use freestand::compliant::{
+    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantWorld, rock_compliant,
+    rock_compliant_many,
+};
+use freestand::decision::{Clusters, Count, Interval, Looks, Side};
+use freestand::rocking::{Base, rock_each};
+use freestand::worlds::Group;
+use rayon::prelude::*;
+
+use crate::result::Probability;
+use crate::worlds::{Again, FloorOfWorld};
+use freestand_input::problem::Problems;
+use freestand_study::study::assessment::Spread;
+
+use super::draw::{Change, Draw, draw};
+use super::object::Subject;
+use super::response::{
+    Lived, PadResponse, RigidResponse, TOPPLED, axis_motion, demand_capacity, options, overturned, pad_motion,
+    pad_motion_of, pads_demand_capacity,
+};
+use super::{Context, Member};
+
+/// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
+const CURVED_WORLDS: u32 = 80;
+
+/// The correlation between worlds with the same record and the same building, at least: the object
+/// alone then makes the difference.
+const SAME_SHAKING_CORRELATION: f64 = 0.75;
+
+/// What is asked of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Question {
+    /// Whether it falls.
+    Falls,
+    /// Whether a shock exceeds its tolerance; a fall does.
+    Shock,
+}
+
+/// The model that answers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Model {
+    /// A rigid base and Eq. (5).
+    Rigid,
+    /// The compliant base.
+    Pads,
+}
+
+/// An object, perhaps with softer pads, and its worlds so far.
+pub(super) struct Trial<'a> {
+    pub(super) member: &'a Member<'a>,
+    pub(super) subject: Subject,
+    looks: Vec<u32>,
+    pub(super) lived: Vec<Lived>,
+    is_done: bool,
+}
+
+impl<'a> Trial<'a> {
+    pub(super) fn new(context: &Context, member: &'a Member<'a>, subject: Subject) -> Self {
+        let accepted = member.accepted_ratio;
+        let looks = context.looks();
+        let looks = match context.worlds.records() {
+            None => looks.worlds(accepted),
+            Some(records) => looks.worlds_in_passes(accepted, records.max(1)),
+        };
+        // The settings and the inventory have refused what it refuses.
+        Self { member, subject, looks: looks.unwrap_or_default(), lived: Vec::new(), is_done: false }
+    }
+
+    /// Number of worlds.
+    pub(super) fn worlds(&self) -> u32 {
+        u32::try_from(self.lived.len()).unwrap_or(u32::MAX)
+    }
+
+    /// The largest number of worlds.
+    pub(super) fn cap(&self) -> u32 {
+        self.looks.last().copied().unwrap_or(0)
+    }
+
+    fn next(&self) -> Option<Range<u32>> {
+        let from = self.worlds();
+        let to = self.looks.iter().copied().find(|&look| look > from)?;
+        (!self.is_done).then_some(from..to)
+    }
+
+    /// Whether a model is asked.
+    pub(super) fn asks(&self, context: &Context, model: Model) -> bool {
+        match model {
+            Model::Rigid => true,
+            Model::Pads => context.study.assessment.compliant && self.subject.body.is_some(),
+        }
+    }
+
+    /// The models that are asked.
+    pub(super) fn models(&self, context: &Context) -> impl Iterator<Item = Model> {
+        [Model::Rigid, Model::Pads].into_iter().filter(|model| self.asks(context, *model))
+    }
+
+    /// Yes or no in a world; `None`: it could not be found. The outer `None`: it was not asked.
+    pub(super) fn answer(&self, lived: &Lived, question: Question, model: Model) -> Option<Option<bool>> {
+        answer(&self.subject, lived, question, model)
+    }
+
+    /// The probability by one model, with its interval.
+    pub(super) fn probability(&self, context: &Context, question: Question, model: Model) -> Probability {
+        let answers: Vec<Option<bool>> =
+            self.lived.iter().filter_map(|lived| self.answer(lived, question, model)).collect();
+        let hits = |answers: &[Option<bool>]| answers.iter().filter(|one| **one == Some(true)).count() as u32;
+        let count = Count {
+            worlds: answers.len() as u32,
+            hits: hits(&answers),
+            unknown: answers.iter().filter(|one| one.is_none()).count() as u32,
+        };
+        let confidence = context.looks().confidence();
+        let records = context.worlds.records().unwrap_or(0) as usize;
+        let passes = answers.len().checked_div(records).unwrap_or(0);
+        let interval = if passes == 0 {
+            count.interval(confidence)
+        } else {
+            // World i uses record i mod n.
+            let whole = &answers[..passes * records];
+            let of_record = |record: usize| {
+                let own: Vec<Option<bool>> = whole.iter().skip(record).step_by(records).copied().collect();
+                hits(&own)
+            };
+            let by_record: Vec<u32> = (0..records).map(of_record).collect();
+            let found = Clusters::with(&by_record, count.unknown, passes as u32, context.least_correlation());
+            found.map_or(Interval { low: 0.0, high: 1.0 }, |clusters| clusters.interval(confidence))
+        };
+        Probability { value: count.share_ratio(), low: interval.low, high: interval.high }
+    }
+
+    /// Where the probability lies by all models that are asked.
+    pub(super) fn side(&self, context: &Context, question: Question) -> Side {
+        let side = |model| side(self.probability(context, question, model), self.member.accepted_ratio);
+        let sides: Vec<Side> = self.models(context).map(side).collect();
+        Side::of_models(&sides)
+    }
+
+    /// Whether worlds can still settle a question.
+    pub(super) fn is_open(&self, question: Question) -> bool {
+        question == Question::Falls || self.member.asks_shock && self.subject.capacity.is_some()
+    }
+
+    fn settle(&mut self, context: &Context) {
+        let falls = self.side(context, Question::Falls);
+        let shock = || !self.is_open(Question::Shock) || self.side(context, Question::Shock).is_settled();
+        self.is_done = falls == Side::Above || (falls == Side::Below && shock());
+    }
+}
+
+pub(super) fn side(p: Probability, accepted: f64) -> Side {
+    Interval { low: p.low, high: p.high }.side(accepted)
+}
+
+/// Yes or no in a world; `None`: it could not be found. The outer `None`: it was not asked.
+pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model: Model) -> Option<Option<bool>> {
+    let has_fallen = match model {
+        Model::Rigid => lived.rigid.as_ref().ok().map(|axes| overturned(axes)),
+        Model::Pads => lived.pads.as_ref()?.as_ref().ok().map(|axes| axes.iter().any(|one| one.has_overturned)),
+    };
+    if question == Question::Falls || has_fallen != Some(false) {
+        return Some(has_fallen);
+    }
+    let ratio = match model {
+        Model::Rigid => lived.rigid.as_ref().ok().and_then(|axes| demand_capacity(axes)),
+        Model::Pads => lived.pads.as_ref()?.as_ref().ok().and_then(|axes| pads_demand_capacity(axes)),
+    };
+    // Beyond the thickness of a pad its stiffness is not known.
+    let thickness_m = subject.body.as_ref().and_then(|body| body.pad_thickness_m).unwrap_or(f64::INFINITY);
+    let compression_m = match model {
+        Model::Rigid => lived.rigid.iter().flatten().filter_map(|one| Some(one.hit?.compression_m)).fold(0.0, f64::max),
+        Model::Pads => lived.pads.iter().flatten().flatten().map(|one| one.compression_m).fold(0.0, f64::max),
+    };
+    let ratio = ratio.filter(|ratio| *ratio > 1.0 || compression_m <= thickness_m);
+    // Where the shock is not known, the floor alone may exceed the tolerance: a shock only adds to it.
+    let floor_alone = || {
+        let peak_m_s2 = subject.capacity.as_ref()?.peak_m_s2?;
+        (lived.pfa_m_s2 > peak_m_s2).then_some(true)
+    };
+    Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
+}
+
+/// Adds worlds until every trial is settled or has reached its cap.
+pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
+    loop {
+        let mut groups: Vec<(u64, Range<u32>, Vec<usize>)> = Vec::new();
+        for (place, trial) in trials.iter().enumerate() {
+            let Some(range) = trial.next() else { continue };
+            let level = trial.subject.level_ratio.to_bits();
+            match groups.iter_mut().find(|(bits, worlds, _)| *bits == level && *worlds == range) {
+                Some((.., places)) => places.push(place),
+                None => groups.push((level, range, vec![place])),
+            }
+        }
+        if groups.is_empty() {
+            return Ok(());
+        }
+        for (bits, range, places) in groups {
+            context.go_on()?;
+            let on_floor: Vec<&Trial> = places.iter().map(|&place| &trials[place]).collect();
+            let more = lived_in(context, f64::from_bits(bits), range, &on_floor, Change::None)?;
+            for (&place, more) in places.iter().zip(more) {
+                trials[place].lived.extend(more);
+            }
+        }
+        trials.par_iter_mut().filter(|trial| !trial.is_done).for_each(|trial| trial.settle(context));
+    }
+}
+
+/// Objects on one floor in some worlds, `[object][world]`.
+pub(super) fn lived_in(
+    context: &Context,
+    level_ratio: f64,
+    range: Range<u32>,
+    trials: &[&Trial],
+    change: Change,
+) -> Result<Vec<Vec<Lived>>, Problems> {
+    let floors = floors(context, level_ratio, range.clone(), change)?;
+    let settings = &context.study.assessment;
+    let in_world = |world: u32| -> Vec<Draw> {
+        trials.iter().map(|trial| draw(settings, &trial.subject, trial.member.key, world, change)).collect()
+    };
+    let draws: Vec<Vec<Draw>> = range.clone().into_par_iter().map(in_world).collect();
+    let rigid: Vec<Result<Vec<RigidResponse>, Problems>> = draws
+        .par_iter()
+        .zip(&floors)
+        .map(|(draws, floor)| {
+            context.go_on()?;
+            Ok(rigid_in_world(context, trials, draws, floor))
+        })
+        .collect();
+    let rigid: Vec<Vec<RigidResponse>> = rigid.into_iter().collect::<Result<_, _>>()?;
+    let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
+    let mut pads = pads_in_worlds(context, trials, &draws, &floors, range.start)?.into_iter();
+    let lived = trials.iter().enumerate().map(|(place, trial)| {
+        let worlds = rigid.iter_mut().zip(&draws).zip(&floors);
+        let mut own_pads =
+            if trial.asks(context, Model::Pads) { pads.next() } else { None }.unwrap_or_default().into_iter();
+        let one = worlds.map(|((rigid, draws), floor)| Lived {
+            draw: draws[place],
+            rigid: rigid.next().unwrap_or_else(|| Err("the history is missing".to_owned())),
+            pads: own_pads.next().flatten(),
+            pfa_m_s2: floor.pfa_m_s2,
+            pfv_m_s: floor.pfv_m_s,
+        });
+        one.collect()
+    });
+    Ok(lived.collect())
+}
+
+fn floors(
+    context: &Context,
+    level_ratio: f64,
+    range: Range<u32>,
+    change: Change,
+) -> Result<Vec<FloorOfWorld>, Problems> {
+    let repetition = |group: Group| u32::from(change == Change::Again(group));
+    let again = Again { motion: repetition(Group::Motion), building: repetition(Group::Building) };
+    let building = change.normal(Group::Building).map(|normal| context.worlds.building_at(normal));
+    context.worlds.floors(range, level_ratio, again, building)
+}
+
+fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &FloorOfWorld) -> Vec<RigidResponse> {
+    let mut found: Vec<Vec<Option<_>>> =
+        trials.iter().map(|trial| trial.subject.axes.iter().map(|_| None).collect()).collect();
+    for is_x in [true, false] {
+        let mut places = Vec::new();
+        let mut blocks = Vec::new();
+        for (place, (trial, draw)) in trials.iter().zip(draws).enumerate() {
+            for axis in (0..trial.subject.axes.len()).filter(|&axis| draw.is_along_x(axis) == is_x) {
+                if let Some(block) = draw.block(&trial.subject, axis) {
+                    places.push((place, axis));
+                    blocks.push(block);
+                }
+            }
+        }
+        let base = Base { horizontal: Some(floor.component(is_x)), vertical: None };
+        let rocked = rock_each(&blocks, base, &options(freestand::rocking::Restitution::Housner));
+        context.count(blocks.len());
+        for (((place, axis), (block, _)), rocked) in places.into_iter().zip(blocks).zip(rocked) {
+            found[place][axis] = Some((block, rocked));
+        }
+    }
+    let of_trial = |((trial, draw), found): ((&&Trial, &Draw), Vec<Option<_>>)| -> RigidResponse {
+        let body = draw.body(&trial.subject);
+        let axes = found.into_iter().flatten().map(|(block, rocked): (_, Result<_, _>)| {
+            let rocking = rocked.map_err(|error: freestand::rocking::RockingError| error.to_string())?;
+            Ok(axis_motion(&trial.subject, draw, &block, rocking, body.as_ref(), floor.pfa_m_s2))
+        });
+        axes.collect()
+    };
+    trials.iter().zip(draws).zip(found).map(of_trial).collect()
+}
+
+/// The place of an object, the place of a world, an axis; its draw and its floor.
+type Job<'a> = (usize, usize, usize, &'a Draw, &'a FloorOfWorld);
+
+/// A history on pads that are springs; `None` for a curved contact law.
+fn linear<'a>(trials: &[&Trial], job: &Job<'a>) -> Option<CompliantWorld<'a>> {
+    let (place, _, axis, draw, floor) = *job;
+    let subject = &trials.get(place)?.subject;
+    let (mass_kg, cushion) = draw.body(subject)?;
+    let stiffness_n_m = cushion.linear_stiffness_n_m()?;
+    let (block, _) = draw.block(subject, axis)?;
+    let horizontal = Some(floor.component(draw.is_along_x(axis)));
+    Some(CompliantWorld {
+        block,
+        mass_kg,
+        stiffness_n_m,
+        damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
+        motion: Base { horizontal, vertical: None },
+    })
+}
+
+/// Of each object whose pads are asked, its response in each world; `None` where its contact law is
+/// curved and enough worlds were followed.
+fn pads_in_worlds(
+    context: &Context,
+    trials: &[&Trial],
+    draws: &[Vec<Draw>],
+    floors: &[FloorOfWorld],
+    first: u32,
+) -> Result<Vec<Vec<Option<PadResponse>>>, Problems> {
+    let asked: Vec<(usize, &&Trial)> =
+        trials.iter().enumerate().filter(|(_, trial)| trial.asks(context, Model::Pads)).collect();
+    // The worlds of one object stand side by side in the kernel: they resemble each other.
+    let mut jobs: Vec<Job> = Vec::new();
+    for (place, trial) in &asked {
+        for (world, (draws, floor)) in draws.iter().zip(floors).enumerate() {
+            let draw = &draws[*place];
+            for axis in 0..trial.subject.axes.len() {
+                jobs.push((*place, world, axis, draw, floor));
+            }
+        }
+    }
+    let worlds: Vec<CompliantWorld> = jobs.iter().filter_map(|job| linear(trials, job)).collect();
+    context.go_on()?;
+    let mut many = rock_compliant_many(&worlds, G0_M_S2).into_iter();
+    context.count(worlds.len());
+    let curved: Vec<Option<Result<_, String>>> = jobs
+        .par_iter()
+        .map(|job| {
+            let (place, world, axis, draw, floor) = *job;
+            let is_curved = linear(trials, job).is_none() && first + (world as u32) < CURVED_WORLDS;
+            is_curved.then(|| curved(&trials[place].subject, draw, axis, floor))
+        })
+        .collect();
+    let mut found: Vec<Vec<Option<PadResponse>>> = asked.iter().map(|_| vec![None; floors.len()]).collect();
+    let order: Vec<usize> = asked.iter().map(|(place, _)| *place).collect();
+    for (job, curved) in jobs.iter().zip(curved) {
+        let (place, world, _, draw, floor) = *job;
+        let one = match curved {
+            Some(curved) => curved,
+            None if linear(trials, job).is_some() => match many.next() {
+                Some(Ok(summary)) => Ok(pad_motion(&trials[place].subject, draw, &summary, floor.pfa_m_s2)),
+                Some(Err(error)) => toppled(&error),
+                None => Err("the history is missing".to_owned()),
+            },
+            None => continue,
+        };
+        let Some(own) = order.iter().position(|one| *one == place).and_then(|own| found[own].get_mut(world)) else {
+            continue;
+        };
+        match (own.get_or_insert_with(|| Ok(Vec::new())), one) {
+            (Ok(axes), Ok(one)) => axes.push(one),
+            (Ok(_), Err(error)) => *own = Some(Err(error)),
+            (Err(_), _) => {}
+        }
+    }
+    Ok(found)
+}
+
+/// A block whose pads do not keep it upright falls in any world.
+fn toppled(error: &CompliantError) -> Result<super::response::PadMotion, String> {
+    match error {
+        CompliantError::Unstable { .. } => Ok(TOPPLED),
+        _ => Err(error.to_string()),
+    }
+}
+
+fn curved(
+    subject: &Subject,
+    draw: &Draw,
+    axis: usize,
+    floor: &FloorOfWorld,
+) -> Result<super::response::PadMotion, String> {
+    let missing = || "mass or cushion is missing".to_owned();
+    let (block, _) = draw.block(subject, axis).ok_or_else(missing)?;
+    let (mass_kg, cushion) = draw.body(subject).ok_or_else(missing)?;
+    let base = CompliantBase::new(mass_kg, cushion);
+    let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
+    let motion = Base { horizontal: Some(floor.component(draw.is_along_x(axis))), vertical: None };
+    match rock_compliant(&block, &base, motion, &options) {
+        Ok(found) => Ok(pad_motion_of(subject, draw, &found, floor.pfa_m_s2)),
+        Err(error) => toppled(&error),
+    }
+}
+
+impl Context<'_> {
+    /// The smallest number of records that could show that an object stays; `None` where even the
+    /// largest number of worlds has too few.
+    pub(super) fn fewest_records(&self, accepted_ratio: f64) -> Option<u32> {
+        self.looks().fewest_records(accepted_ratio, self.least_correlation()).ok()?
+    }
+
+    fn looks(&self) -> Looks {
+        self.study.assessment.worlds.looks
+    }
+
+    /// The least correlation between worlds that use the same motion.
+    fn least_correlation(&self) -> f64 {
+        let Spread { restitution, stiffness, mass, geometry, model, compliant } = self.study.assessment.spread;
+        let spreads = [restitution, stiffness, mass, geometry, model, compliant];
+        match (self.worlds.building_is_known(), spreads.iter().all(|spread| *spread == 0.0)) {
+            (true, true) => 1.0,
+            (true, false) => SAME_SHAKING_CORRELATION,
+            (false, _) => freestand::decision::LEAST_CORRELATION_RATIO,
+        }
+    }
+}

@@ -1,0 +1,316 @@
+//! The worlds of a study: ground motions and building, drawn again in each world, and the motions
+//! of any floor in it.
+
+use std::collections::HashMap;
+use std::ops::Range;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use freestand::building::{Building, floor_motions};
+use freestand::motion::Motion;
+use freestand::synthesis::SynthesisOptions;
+use freestand::worlds::{
+    BuildingDraw, BuildingSpread, Component, GroundSpread, Group, SpreadOptions, place_among, world_motion,
+    world_stream,
+};
+use rayon::prelude::*;
+
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_records::horizontal::HorizontalMotion;
+use freestand_study::run::ground_motions;
+use freestand_study::study::assessment::WorldSettings;
+use freestand_study::study::{Ground, Level, RecordedMotion, Study, SyntheticGround};
+
+/// Largest difference between two level ratios of the same floor: inventories give two or three
+/// digits.
+const SAME_LEVEL: f64 = 5e-3;
+
+/// Ground motions that are kept in memory: 1280 worlds of two components of 45 s take 190 MB.
+const MAX_KEPT: usize = 1536;
+
+/// Draws the worlds of a study.
+pub(crate) struct Worlds<'a> {
+    study: &'a Study,
+    source: Source<'a>,
+    spread: GroundSpread,
+    building: BuildingSpread,
+    /// Factor on the ground motions, for rates per year.
+    intensity_ratio: f64,
+    /// At the intensity of the study.
+    kept: Arc<Mutex<Kept>>,
+}
+
+/// Ground motions by the number of their world, and how often they were drawn again.
+type Kept = HashMap<(u32, u32), Arc<GroundOfWorld>>;
+
+/// Where the ground motions of worlds come from.
+#[derive(Clone)]
+enum Source<'a> {
+    /// Each world has a motion of its own, for a spectrum that deviates from the target.
+    Synthetic(&'a SyntheticGround),
+    /// The worlds use these motions in turn.
+    InTurn(Arc<[(String, HorizontalMotion)]>),
+    /// The worlds use the motions of the floors in turn.
+    OnFloors { names: Arc<[String]> },
+}
+
+/// What is drawn again while all else stays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub(crate) struct Again {
+    /// The ground motion.
+    pub(crate) motion: u32,
+    /// The building.
+    pub(crate) building: u32,
+}
+
+/// The ground motion of a world.
+#[derive(Debug, Clone)]
+pub(crate) struct GroundOfWorld {
+    pub(crate) motion: HorizontalMotion,
+    /// The motion that the worlds use in turn, where they do.
+    pub(crate) record: Option<String>,
+}
+
+/// The motion of a floor in a world, and its peaks.
+#[derive(Debug, Clone)]
+pub(crate) struct FloorOfWorld {
+    pub(crate) motion: HorizontalMotion,
+    /// Peak acceleration in any direction \[m/s²\].
+    pub(crate) pfa_m_s2: f64,
+    /// Peak velocity in any direction \[m/s\].
+    pub(crate) pfv_m_s: f64,
+}
+
+impl FloorOfWorld {
+    fn new(motion: HorizontalMotion) -> Self {
+        Self { pfa_m_s2: motion.peak_m_s2(), pfv_m_s: motion.peak_velocity_m_s(), motion }
+    }
+
+    /// The component along x, or along y; without a second component the first is both.
+    pub(crate) fn component(&self, is_x: bool) -> &Motion {
+        match &self.motion.across {
+            Some(across) if !is_x => across,
+            _ => &self.motion.along,
+        }
+    }
+}
+
+/// What a building is in a world, at the first axis.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BuildingOfWorld {
+    pub(crate) period_s: f64,
+    pub(crate) damping_ratio: Option<f64>,
+}
+
+impl<'a> Worlds<'a> {
+    /// # Errors
+    /// A motion that cannot be generated; a run that is stopped by `go_on`.
+    pub(crate) fn new(study: &'a Study, go_on: impl Fn() -> Result<(), Problems> + Sync) -> Result<Self, Problems> {
+        let source = match &study.ground {
+            Ground::Synthetic(synthetic) => Source::Synthetic(synthetic),
+            Ground::OnFloors => Source::OnFloors { names: study.ground.names(&study.levels).into() },
+            Ground::Simulated(_) | Ground::Recorded(_) => {
+                let made = ground_motions(&study.ground, go_on)?;
+                Source::InTurn(made.into_iter().map(|one| (one.name, one.motion)).collect())
+            }
+        };
+        let WorldSettings {
+            spectral_spread,
+            intensity_spread,
+            component_correlation,
+            period_spread,
+            damping_spread,
+            ..
+        } = study.assessment.worlds;
+        let refused = |error: freestand::worlds::WorldError| Problem::new(ProblemKind::Value, error.to_string());
+        let options = SpreadOptions { spectral_spread, intensity_spread, component_correlation };
+        Ok(Self {
+            study,
+            source,
+            spread: GroundSpread::new(options).map_err(refused)?,
+            building: BuildingSpread::new(period_spread, damping_spread).map_err(refused)?,
+            intensity_ratio: 1.0,
+            kept: Arc::default(),
+        })
+    }
+
+    /// The motions that the worlds use in turn; `None`: each world has its own.
+    pub(crate) fn records(&self) -> Option<u32> {
+        let count = match &self.source {
+            Source::Synthetic(_) => return None,
+            Source::InTurn(motions) => motions.len(),
+            Source::OnFloors { names } => names.len(),
+        };
+        Some(u32::try_from(count).unwrap_or(u32::MAX))
+    }
+
+    /// Whether the worlds of one record differ in nothing but the object.
+    pub(crate) fn building_is_known(&self) -> bool {
+        let WorldSettings { period_spread, damping_spread, .. } = self.study.assessment.worlds;
+        self.study.building.is_none() || (period_spread == 0.0 && damping_spread == 0.0)
+    }
+
+    /// Whether a floor has motions.
+    pub(crate) fn has_floor(&self, level_ratio: f64) -> bool {
+        self.study.building.is_some() || self.given(level_ratio).is_some()
+    }
+
+    /// The name of the motion of a world.
+    pub(crate) fn name(&self, world: u32) -> String {
+        let of = |names: &mut dyn ExactSizeIterator<Item = &String>| {
+            let place = world as usize % names.len().max(1);
+            names.nth(place).map_or_else(String::new, |name| format!("{name} (world {world})"))
+        };
+        match &self.source {
+            Source::Synthetic(_) => format!("world {world}"),
+            Source::InTurn(motions) => of(&mut motions.iter().map(|(name, _)| name)),
+            Source::OnFloors { names } => of(&mut names.iter()),
+        }
+    }
+
+    /// The same worlds at another intensity.
+    pub(crate) fn at_intensity(&self, ratio: f64) -> Worlds<'a> {
+        Worlds {
+            study: self.study,
+            source: self.source.clone(),
+            spread: self.spread.clone(),
+            building: self.building,
+            intensity_ratio: ratio,
+            kept: Arc::clone(&self.kept),
+        }
+    }
+
+    /// The place of the motion that a world uses, among those that are used in turn.
+    fn in_turn(&self, world: u32, again: u32, count: usize) -> usize {
+        if again == 0 {
+            return world as usize % count.max(1);
+        }
+        place_among(&mut world_stream(self.study.assessment.seed, world, Group::Motion, again), count)
+    }
+
+    /// The ground motion of a world at the intensity of the study; `None` where only floors are given.
+    pub(crate) fn ground(&self, world: u32, again: u32) -> Result<Option<Arc<GroundOfWorld>>, Problems> {
+        let key = (world, again);
+        if let Some(found) = self.kept.lock().unwrap_or_else(PoisonError::into_inner).get(&key) {
+            return Ok(Some(Arc::clone(found)));
+        }
+        let made = match &self.source {
+            Source::OnFloors { .. } => return Ok(None),
+            Source::InTurn(motions) => {
+                let (name, motion) = &motions[self.in_turn(world, again, motions.len())];
+                GroundOfWorld { motion: motion.clone(), record: Some(name.clone()) }
+            }
+            Source::Synthetic(synthetic) => {
+                GroundOfWorld { motion: self.synthetic(synthetic, world, again)?, record: None }
+            }
+        };
+        let made = Arc::new(made);
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if kept.len() < MAX_KEPT {
+            kept.insert(key, Arc::clone(&made));
+        }
+        Ok(Some(made))
+    }
+
+    fn synthetic(&self, ground: &SyntheticGround, world: u32, again: u32) -> Result<HorizontalMotion, Problems> {
+        let spectra = self.spread.spectra(ground.seed, world, again);
+        let options = SynthesisOptions::default();
+        let component = |component| {
+            let target = |t: f64| ground.target.spectrum.sa_g(t);
+            let made = world_motion(target, &spectra, component, (ground.seed, world, again), &options);
+            made.map(|made| made.motion).map_err(failed("a motion"))
+        };
+        let across = match self.study.assessment.worlds.components {
+            1 => None,
+            _ => Some(component(Component::Y)?),
+        };
+        Ok(HorizontalMotion { along: component(Component::X)?, across })
+    }
+
+    fn scaled(&self, motion: HorizontalMotion) -> Result<HorizontalMotion, Problems> {
+        if self.intensity_ratio == 1.0 {
+            return Ok(motion);
+        }
+        let scaled = |motion: Motion| motion.scaled(self.intensity_ratio).map_err(failed("a motion"));
+        Ok(HorizontalMotion { along: scaled(motion.along)?, across: motion.across.map(scaled).transpose()? })
+    }
+
+    fn building_draw(&self, world: u32, again: Again) -> BuildingDraw {
+        self.building.draw(self.study.assessment.seed, world, again.building)
+    }
+
+    /// The building of a world; `None` where the motions of floors are given.
+    pub(crate) fn building(&self, world: u32) -> Result<Option<BuildingOfWorld>, Problems> {
+        let Some(building) = &self.study.building else { return Ok(None) };
+        let along = drawn(&building.along, self.building_draw(world, Again::default()))?;
+        Ok(Some(BuildingOfWorld { period_s: along.period_s(), damping_ratio: along.damping_ratio() }))
+    }
+
+    /// The motions of a floor in these worlds, in their order, on the current thread pool.
+    pub(crate) fn floors(
+        &self,
+        worlds: Range<u32>,
+        level_ratio: f64,
+        again: Again,
+        building: Option<BuildingDraw>,
+    ) -> Result<Vec<FloorOfWorld>, Problems> {
+        let made: Vec<Result<FloorOfWorld, Problems>> =
+            worlds.into_par_iter().map(|world| self.floor(world, level_ratio, again, building)).collect();
+        made.into_iter().collect()
+    }
+
+    /// The building whose periods and damping are this number of standard deviations from those of
+    /// the study.
+    pub(crate) fn building_at(&self, normal: f64) -> BuildingDraw {
+        self.building.at(normal, normal)
+    }
+
+    /// The motion of a floor in one world; with `building` in place of the building that is drawn.
+    pub(crate) fn floor(
+        &self,
+        world: u32,
+        level_ratio: f64,
+        again: Again,
+        building: Option<BuildingDraw>,
+    ) -> Result<FloorOfWorld, Problems> {
+        let nothing = || Problem::new(ProblemKind::Computation, "the study has no motion for this floor");
+        let Some(modes) = &self.study.building else {
+            let given = self.given(level_ratio).ok_or_else(nothing)?;
+            let motion = given.get(self.in_turn(world, again.motion, given.len())).ok_or_else(nothing)?;
+            return Ok(FloorOfWorld::new(self.scaled(motion.as_used())?));
+        };
+        let ground = self.ground(world, again.motion)?.ok_or_else(nothing)?;
+        let draw = building.unwrap_or_else(|| self.building_draw(world, again));
+        let along = drawn(&modes.along, draw)?;
+        let across = modes.across.as_ref().map(|across| drawn(across, draw)).transpose()?;
+        let tail_s = across.as_ref().map_or(0.0, Building::tail_s).max(along.tail_s());
+        let floor = |motion: &Motion, axis: &Building| -> Result<Motion, Problems> {
+            let motion = motion.with_zero_tail(tail_s).map_err(failed("a floor motion"))?;
+            let floors = floor_motions(&motion, axis, &[level_ratio]).map_err(failed("a floor motion"))?;
+            Ok(floors.into_iter().next().ok_or_else(nothing)?)
+        };
+        let second = ground.motion.across.as_ref();
+        let second = second.map(|motion| floor(motion, across.as_ref().unwrap_or(&along))).transpose()?;
+        let motion = HorizontalMotion { along: floor(&ground.motion.along, &along)?, across: second };
+        Ok(FloorOfWorld::new(self.scaled(motion)?))
+    }
+
+    /// The motions that the study gives for a level.
+    fn given(&self, level_ratio: f64) -> Option<&'a [RecordedMotion]> {
+        let away = |level: &&Level| level.level_ratio.map_or(f64::INFINITY, |ratio| (ratio - level_ratio).abs());
+        let nearest = self.study.levels.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+        let level = nearest.filter(|level| away(level) <= SAME_LEVEL)?;
+        (!level.motions.is_empty()).then_some(&level.motions)
+    }
+}
+
+fn drawn(building: &Building, draw: BuildingDraw) -> Result<Building, Problems> {
+    let BuildingDraw { period_factor, damping_factor } = draw;
+    if (period_factor, damping_factor) == (1.0, 1.0) {
+        return Ok(building.clone());
+    }
+    building.clone().with_factors(period_factor, damping_factor).map_err(failed("the building of a world"))
+}
+
+fn failed<E: std::fmt::Display>(what: &'static str) -> impl Fn(E) -> Problems {
+    move |error| Problem::new(ProblemKind::Computation, format!("{what} cannot be computed: {error}")).into()
+}

@@ -1,0 +1,270 @@
+//! Resolves `suite` of `[ground]`: records selected from a folder.
+
+use std::sync::Arc;
+
+use freestand::building::Building;
+use freestand::motion::{Motion, MotionError};
+use freestand::suite::SuiteScale;
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+use freestand_input::toml_reader::Written;
+use freestand_input::words::{counted, number};
+use freestand_records::processing::short_period_warning;
+use rayon::prelude::*;
+
+use super::ground::SCALES_TO;
+use super::{MAX_MOTIONS, Resolver};
+use crate::options::{ComponentsOption, GroundOptions};
+use crate::recorded::{Folder, MotionFiles, ReadMotion, Second, read_folder};
+use crate::study::{BuildingInput, Level, RecordedMotion};
+use crate::suite::{
+    DEFAULT_MOST, DEFAULT_SCALE, LeftOut, PeriodRange, Record, Request, SCALES, Spectra, Suite, select, some,
+};
+use crate::target::Target;
+
+/// How many files an error names.
+const NAMED: usize = 5;
+
+/// The keys that belong to `suite`, with their lines.
+pub(super) fn suite_keys(written: &GroundOptions) -> [(&'static str, Option<usize>); 2] {
+    [
+        ("suite_count", written.suite_count.as_ref().map(|w| w.line)),
+        ("suite_scale", written.suite_scale.as_ref().map(|w| w.line)),
+    ]
+}
+
+impl Resolver<'_> {
+    /// The records of a folder that together fit the target, scaled.
+    pub(super) fn suite(
+        &mut self,
+        written: &GroundOptions,
+        folder: &Written<String>,
+        building: Option<&BuildingInput>,
+        levels: &[Level],
+    ) -> Option<Vec<RecordedMotion>> {
+        let before = self.problems.len();
+        self.suite_conflicts(written, folder);
+        let is_count = |count| (2..=MAX_MOTIONS).contains(&count);
+        self.require(&written.suite_count, is_count, "suite_count", "a whole number from 2 to 1000");
+        let scale = self.suite_scale(written);
+        if !written.is_incomplete && written.target.entries().next().is_none() {
+            let hint = "say which spectrum the records are to fit, such as code = \"eurocode8\" with its keys";
+            self.note(Some(folder.line), "suite needs a code spectrum", hint);
+        }
+        // A building that was refused was noted; its period is not known.
+        if written.is_incomplete || self.problems.len() > before {
+            return None;
+        }
+        let range = period_range(building?, levels);
+        let target = self.target_with(written, |target| covers(target, &range))?;
+        self.warnings.extend(target.warnings.iter().cloned());
+        let files = self.suite_files(written)?;
+        let path = self.base_dir.join(&folder.value);
+        let found = match read_folder(&path, &files) {
+            Ok(found) => found,
+            Err(problem) => {
+                self.fault(Some(folder.line), "suite", problem);
+                return None;
+            }
+        };
+        let count = written.suite_count.as_ref().and_then(|count| usize::try_from(count.value).ok());
+        let selected = Request::new(path, target, scale, range)
+            .map_err(|error| Problem::value(error.to_string(), "check the spectrum and the building"))
+            .and_then(|request| chosen(request, count, found, &folder.value))
+            .and_then(|(suite, members)| {
+                self.warnings.extend(suite.warnings());
+                self.motion_warnings(&suite, &members);
+                scaled(suite, members)
+            });
+        selected
+            .map_err(|problem| {
+                // Only a number that is too large is the fault of its own line.
+                let count_line = written.suite_count.as_ref().map(|count| count.line);
+                let line = if problem.keys.contains(&"suite_count") { count_line } else { None };
+                self.fault(line.or(Some(folder.line)), "suite", problem);
+            })
+            .ok()
+    }
+
+    /// Notes keys that contradict a suite.
+    fn suite_conflicts(&mut self, written: &GroundOptions, folder: &Written<String>) {
+        let other = |why| (why, "keep one of them");
+        let sets = "the target sets the amplitudes";
+        for (key, line, (why, hint)) in [
+            ("motions", written.motions.as_ref().map(|w| w.line), other("the records come from the folder")),
+            ("match", written.match_by.as_ref().map(|w| w.line), other("the records are scaled and not matched")),
+            ("point_source", written.point_source.as_ref().map(|w| w.line), other("the records replace it")),
+            (
+                "count",
+                written.count.as_ref().map(|w| w.line),
+                ("a suite has its own number", "give the number of records as suite_count"),
+            ),
+            ("seed", written.seed.as_ref().map(|w| w.line), other("a record has no random numbers")),
+            (
+                "across",
+                written.across.as_ref().map(|w| w.line),
+                ("two components of one record are found by their names", "leave across out"),
+            ),
+            ("scale", written.reading.line_of(&["scale"]), other(sets)),
+            ("scale_to", written.reading.line_of(&SCALES_TO), other(sets)),
+        ] {
+            if let Some(line) = line {
+                let message = format!("{key} and suite exclude each other: {why}");
+                self.note(Some(line.max(folder.line)), message, hint);
+            }
+        }
+        let component = written.reading.line_of(&["component"]).map(|line| Written { value: (), line });
+        self.exclusive(("component", &component), ("components", &written.components));
+    }
+
+    fn suite_scale(&mut self, written: &GroundOptions) -> SuiteScale {
+        let Some(Written { value, line }) = &written.suite_scale else { return DEFAULT_SCALE };
+        let named = SCALES.into_iter().find(|scale| scale.name().eq_ignore_ascii_case(value.trim()));
+        if named.is_none() {
+            let message = format!("suite_scale \"{}\" is not known", shorten(value));
+            self.note(Some(*line), message, "use each (a factor for each record) or one (the same for all)");
+        }
+        named.unwrap_or(DEFAULT_SCALE)
+    }
+
+    /// How the files of the folder are read.
+    fn suite_files(&self, written: &GroundOptions) -> Option<MotionFiles> {
+        let second = match &written.components {
+            Some(Written { value: ComponentsOption::Both, .. }) => Second::SameFile(None),
+            Some(Written { value: ComponentsOption::Named(first, second), .. }) => {
+                Second::SameFile(Some((first.clone(), second.clone())))
+            }
+            None => Second::None,
+        };
+        Some(MotionFiles { second, ..self.reading.clone()? })
+    }
+
+    /// What the readers of the chosen records noted, each note once, and periods for which a record is
+    /// too coarse.
+    fn motion_warnings(&mut self, suite: &Suite, members: &[(ReadMotion, f64)]) {
+        let mut notes: Vec<(&str, Vec<String>)> = Vec::new();
+        for (read, _) in members {
+            let name = &read.motion.name;
+            for note in &read.notes {
+                match notes.iter_mut().find(|(text, _)| text == note) {
+                    Some((_, names)) => names.push(name.clone()),
+                    None => notes.push((note, vec![name.clone()])),
+                }
+            }
+        }
+        let coarsest_s = members.iter().map(|(read, _)| read.motion.motion.dt_s()).fold(0.0, f64::max);
+        let coarse = short_period_warning("the suite", &suite.periods_s, coarsest_s);
+        let notes = notes.into_iter().map(|(note, names)| format!("{}: {note}", some(&names)));
+        self.warnings.extend(notes.chain(coarse).map(|note| KeyStyle::File.shown(&note)));
+    }
+}
+
+/// The periods of the study's building, where a floor above the ground is of interest.
+fn period_range(building: &BuildingInput, levels: &[Level]) -> PeriodRange {
+    let is_above = |level: &Level| level.level_ratio.is_none_or(|ratio| ratio > 0.0);
+    let along_s = building.along.period_s();
+    let across_s = building.across.as_ref().map_or(along_s, Building::period_s);
+    PeriodRange::new(levels.iter().any(is_above).then(|| (along_s.min(across_s), along_s.max(across_s))))
+}
+
+/// Refuses a target that does not cover the periods of a suite.
+fn covers(target: &Target, range: &PeriodRange) -> Result<(), Problem> {
+    let first_s = target.spectrum.shortest_period_s();
+    let last_s = target.spectrum.longest_period_s().unwrap_or(f64::INFINITY);
+    if first_s <= range.from_s && last_s >= range.to_s {
+        return Ok(());
+    }
+    let [first, last, from, to] = [first_s, last_s, range.from_s, range.to_s].map(|period_s| number(period_s, 4));
+    let message = format!(
+        "the spectrum covers {first} s to {last} s, but records are selected from {from} s to {to} s ({})",
+        range.from
+    );
+    let hint = "add the missing periods, or give `beyond = \"hold\"` for constant Sa below the first period and \
+                constant displacement beyond the last";
+    Err(Problem::value(message, hint))
+}
+
+/// The suite and its records, not yet scaled, with their factors.
+fn chosen(
+    request: Request,
+    count: Option<usize>,
+    found: Folder,
+    folder: &str,
+) -> Result<(Suite, Vec<(ReadMotion, f64)>), Problem> {
+    let Folder { motions, mut left_out, skipped } = found;
+    let spectra: Vec<Result<Spectra, String>> =
+        motions.par_iter().map(|read| request.spectra(&read.motion.as_used())).collect();
+    let (mut kept, mut records) = (Vec::new(), Vec::new());
+    for (read, spectra) in motions.into_iter().zip(spectra) {
+        match spectra {
+            Ok(spectra) => {
+                records.push(Record { name: read.motion.name.clone(), spectra });
+                kept.push(Some(read));
+            }
+            Err(reason) => {
+                let name = read.motion.path.file_name();
+                let file = name.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+                left_out.push(LeftOut { file, reason });
+            }
+        }
+    }
+    left_out.sort_by(|a, b| a.file.cmp(&b.file));
+    let usable = records.len();
+    let because = because(&left_out, &skipped);
+    if let Some(count) = count.filter(|&count| count > usable && usable > 1) {
+        let can = counted(usable, "record");
+        let message = format!("`suite_count` asks for {count} records, but {can} of {folder} can be used{because}");
+        let hint = format!("give at most {usable}, or leave `suite_count` out");
+        return Err(Problem::value(message, hint).of(&["suite_count"]));
+    }
+    let hint = "give a folder with record files that can be read as `unit`, `dt` and the other keys say, and that need \
+                no factor outside 0.25 to 4";
+    let refused = |message: String| Problem::value(message + &because, hint);
+    match usable {
+        0 => return Err(refused(format!("no record of the folder {folder} can be used"))),
+        1 => return Err(refused(format!("a suite needs two records, but only one of {folder} can be used"))),
+        _ => {}
+    }
+    let (mut suite, members) = select(request, &records, count.unwrap_or(usable.min(DEFAULT_MOST)))
+        .map_err(|error| refused(format!("no suite can be selected from {folder}: {error}")))?;
+    (suite.left_out, suite.skipped) = (left_out, skipped);
+    let taken = members.iter().filter_map(|&(index, factor)| Some((kept.get_mut(index)?.take()?, factor)));
+    Ok((suite, taken.collect()))
+}
+
+/// Why files cannot be used, at the end of a sentence.
+fn because(left_out: &[LeftOut], skipped: &[String]) -> String {
+    let mut reasons: Vec<String> =
+        left_out.iter().take(NAMED).map(|one| format!("{}: {}", one.file, one.reason)).collect();
+    if left_out.len() > NAMED {
+        reasons.push(format!("and {} more", left_out.len() - NAMED));
+    }
+    if !skipped.is_empty() {
+        reasons.push(format!("not records of horizontal motion: {}", some(skipped)));
+    }
+    if reasons.is_empty() { " (it has no files)".to_owned() } else { format!(" ({})", reasons.join("; ")) }
+}
+
+/// The motions, multiplied by their factors.
+fn scaled(suite: Suite, members: Vec<(ReadMotion, f64)>) -> Result<Vec<RecordedMotion>, Problem> {
+    let suite = Arc::new(suite);
+    let one = |(read, factor): (ReadMotion, f64)| {
+        let mut record = read.motion;
+        let times = |motion: &Motion| {
+            let refused = |error: MotionError| Problem::value(error.to_string(), "leave the record out of the folder");
+            motion.scaled(factor).map_err(|error| refused(error).in_file(&record.path))
+        };
+        let motion = times(&record.motion)?;
+        let across = record.across.as_ref().map(|second| times(&second.motion)).transpose()?;
+        record.motion = motion;
+        if let (Some(second), Some(motion)) = (&mut record.across, across) {
+            second.motion = motion;
+        }
+        record.scale_ratio *= factor;
+        record.processing.push(format!("multiplied by {} for the suite", number(factor, 6)));
+        record.suite = Some(Arc::clone(&suite));
+        Ok(record)
+    };
+    members.into_iter().map(one).collect()
+}

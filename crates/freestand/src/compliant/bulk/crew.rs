@@ -1,0 +1,167 @@
+//! Worlds in lanes: those with both edges on their pads, and those that may lift. Whichever has more lanes to fill
+//! goes on.
+
+use std::collections::BTreeMap;
+
+use pulp::Arch;
+
+use super::LANES;
+use super::lifted::{self, Lifted};
+use super::pressed::{self, Ground, Pressed};
+use super::world::{Next, World};
+
+/// Samples that the recursion takes in one go.
+const BLOCK: usize = 32;
+
+/// Follows worlds to their ends.
+pub(super) fn run(arch: Arch, worlds: &mut [World]) {
+    let mut firm: BTreeMap<usize, Firm> = BTreeMap::new();
+    for (place, world) in worlds.iter().enumerate().rev() {
+        firm.entry(world.parts()).or_default().waiting.push(place);
+    }
+    let mut loose = Loose::default();
+    loop {
+        let fullest = firm.iter().map(|(parts, firm)| (firm.ready(), *parts)).max();
+        let Some((ready, parts)) = fullest.filter(|(ready, _)| *ready > 0 || loose.ready() > 0) else { break };
+        if ready >= loose.ready() {
+            let others = firm.iter().filter(|(other, _)| **other != parts).map(|(_, firm)| firm.ready()).max();
+            let others = others.unwrap_or(0);
+            let Some(firm) = firm.get_mut(&parts) else { break };
+            while firm.ready() > 0 && firm.ready() >= others.max(loose.ready()) {
+                firm.run(arch, worlds, parts, &mut loose.waiting);
+            }
+        } else {
+            while loose.ready() > 0 && firm.values().all(|firm| loose.ready() > firm.ready()) {
+                loose.run(arch, worlds, &mut firm);
+            }
+        }
+    }
+}
+
+/// A world in a lane, and the block in which an edge let go.
+#[derive(Debug, Clone, Copy)]
+struct Seat {
+    world: usize,
+    index: usize,
+    left_block: Option<usize>,
+}
+
+/// Worlds with both edges on their pads, of so many steps a sample.
+#[derive(Debug, Default)]
+struct Firm {
+    waiting: Vec<usize>,
+    lanes: Box<Pressed>,
+    seats: [Option<Seat>; LANES],
+    ground: Ground,
+}
+
+impl Firm {
+    /// Lanes that are or can be filled.
+    fn ready(&self) -> usize {
+        (self.seats.iter().flatten().count() + self.waiting.len()).min(LANES)
+    }
+
+    /// A block of samples, or to the end of a world.
+    fn run(&mut self, arch: Arch, worlds: &mut [World], parts: usize, off: &mut Vec<usize>) {
+        for (lane, seat) in self.seats.iter_mut().enumerate() {
+            if seat.is_none()
+                && let Some(world) = self.waiting.pop()
+            {
+                worlds[world].press(&mut self.lanes, lane);
+                *seat = Some(Seat { world, index: worlds[world].index(), left_block: None });
+            }
+        }
+        let left = |seat: &Seat| worlds[seat.world].intervals() - seat.index;
+        let block = self.seats.iter().flatten().map(left).min().unwrap_or(0).min(BLOCK);
+        self.ground.fill(worlds, &self.seats, block);
+        pressed::follow(arch, &mut self.lanes, &self.ground, parts);
+        for (lane, seat) in self.seats.iter_mut().enumerate() {
+            let Some(Seat { world: place, index, left_block }) = seat else { continue };
+            let world = &mut worlds[*place];
+            if self.lanes.holds[lane] == 0.0 && left_block.is_none() {
+                *left_block = Some(*index);
+            }
+            *index += block;
+            if *index >= world.intervals() || (left_block.is_some() && world.is_screened) {
+                if world.after_pressed(&self.lanes, lane, *left_block) {
+                    off.push(*place);
+                }
+                self.lanes.leave(lane);
+                *seat = None;
+            }
+        }
+    }
+}
+
+impl Ground {
+    /// The base acceleration at the samples of a block, lane by lane.
+    fn fill(&mut self, worlds: &[World], seats: &[Option<Seat>; LANES], block: usize) {
+        let moves_up = seats.iter().flatten().any(|seat| worlds[seat.world].is_vertical());
+        self.horizontal.resize(block + 1, Default::default());
+        self.vertical.resize(if moves_up { block + 1 } else { 0 }, Default::default());
+        for (lane, seat) in seats.iter().enumerate() {
+            for (way, columns) in [&mut self.horizontal, &mut self.vertical].into_iter().enumerate() {
+                let samples = seat.map_or(&[][..], |seat| worlds[seat.world].samples(way, seat.index));
+                let samples = samples.iter().copied().chain(std::iter::repeat(0.0));
+                for (column, sample) in columns.iter_mut().zip(samples) {
+                    column[lane] = sample;
+                }
+            }
+        }
+    }
+}
+
+/// Worlds that may lift.
+#[derive(Debug)]
+struct Loose {
+    waiting: Vec<usize>,
+    lanes: Box<Lifted>,
+    seats: [Option<usize>; LANES],
+}
+
+impl Default for Loose {
+    fn default() -> Self {
+        let mut lanes = Box::<Lifted>::default();
+        for lane in 0..LANES {
+            lanes.leave(lane);
+        }
+        Self { waiting: Vec::new(), lanes, seats: [None; LANES] }
+    }
+}
+
+impl Loose {
+    /// Lanes that are or can be filled.
+    fn ready(&self) -> usize {
+        (self.seats.iter().flatten().count() + self.waiting.len()).min(LANES)
+    }
+
+    /// Until a world leaves its lane.
+    fn run(&mut self, arch: Arch, worlds: &mut [World], firm: &mut BTreeMap<usize, Firm>) {
+        for (lane, seat) in self.seats.iter_mut().enumerate() {
+            if seat.is_none()
+                && let Some(world) = self.waiting.pop()
+            {
+                worlds[world].lift(&mut self.lanes, lane);
+                *seat = Some(world);
+            }
+        }
+        let mut has_left = false;
+        while !has_left {
+            lifted::advance(arch, &mut self.lanes);
+            for lane in 0..LANES {
+                if self.lanes.flags[lane] == 0.0 {
+                    continue;
+                }
+                let Some(place) = self.seats[lane] else { continue };
+                let world = &mut worlds[place];
+                let Some(next) = world.after_step(&mut self.lanes, lane) else { continue };
+                if next == Next::Pressed {
+                    firm.entry(world.parts()).or_default().waiting.push(place);
+                }
+                self.lanes.leave(lane);
+                self.seats[lane] = None;
+                has_left = true;
+            }
+        }
+    }
+}
