@@ -361,7 +361,7 @@ pub struct Assessment {
     /// Comparisons with published numbers, one sentence each with its source: code accelerations,
     /// fragilities.
     pub context: Vec<String>,
-    /// Eqs. (5)–(8) at the motion that decides, step by step.
+    /// Eqs. (5)–(8) in the world that decides, step by step.
     pub chain: Option<Chain>,
     /// Assumptions and warnings, and how the row was read.
     pub notes: Vec<String>,
@@ -455,7 +455,7 @@ pub struct CapacityCheck {
     pub demand_capacity: Ranked,
     /// Demand/capacity that 84 % of the motions do not exceed.
     pub demand_capacity_p84: Ranked,
-    /// The criterion that governs at the motion that decides.
+    /// The criterion that governs in the world that decides.
     pub governing: Criterion,
     /// The tolerance in words: `5 g, 11 ms half-sine`.
     pub tolerance: String,

@@ -9,10 +9,10 @@ use freestand_output::html::paragraph;
 
 use super::words;
 
-/// The landing at the motion that decides, step by step.
+/// The landing at the world that decides, step by step.
 pub(super) fn equations(item: &Item, chain: &Chain) -> String {
     let mut html = paragraph(&format!(
-        "The motion that decides, the most severe one once the accepted share of the motions is left out, is {}. In \
+        "The world that decides, the hardest once the accepted share of the worlds is left out, is {}. In \
          the plane of the {}, the centre of gravity rises by Δh = {} mm, and the uplift is {} mm.",
         chain.motion,
         chain.axis.name(),
@@ -35,7 +35,7 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
         number(chain.edge_acceleration_impact_velocity_g, 4)
     ));
     if let Some(ratio) = chain.demand_capacity_ratio {
-        lines.push(format!("Demand/capacity under this motion: {}.", number(ratio, 4)));
+        lines.push(format!("Demand/capacity in this world: {}.", number(ratio, 4)));
     }
     html.push_str("<div class=\"eqs\">\n");
     for line in lines {

@@ -162,7 +162,7 @@ fn response(found: &Assessment) -> String {
         if let Some(impacts) = shock.impacts_above_tolerance {
             let _ = write!(
                 said,
-                " Impacts above the peak of its tolerance, under the most severe motion that does not overturn it: \
+                " Impacts above the peak of its tolerance, in the hardest world that does not overturn it: \
                  {impacts}."
             );
         }
@@ -190,26 +190,26 @@ fn response(found: &Assessment) -> String {
 
 fn response_words(response: &Response) -> String {
     let mut said = format!(
-        "Of {}, {} cause uplift and {} overturn it. {} At most {} under one motion.",
-        counted(response.motions, "motion"),
+        "On a rigid base it uplifts in {} and overturns in {} of {}. {} At most {} in one world.",
         percent(response.uplift_share, 0),
         percent(response.overturn_share, 0),
+        counted(response.motions, "world"),
         quantiles("Uplift", response.uplift_m, |lift| ranked_milli(lift, "mm")),
         counted(response.impacts_max, "impact")
     );
     if response.failed > 0 {
         let reason = response.failure.as_deref().unwrap_or("the reason is not known");
-        let _ = write!(said, " The histories under {} failed: {reason}.", counted(response.failed, "further motion"));
+        let _ = write!(said, " The histories in {} failed: {reason}.", counted(response.failed, "further world"));
     }
     said
 }
 
-/// The values that 16, 50 and 84 % of the motions do not exceed, in a sentence.
+/// The values that 16, 50 and 84 % of the worlds do not exceed, in a sentence.
 fn quantiles(name: &str, values: [Ranked; 3], shown: impl Fn(Ranked) -> String) -> String {
     let [low, median, high] = values.map(shown);
     match values {
-        [Ranked::Overturned, ..] => "At least 84 % of the motions overturn it.".to_owned(),
-        [_, Ranked::Overturned, _] => format!("At least half of the motions overturn it. {name} at 16 %: {low}."),
+        [Ranked::Overturned, ..] => "At least 84 % of the worlds overturn it.".to_owned(),
+        [_, Ranked::Overturned, _] => format!("At least half of the worlds overturn it. {name} at 16 %: {low}."),
         _ => format!("{name}: median {median}, 16 % {low}, 84 % {high}."),
     }
 }
@@ -220,8 +220,8 @@ fn axes(axes: &[AxisResponse]) -> String {
         figure("Slenderness angle"),
         figure("R"),
         figure("Uplift threshold"),
-        figure("Motions with uplift"),
-        figure("Motions that overturn it"),
+        figure("Worlds with uplift"),
+        figure("Worlds that overturn it"),
         figure("Shock 16 %"),
         figure("median"),
         figure("84 %"),

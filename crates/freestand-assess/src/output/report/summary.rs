@@ -162,7 +162,7 @@ fn floors(overview: &Overview) -> String {
     let mut html = table("", &[headings], &rows);
     html.push_str(&paragraph(
         "Number of objects by floor, from the top down, and by decision. Median PFA: the median of the peak floor \
-         accelerations of all motions.",
+         accelerations of all worlds.",
     ));
     html
 }

@@ -113,7 +113,7 @@ impl Audit {
         let mut sheet = sheet(workbook, is_large, "Audit")?;
         let places = Places::new();
         let listed = inventory.items.len().min(MAX_OBJECTS);
-        put_text(&mut sheet, (0, 0), "Audit: Eqs. (5)–(8) for each object, at the motion that decides", &styles.title)?;
+        put_text(&mut sheet, (0, 0), "Audit: Eqs. (5)–(8) for each object, at the world that decides", &styles.title)?;
         let words = [
             "Blue: inputs. Green: live formulas, calculated by this spreadsheet. Next to each are the value of the \
              assessment and their difference, relative to that value. R_D = 1 − ⅜(d/R)² (6); a = √(2kgΔh/m) (7); \
@@ -173,7 +173,7 @@ impl Audit {
     pub(super) fn finish(mut self, styles: &Styles) -> Result<Worksheet, XlsxError> {
         let last = self.row.saturating_sub(1).max(HEADER_ROW + 1);
         let notes = [
-            (self.without, "without a landing: no uplift, overturned by the motion that decides, or data missing"),
+            (self.without, "without a landing: no uplift, overturned in the world that decides, or data missing"),
             (self.beyond, "not among the most urgent: only in the sheet Objects"),
         ];
         for ((count, note), row) in notes.into_iter().filter(|(count, _)| *count > 0).zip(last + 2..) {
