@@ -57,6 +57,11 @@ impl Change {
         u32::from(self == Self::Again(group))
     }
 
+    /// Whether an object on its pads lives on as it did: no impact of a rigid base loses energy there.
+    pub(super) fn leaves_pads(self) -> bool {
+        matches!(self, Self::None | Self::Again(Group::Restitution) | Self::At(Group::Restitution, _))
+    }
+
     /// The number of standard deviations of a group, where that is fixed.
     pub(super) fn normal(self, group: Group) -> Option<f64> {
         match self {

@@ -236,11 +236,18 @@ pub(super) fn lived_in(
         .collect();
     let rigid: Vec<Vec<RigidResponse>> = rigid.into_iter().collect::<Result<_, _>>()?;
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
-    let mut pads = pads_in_worlds(context, trials, &draws, &floors, range.start)?.into_iter();
+    // On pads the worlds that were lived through stay as they are.
+    let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
+    let is_asked = |trial: &Trial| trial.asks(context, Model::Pads) && !is_known(trial);
+    let mut pads = pads_in_worlds(context, trials, is_asked, &draws, &floors, range.start)?.into_iter();
     let lived = trials.iter().enumerate().map(|(place, trial)| {
         let worlds = rigid.iter_mut().zip(&draws).zip(&floors);
-        let mut own_pads =
-            if trial.asks(context, Model::Pads) { pads.next() } else { None }.unwrap_or_default().into_iter();
+        let mut own_pads = match is_known(trial) {
+            true => trial.lived[range.start as usize..range.end as usize].iter().map(|one| one.pads.clone()).collect(),
+            false if is_asked(trial) => pads.next().unwrap_or_default(),
+            false => Vec::new(),
+        }
+        .into_iter();
         let one = worlds.map(|((rigid, draws), floor)| Lived {
             draw: draws[place],
             rigid: rigid.next().unwrap_or_else(|| Err("the history is missing".to_owned())),
@@ -322,12 +329,12 @@ fn linear<'a>(trials: &[&Trial], job: &Job<'a>) -> Option<CompliantWorld<'a>> {
 fn pads_in_worlds(
     context: &Context,
     trials: &[&Trial],
+    is_asked: impl Fn(&Trial) -> bool,
     draws: &[Vec<Draw>],
     floors: &[FloorOfWorld],
     first: u32,
 ) -> Result<Vec<Vec<Option<PadResponse>>>, Problems> {
-    let asked: Vec<(usize, &&Trial)> =
-        trials.iter().enumerate().filter(|(_, trial)| trial.asks(context, Model::Pads)).collect();
+    let asked: Vec<(usize, &&Trial)> = trials.iter().enumerate().filter(|(_, trial)| is_asked(trial)).collect();
     // The worlds of one object stand side by side in the kernel: they resemble each other.
     let mut jobs: Vec<Job> = Vec::new();
     for (place, trial) in &asked {

@@ -229,29 +229,40 @@ fn follow(ground: &Motion, building: &Building, mut each: impl FnMut(usize, &[Hi
     let accel = ground.accel_m_s2();
     for from in (0..accel.len()).step_by(BLOCK) {
         let to = accel.len().min(from + BLOCK);
-        for history in &mut histories {
-            history.advance(&accel[from.saturating_sub(1)..to], from == 0);
-        }
+        let samples = &accel[from.saturating_sub(1)..to];
+        let (together, alone) = histories.as_chunks_mut::<TOGETHER>();
+        together.iter_mut().for_each(|histories| advance(histories, samples, from == 0));
+        alone.iter_mut().for_each(|history| advance(std::array::from_mut(history), samples, from == 0));
         each(from, &histories);
     }
     Ok(())
 }
 
-impl History {
-    /// Calculates the block with the samples `accel_m_s2`, which follows the previous block; the
-    /// very first sample is at rest.
-    fn advance(&mut self, accel_m_s2: &[f64], at_rest: bool) {
-        self.absolute_m_s2.clear();
-        self.displacement_m.clear();
-        if at_rest {
-            self.absolute_m_s2.push(0.0);
-            self.displacement_m.push(0.0);
+/// Modes that are followed side by side: each sample of one waits for the sample before it.
+const TOGETHER: usize = 5;
+
+/// Calculates the block with the samples `accel_m_s2`, which follows the previous block, for several
+/// modes; the very first sample is at rest.
+fn advance<const N: usize>(histories: &mut [History; N], accel_m_s2: &[f64], at_rest: bool) {
+    let samples = (accel_m_s2.len().saturating_sub(1)) + usize::from(at_rest);
+    for history in histories.iter_mut() {
+        // The first sample stays at zero where the building is at rest.
+        history.absolute_m_s2.clear();
+        history.absolute_m_s2.resize(samples, 0.0);
+        history.displacement_m.clear();
+        history.displacement_m.resize(samples, 0.0);
+    }
+    let steps = histories.each_ref().map(|history| history.step);
+    let mut states = histories.each_ref().map(|history| history.state);
+    for (place, pair) in (usize::from(at_rest)..).zip(accel_m_s2.windows(2)) {
+        for ((history, state), step) in histories.iter_mut().zip(&mut states).zip(&steps) {
+            *state = step.advance(*state, pair[0], pair[1]);
+            history.absolute_m_s2[place] = step.absolute_acceleration_m_s2(*state);
+            history.displacement_m[place] = state.displacement_m;
         }
-        for pair in accel_m_s2.windows(2) {
-            self.state = self.step.advance(self.state, pair[0], pair[1]);
-            self.absolute_m_s2.push(self.step.absolute_acceleration_m_s2(self.state));
-            self.displacement_m.push(self.state.displacement_m);
-        }
+    }
+    for (history, state) in histories.iter_mut().zip(states) {
+        history.state = state;
     }
 }
 
