@@ -245,17 +245,32 @@ impl<'a> Worlds<'a> {
         Ok(Some(BuildingOfWorld { period_s: along.period_s(), damping_ratio: along.damping_ratio() }))
     }
 
-    /// The motions of a floor in these worlds, in their order, on the current thread pool.
+    /// The motions of a floor in these worlds, in their order, on the current thread pool. Worlds
+    /// with the same motion and the same building share one.
     pub(crate) fn floors(
         &self,
         worlds: Range<u32>,
         level_ratio: f64,
         again: Again,
         building: Option<BuildingDraw>,
-    ) -> Result<Vec<FloorOfWorld>, Problems> {
-        let made: Vec<Result<FloorOfWorld, Problems>> =
-            worlds.into_par_iter().map(|world| self.floor(world, level_ratio, again, building)).collect();
-        made.into_iter().collect()
+    ) -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
+        let in_turn = match &self.source {
+            Source::InTurn(motions) if self.building_is_known() || building.is_some() => Some(motions.len()),
+            Source::OnFloors { .. } => self.given(level_ratio).map(<[_]>::len),
+            Source::InTurn(_) | Source::Synthetic(_) => None,
+        };
+        let shaking = |world: u32| match in_turn {
+            Some(motions) => self.in_turn(world, again.motion, motions) as u32,
+            None => world,
+        };
+        let mut first: Vec<(u32, u32)> = worlds.clone().map(|world| (shaking(world), world)).collect();
+        first.sort_unstable();
+        first.dedup_by_key(|(shaking, _)| *shaking);
+        let floor =
+            |&(shaking, world): &(u32, u32)| Ok((shaking, Arc::new(self.floor(world, level_ratio, again, building)?)));
+        let made: Vec<Result<_, Problems>> = first.par_iter().map(floor).collect();
+        let made: HashMap<u32, Arc<FloorOfWorld>> = made.into_iter().collect::<Result<_, _>>()?;
+        Ok(worlds.filter_map(|world| made.get(&shaking(world)).cloned()).collect())
     }
 
     /// The building whose periods and damping are this number of standard deviations from those of

@@ -1,6 +1,7 @@
 //! An object in as many worlds as its questions need.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use freestand::G0_M_S2;
 use freestand::compliant::{
@@ -265,7 +266,7 @@ fn floors(
     level_ratio: f64,
     range: Range<u32>,
     change: Change,
-) -> Result<Vec<FloorOfWorld>, Problems> {
+) -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
     let repetition = |group: Group| u32::from(change == Change::Again(group));
     let again = Again { motion: repetition(Group::Motion), building: repetition(Group::Building) };
     let building = change.normal(Group::Building).map(|normal| context.worlds.building_at(normal));
@@ -331,7 +332,7 @@ fn pads_in_worlds(
     trials: &[&Trial],
     is_asked: impl Fn(&Trial) -> bool,
     draws: &[Vec<Draw>],
-    floors: &[FloorOfWorld],
+    floors: &[Arc<FloorOfWorld>],
     first: u32,
 ) -> Result<Vec<Vec<Option<PadResponse>>>, Problems> {
     let asked: Vec<(usize, &&Trial)> = trials.iter().enumerate().filter(|(_, trial)| is_asked(trial)).collect();
