@@ -214,12 +214,14 @@ impl<'a> Worlds<'a> {
     fn synthetic(&self, ground: &SyntheticGround, world: u32, again: u32) -> Result<HorizontalMotion, Problems> {
         let spectra = self.spread.spectra(ground.seed, world, again);
         let options = SynthesisOptions::default();
+        let WorldSettings { components, component_ratio, .. } = self.study.assessment.worlds;
         let component = |component| {
-            let target = |t: f64| ground.target.spectrum.sa_g(t);
+            let ratio = if component == Component::Y { component_ratio } else { 1.0 };
+            let target = |t: f64| ratio * ground.target.spectrum.sa_g(t);
             let made = world_motion(target, &spectra, component, (ground.seed, world, again), &options);
             made.map(|made| made.motion).map_err(failed("a motion"))
         };
-        let across = match self.study.assessment.worlds.components {
+        let across = match components {
             1 => None,
             _ => Some(component(Component::Y)?),
         };

@@ -14,6 +14,7 @@ pub(crate) struct BuildingOptions {
     /// The values of [`crate::building::resolve`]. The key `across` stands for its table.
     pub(crate) words: Words,
     pub(crate) levels: Option<Written<Vec<LevelOptions>>>,
+    pub(crate) period_measured: Option<Written<bool>>,
 }
 
 /// One entry of `levels`.
@@ -52,7 +53,8 @@ pub(super) fn building(reader: &mut Reader, table: &mut Section) -> BuildingOpti
         }
         across.finish(reader);
     }
-    BuildingOptions { words, levels: levels(reader, table) }
+    let period_measured = table.boolean(reader, "period_measured");
+    BuildingOptions { words, levels: levels(reader, table), period_measured }
 }
 
 fn levels(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<LevelOptions>>> {

@@ -6,7 +6,9 @@ use freestand::decision::Looks;
 
 use super::{Resolver, or};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
-use crate::study::assessment::{Accepted, Bracket, Questions, RestraintSettings, Settings, Spread, WorldSettings};
+use crate::study::assessment::{
+    Accepted, Bracket, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WorldSettings,
+};
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
@@ -19,6 +21,7 @@ impl Resolver<'_> {
         written: &AssessmentOptions,
         worlds: &WorldOptions,
         restraint: &RestraintOptions,
+        period_is_measured: bool,
     ) -> Settings {
         let defaults = Settings::default();
         for (key, line) in &written.replaced {
@@ -40,7 +43,7 @@ impl Resolver<'_> {
             questions: self.named("questions", &written.questions, &Questions::ALL),
             is_annual: or(&written.annual, defaults.is_annual),
             seed: or(&written.seed, defaults.seed),
-            worlds: self.worlds(worlds, defaults.worlds),
+            worlds: self.worlds(worlds, defaults.worlds, period_is_measured),
             spread: Spread {
                 restitution: self.spread("restitution_spread", &written.restitution_spread, restitution),
                 stiffness: self.spread("stiffness_spread", &written.stiffness_spread, stiffness),
@@ -78,8 +81,11 @@ impl Resolver<'_> {
         Accepted { life_safety_ratio, function_ratio, property_ratio, ..base }
     }
 
-    fn worlds(&mut self, written: &WorldOptions, defaults: WorldSettings) -> WorldSettings {
+    fn worlds(&mut self, written: &WorldOptions, defaults: WorldSettings, period_is_measured: bool) -> WorldSettings {
+        let period_spread = if period_is_measured { MEASURED_PERIOD_SPREAD } else { defaults.period_spread };
         let correlation = "a correlation from 0 to 1";
+        let of_components = |ratio: f64| ratio > 0.0 && ratio <= 1.0;
+        self.require(&written.component_ratio, of_components, "component_ratio", "above 0, at most 1");
         let unit = |value: f64| (0.0..=1.0).contains(&value);
         self.require(&written.component_correlation, unit, "component_correlation", correlation);
         self.require(&written.components, |count| count == 1 || count == 2, "components", "1 or 2");
@@ -103,8 +109,9 @@ impl Resolver<'_> {
             spectral_spread: self.spread("spectral_spread", &written.spectral_spread, defaults.spectral_spread),
             intensity_spread: self.spread("intensity_spread", &written.intensity_spread, defaults.intensity_spread),
             component_correlation: or(&written.component_correlation, defaults.component_correlation),
+            component_ratio: or(&written.component_ratio, defaults.component_ratio),
             components: count(&written.components, defaults.components),
-            period_spread: self.spread("period_spread", &written.period_spread, defaults.period_spread),
+            period_spread: self.spread("period_spread", &written.period_spread, period_spread),
             damping_spread: self.spread("damping_spread", &written.damping_spread, defaults.damping_spread),
             // What it refuses was told above.
             looks: Looks::new(first, most, confidence).unwrap_or_default(),

@@ -119,6 +119,7 @@ pub fn resolve_with(
         resolver.reading = resolver.reading(&ground);
     }
     let levels = resolver.levels(&building, &ground);
+    let is_measured = building.period_measured.as_ref().is_some_and(|measured| measured.value);
     let (ground_input, building_input) = if has_measured_floors(&building) {
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
@@ -136,7 +137,7 @@ pub fn resolve_with(
     }
     let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
     let objects = resolver.objects(&objects);
-    let assessment = resolver.assessment(&assessment, &worlds, &restraint);
+    let assessment = resolver.assessment(&assessment, &worlds, &restraint, is_measured);
     let names = ground_input.as_ref().map(|input| input.names(&levels));
     let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
     match (ground_input, building_input, objects) {

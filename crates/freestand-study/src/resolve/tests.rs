@@ -504,3 +504,29 @@ fn wrong_tables_of_buildings_are_refused_where_they_are_wrong() {
     let both = said("period = \"0 s\"\nacross = { damping = 2 }");
     assert_eq!(both.len(), 2, "{both:?}");
 }
+
+#[test]
+fn worlds_that_cannot_be_drawn_are_refused_at_their_line() {
+    for (keys, expected) in [
+        ("spectral_spread = -0.1", "spectral_spread"),
+        ("period_spread = 9", "period_spread"),
+        ("component_correlation = 1.1", "component_correlation must be a correlation from 0 to 1"),
+        ("component_ratio = 0", "component_ratio must be above 0, at most 1"),
+        ("components = 3", "components must be 1 or 2"),
+        ("confidence = 0.5", "confidence must be above 0.5 and below 1"),
+        ("first = 40\nmost = 20", "first = 40 is more than most = 20"),
+        ("first = 0", "first must be a whole number from 1 to"),
+    ] {
+        let found = problems(&format!("[worlds]\n{keys}\n"));
+        assert!(found.len() == 1 && found[0].starts_with(&format!("s.toml:2: {expected}")), "{keys}: {found:?}");
+    }
+}
+
+/// A stated spread wins over that of a measured period.
+#[test]
+fn a_measured_period_is_drawn_with_less_spread() {
+    let spread = |text: &str| study(text).assessment.worlds.period_spread;
+    let measured = "[building]\nperiod_measured = true\n";
+    let found = [spread(""), spread(measured), spread(&format!("{measured}[worlds]\nperiod_spread = 0.1\n"))];
+    assert_eq!(found, [0.2, 0.05, 0.1]);
+}

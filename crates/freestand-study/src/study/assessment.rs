@@ -96,6 +96,9 @@ impl Accepted {
 /// m g z_cg below which an unrated object is a small item, such as a monitor \[J\].
 pub const SMALL_ITEM_J: f64 = 100.0;
 
+/// Standard deviation of the logarithm of the building's periods where its period was measured.
+pub const MEASURED_PERIOD_SPREAD: f64 = 0.05;
+
 /// How worlds are drawn, and how many.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorldSettings {
@@ -105,6 +108,9 @@ pub struct WorldSettings {
     pub intensity_spread: f64,
     /// Correlation between the two horizontal components.
     pub component_correlation: f64,
+    /// The spectrum of y divided by that of x: below 1 where the target is that of the direction
+    /// with the largest response.
+    pub component_ratio: f64,
     /// Horizontal components: 1 or 2.
     pub components: u32,
     /// Standard deviation of the logarithm of the building's periods.
@@ -175,6 +181,7 @@ impl Default for WorldSettings {
             spectral_spread: 0.65,
             intensity_spread: 0.15,
             component_correlation: 0.6,
+            component_ratio: 1.0,
             components: 2,
             period_spread: 0.20,
             damping_spread: 0.40,
