@@ -247,18 +247,19 @@ impl<'a> Worlds<'a> {
         Ok(Some(BuildingOfWorld { period_s: along.period_s(), damping_ratio: along.damping_ratio() }))
     }
 
-    /// The motions of a floor in these worlds, in their order, on the current thread pool. Worlds
-    /// with the same motion and the same building share one.
+    /// The motions of some floors in these worlds, `[floor][world]`, on the current thread pool. The
+    /// building of a world moves once for all its floors, and worlds with the same motion and the
+    /// same building are one.
     pub(crate) fn floors(
         &self,
         worlds: Range<u32>,
-        level_ratio: f64,
+        levels_ratio: &[f64],
         again: Again,
         building: Option<BuildingDraw>,
-    ) -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
+    ) -> Result<Vec<Vec<Arc<FloorOfWorld>>>, Problems> {
         let in_turn = match &self.source {
             Source::InTurn(motions) if self.building_is_known() || building.is_some() => Some(motions.len()),
-            Source::OnFloors { .. } => self.given(level_ratio).map(<[_]>::len),
+            Source::OnFloors { names } => Some(names.len()),
             Source::InTurn(_) | Source::Synthetic(_) => None,
         };
         let shaking = |world: u32| match in_turn {
@@ -268,11 +269,17 @@ impl<'a> Worlds<'a> {
         let mut first: Vec<(u32, u32)> = worlds.clone().map(|world| (shaking(world), world)).collect();
         first.sort_unstable();
         first.dedup_by_key(|(shaking, _)| *shaking);
-        let floor =
-            |&(shaking, world): &(u32, u32)| Ok((shaking, Arc::new(self.floor(world, level_ratio, again, building)?)));
-        let made: Vec<Result<_, Problems>> = first.par_iter().map(floor).collect();
-        let made: HashMap<u32, Arc<FloorOfWorld>> = made.into_iter().collect::<Result<_, _>>()?;
-        Ok(worlds.filter_map(|world| made.get(&shaking(world)).cloned()).collect())
+        let floors = |&(shaking, world): &(u32, u32)| {
+            let floors = self.floors_of_world(world, levels_ratio, again, building)?;
+            Ok((shaking, floors.into_iter().map(Arc::new).collect()))
+        };
+        let made: Vec<Result<_, Problems>> = first.par_iter().map(floors).collect();
+        let made: HashMap<u32, Vec<Arc<FloorOfWorld>>> = made.into_iter().collect::<Result<_, _>>()?;
+        let of_level = |level: usize| {
+            let in_world = |world| made.get(&shaking(world)).and_then(|floors| floors.get(level)).cloned();
+            worlds.clone().filter_map(in_world).collect()
+        };
+        Ok((0..levels_ratio.len()).map(of_level).collect())
     }
 
     /// The building whose periods and damping are this number of standard deviations from those of
@@ -281,34 +288,45 @@ impl<'a> Worlds<'a> {
         self.building.at(normal, normal)
     }
 
-    /// The motion of a floor in one world; with `building` in place of the building that is drawn.
-    pub(crate) fn floor(
+    /// The motion of a floor in one world.
+    pub(crate) fn floor(&self, world: u32, level_ratio: f64) -> Result<FloorOfWorld, Problems> {
+        let mut floors = self.floors_of_world(world, &[level_ratio], Again::default(), None)?;
+        Ok(floors.swap_remove(0))
+    }
+
+    /// The motions of some floors in one world; with `building` in place of the building that is
+    /// drawn.
+    pub(crate) fn floors_of_world(
         &self,
         world: u32,
-        level_ratio: f64,
+        levels_ratio: &[f64],
         again: Again,
         building: Option<BuildingDraw>,
-    ) -> Result<FloorOfWorld, Problems> {
+    ) -> Result<Vec<FloorOfWorld>, Problems> {
         let nothing = || Problem::new(ProblemKind::Computation, "the study has no motion for this floor");
         let Some(modes) = &self.study.building else {
-            let given = self.given(level_ratio).ok_or_else(nothing)?;
-            let motion = given.get(self.in_turn(world, again.motion, given.len())).ok_or_else(nothing)?;
-            return Ok(FloorOfWorld::new(self.scaled(motion.as_used())?));
+            let given = |&level_ratio: &f64| {
+                let given = self.given(level_ratio).ok_or_else(nothing)?;
+                let motion = given.get(self.in_turn(world, again.motion, given.len())).ok_or_else(nothing)?;
+                Ok(FloorOfWorld::new(self.scaled(motion.as_used())?))
+            };
+            return levels_ratio.iter().map(given).collect();
         };
         let ground = self.ground(world, again.motion)?.ok_or_else(nothing)?;
         let draw = building.unwrap_or_else(|| self.building_draw(world, again));
         let along = drawn(&modes.along, draw)?;
         let across = modes.across.as_ref().map(|across| drawn(across, draw)).transpose()?;
         let tail_s = across.as_ref().map_or(0.0, Building::tail_s).max(along.tail_s());
-        let floor = |motion: &Motion, axis: &Building| -> Result<Motion, Problems> {
+        let floors = |motion: &Motion, axis: &Building| -> Result<Vec<Motion>, Problems> {
             let motion = motion.with_zero_tail(tail_s).map_err(failed("a floor motion"))?;
-            let floors = floor_motions(&motion, axis, &[level_ratio]).map_err(failed("a floor motion"))?;
-            Ok(floors.into_iter().next().ok_or_else(nothing)?)
+            floor_motions(&motion, axis, levels_ratio).map_err(failed("a floor motion"))
         };
         let second = ground.motion.across.as_ref();
-        let second = second.map(|motion| floor(motion, across.as_ref().unwrap_or(&along))).transpose()?;
-        let motion = HorizontalMotion { along: floor(&ground.motion.along, &along)?, across: second };
-        Ok(FloorOfWorld::new(self.scaled(motion)?))
+        let second = second.map(|motion| floors(motion, across.as_ref().unwrap_or(&along))).transpose()?;
+        let mut second = second.map(Vec::into_iter);
+        let first = floors(&ground.motion.along, &along)?.into_iter();
+        let both = first.map(|along| HorizontalMotion { along, across: second.as_mut().and_then(Iterator::next) });
+        both.map(|motion| Ok(FloorOfWorld::new(self.scaled(motion)?))).collect()
     }
 
     /// The motions that the study gives for a level.

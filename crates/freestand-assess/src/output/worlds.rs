@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::csv::push_field;
 use super::table::Cell;
-use crate::worlds::{Again, Worlds};
+use crate::worlds::{Again, FloorOfWorld, Worlds};
 
 /// The file's name.
 pub(crate) const WORLDS_NAME: &str = "worlds.csv";
@@ -109,17 +109,17 @@ fn rows<'a>(worlds: &Worlds, world: u32, levels: &[f64], names: &'a [String]) ->
     let motions = ground.as_ref().map(|ground| components(&ground.motion)).unwrap_or_default();
     let [along, across] = motions.map(spectrum_g);
     let spectra = [along?, across?].concat();
-    let row = |level_ratio: &f64| {
-        let floor = worlds.floor(world, *level_ratio, Again::default(), None)?;
+    let floors = worlds.floors_of_world(world, levels, Again::default(), None)?;
+    let row = |(level_ratio, floor): (&f64, &FloorOfWorld)| {
         let building = [building.map(|one| one.period_s), building.and_then(|one| one.damping_ratio)];
         let peaks = [motions, components(&floor.motion)].concat().into_iter().map(peak_g);
         let mut cells = vec![Cell::Count(u64::from(world)), Cell::number(Some(*level_ratio))];
         cells.extend(building.map(Cell::number));
         cells.push(record.clone());
         cells.extend(peaks.chain(spectra.iter().copied()).map(Cell::number));
-        Ok(cells)
+        cells
     };
-    levels.iter().map(row).collect()
+    Ok(levels.iter().zip(&floors).map(row).collect())
 }
 
 fn components(motion: &HorizontalMotion) -> [Option<&Motion>; 2] {

@@ -10,7 +10,7 @@ use crate::result::{
     Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FloorFacts,
     ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
-use crate::worlds::{Again, FloorOfWorld};
+use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
@@ -128,7 +128,7 @@ pub(super) fn assessment(
     let hardest = order.iter().rev().copied();
     let rocks = |world: &usize| trial.lived[*world].rigid.as_ref().is_ok_and(|axes| lifts(axes) && !overturned(axes));
     if let Some(world) = hardest.clone().find(rocks) {
-        let at = context.worlds.floor(world as u32, trial.subject.level_ratio, Again::default(), None)?;
+        let at = context.worlds.floor(world as u32, trial.subject.level_ratio)?;
         let impacts = impacts_above(trial, world, &at);
         assessed.shock = assessed.shock.map(|shock| Shock { impacts_above_tolerance: impacts, ..shock });
         assessed.sliding = sliding(context, trial, world, &at);

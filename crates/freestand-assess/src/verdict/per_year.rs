@@ -36,7 +36,7 @@ fn of_trial(context: &Context, trial: &Trial) -> Result<Option<PerYear>, Problem
     while let Some(intensity_ratio) = next.pop() {
         context.go_on()?;
         let shaken = context.at_intensity(intensity_ratio);
-        let lived = lived_in(&shaken, trial.subject.level_ratio, 0..WORLDS, &[trial], Change::None)?;
+        let lived = lived_in(&shaken, 0..WORLDS, &[trial], Change::None)?;
         context.count(usize::try_from(shaken.histories()).unwrap_or(0));
         let share = |question| {
             let by_model = trial.models(context).map(|model: Model| {

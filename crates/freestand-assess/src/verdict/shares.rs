@@ -8,7 +8,7 @@ use freestand_input::problem::Problems;
 use super::Context;
 use super::draw::Change;
 use super::response::Lived;
-use super::trial::{Model, Question, Trial, answer, lived_in};
+use super::trial::{Model, Question, Trial, answer, grouped, lived_in};
 
 /// Fewest worlds with the event, and without it, from which a share says anything.
 const FEWEST: usize = 10;
@@ -112,28 +112,19 @@ fn share(events: &[bool]) -> f64 {
     events.iter().filter(|hit| **hit).count() as f64 / events.len().max(1) as f64
 }
 
-/// The events of those that want a change, with their places in `asked`: floor by floor, so that the
-/// motions of a floor are made once for all objects on it.
+/// The events of those that want a change, with their places in `asked`.
 fn events(
     context: &Context,
     asked: &[Asked],
     wants: impl Fn(&Asked) -> bool,
     change: Change,
 ) -> Result<Vec<(usize, Vec<bool>)>, Problems> {
-    let mut groups: Vec<((u64, usize), Vec<usize>)> = Vec::new();
-    for (place, one) in asked.iter().enumerate().filter(|(_, one)| wants(one)) {
-        let key = (one.trial.subject.level_ratio.to_bits(), one.own.len());
-        match groups.iter_mut().find(|(other, _)| *other == key) {
-            Some((_, places)) => places.push(place),
-            None => groups.push((key, vec![place])),
-        }
-    }
+    let wanting = asked.iter().enumerate().filter(|(_, one)| wants(one)).map(|(place, one)| (one.own.len(), place));
     let mut found = Vec::new();
-    for ((level, worlds), places) in groups {
-        context.go_on()?;
+    for (worlds, places) in grouped(wanting) {
         let trials: Vec<&Trial> = places.iter().map(|&place| asked[place].trial).collect();
         let range = 0..u32::try_from(worlds).unwrap_or(u32::MAX);
-        let lived = lived_in(context, f64::from_bits(level), range, &trials, change)?;
+        let lived = lived_in(context, range, &trials, change)?;
         for (place, lived) in places.into_iter().zip(lived) {
             let trial = asked[place].trial;
             found.push((place, lived.iter().map(|one| has_event(trial, one)).collect()));

@@ -189,23 +189,15 @@ pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model
 /// Adds worlds until every trial is settled or has reached its cap.
 pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
     loop {
-        let mut groups: Vec<(u64, Range<u32>, Vec<usize>)> = Vec::new();
-        for (place, trial) in trials.iter().enumerate() {
-            let Some(range) = trial.next() else { continue };
-            let level = trial.subject.level_ratio.to_bits();
-            match groups.iter_mut().find(|(bits, worlds, _)| *bits == level && *worlds == range) {
-                Some((.., places)) => places.push(place),
-                None => groups.push((level, range, vec![place])),
-            }
-        }
+        let next = trials.iter().enumerate().filter_map(|(place, trial)| Some((trial.next()?, place)));
+        let groups = grouped(next);
         if groups.is_empty() {
             return Ok(());
         }
-        for (bits, range, places) in groups {
-            context.go_on()?;
-            let on_floor: Vec<&Trial> = places.iter().map(|&place| &trials[place]).collect();
-            let more = lived_in(context, f64::from_bits(bits), range, &on_floor, Change::None)?;
-            for (&place, more) in places.iter().zip(more) {
+        for (range, places) in groups {
+            let together: Vec<&Trial> = places.iter().map(|&place| &trials[place]).collect();
+            let more = lived_in(context, range, &together, Change::None)?;
+            for (place, more) in places.into_iter().zip(more) {
                 trials[place].lived.extend(more);
             }
         }
@@ -213,15 +205,56 @@ pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Proble
     }
 }
 
-/// Objects on one floor in some worlds, `[object][world]`.
+/// What belongs to each key, in the order of their first appearance.
+pub(super) fn grouped<K: PartialEq>(items: impl Iterator<Item = (K, usize)>) -> Vec<(K, Vec<usize>)> {
+    let mut groups: Vec<(K, Vec<usize>)> = Vec::new();
+    for (key, place) in items {
+        match groups.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, places)) => places.push(place),
+            None => groups.push((key, vec![place])),
+        }
+    }
+    groups
+}
+
+/// Motions of floors that are held at a time, of all worlds and floors: 150 MB of two components of
+/// 45 s.
+const MAX_HELD: usize = 1024;
+
+/// Objects in some worlds, `[object][world]`.
 pub(super) fn lived_in(
     context: &Context,
-    level_ratio: f64,
     range: Range<u32>,
     trials: &[&Trial],
     change: Change,
 ) -> Result<Vec<Vec<Lived>>, Problems> {
-    let floors = floors(context, level_ratio, range.clone(), change)?;
+    let levels = grouped(trials.iter().enumerate().map(|(place, trial)| (trial.subject.level_ratio.to_bits(), place)));
+    let levels_ratio: Vec<f64> = levels.iter().map(|(bits, _)| f64::from_bits(*bits)).collect();
+    let mut lived: Vec<Vec<Lived>> = trials.iter().map(|_| Vec::with_capacity(range.len())).collect();
+    let block = (MAX_HELD / levels.len().max(1)).max(1);
+    for from in range.clone().step_by(block) {
+        let block = from..range.end.min(from + block as u32);
+        let floors = floors(context, &levels_ratio, block.clone(), change)?;
+        for ((_, places), floors) in levels.iter().zip(floors) {
+            context.go_on()?;
+            let on_floor: Vec<&Trial> = places.iter().map(|&place| trials[place]).collect();
+            for (&place, more) in places.iter().zip(lived_on_floor(context, block.clone(), &on_floor, &floors, change)?)
+            {
+                lived[place].extend(more);
+            }
+        }
+    }
+    Ok(lived)
+}
+
+/// Objects on one floor in some worlds, `[object][world]`.
+fn lived_on_floor(
+    context: &Context,
+    range: Range<u32>,
+    trials: &[&Trial],
+    floors: &[Arc<FloorOfWorld>],
+    change: Change,
+) -> Result<Vec<Vec<Lived>>, Problems> {
     let settings = &context.study.assessment;
     let in_world = |world: u32| -> Vec<Draw> {
         trials.iter().map(|trial| draw(settings, &trial.subject, trial.member.key, world, change)).collect()
@@ -229,7 +262,7 @@ pub(super) fn lived_in(
     let draws: Vec<Vec<Draw>> = range.clone().into_par_iter().map(in_world).collect();
     let rigid: Vec<Result<Vec<RigidResponse>, Problems>> = draws
         .par_iter()
-        .zip(&floors)
+        .zip(floors)
         .map(|(draws, floor)| {
             context.go_on()?;
             Ok(rigid_in_world(context, trials, draws, floor))
@@ -240,9 +273,9 @@ pub(super) fn lived_in(
     // On pads the worlds that were lived through stay as they are.
     let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
     let is_asked = |trial: &Trial| trial.asks(context, Model::Pads) && !is_known(trial);
-    let mut pads = pads_in_worlds(context, trials, is_asked, &draws, &floors, range.start)?.into_iter();
+    let mut pads = pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?.into_iter();
     let lived = trials.iter().enumerate().map(|(place, trial)| {
-        let worlds = rigid.iter_mut().zip(&draws).zip(&floors);
+        let worlds = rigid.iter_mut().zip(&draws).zip(floors);
         let mut own_pads = match is_known(trial) {
             true => trial.lived[range.start as usize..range.end as usize].iter().map(|one| one.pads.clone()).collect(),
             false if is_asked(trial) => pads.next().unwrap_or_default(),
@@ -263,14 +296,14 @@ pub(super) fn lived_in(
 
 fn floors(
     context: &Context,
-    level_ratio: f64,
+    levels_ratio: &[f64],
     range: Range<u32>,
     change: Change,
-) -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
+) -> Result<Vec<Vec<Arc<FloorOfWorld>>>, Problems> {
     let repetition = |group: Group| u32::from(change == Change::Again(group));
     let again = Again { motion: repetition(Group::Motion), building: repetition(Group::Building) };
     let building = change.normal(Group::Building).map(|normal| context.worlds.building_at(normal));
-    context.worlds.floors(range, level_ratio, again, building)
+    context.worlds.floors(range, levels_ratio, again, building)
 }
 
 fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &FloorOfWorld) -> Vec<RigidResponse> {
