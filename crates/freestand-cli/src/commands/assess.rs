@@ -14,6 +14,7 @@ use freestand_study::run::Step;
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::hazard::HazardArgs;
 use crate::printer::{Printer, table};
 use crate::stop::Stop;
 
@@ -37,6 +38,8 @@ pub(crate) struct AssessArgs {
     /// Study file (TOML) with hazard, building and settings [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
+    #[command(flatten)]
+    hazard: HazardArgs,
     /// Inventory (CSV or XLSX); replaces the inventory of the study
     #[arg(long, value_name = "FILE")]
     inventory: Option<PathBuf>,
@@ -81,7 +84,7 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
             "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
         ));
     }
-    let overrides = Overrides { seed: global.seed, ..Overrides::default() };
+    let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), ..Overrides::default() };
     let mut study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,

@@ -22,6 +22,7 @@ use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::hazard::HazardArgs;
 use crate::printer::{Printer, optional, table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
@@ -48,6 +49,8 @@ pub(crate) struct RunArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
+    #[command(flatten)]
+    hazard: HazardArgs,
     /// Records that replace the ground motions of the study
     #[arg(long, value_name = "FILE", num_args = 1..)]
     motion: Vec<PathBuf>,
@@ -96,7 +99,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let rotation_step_deg = args.second.rotation_step_deg(&mut values);
     let variations = args.vary.as_ref().map(|texts| variations(texts, &mut values));
     values.finish()?;
-    let overrides = Overrides { seed: global.seed, motions, rotation_step_deg };
+    let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), motions, rotation_step_deg };
     let study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
