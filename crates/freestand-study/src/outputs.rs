@@ -17,7 +17,7 @@ use crate::summary::{SCHEMA, summary};
 use crate::tables::{profile_csv, srs_csv, statistics_csv, urs_csv};
 use freestand::code_spectrum::PeriodCode;
 use freestand_input::problem::{Problem, Problems};
-use freestand_output::folder::OutputFolder;
+use freestand_output::folder::{Committed, OutputFolder};
 use freestand_output::json::document;
 use freestand_output::rows::records_csv;
 
@@ -28,6 +28,8 @@ pub struct Written {
     pub folder: PathBuf,
     /// The names of its files.
     pub files: Vec<String>,
+    /// The files of an earlier run that were removed from it.
+    pub removed: Vec<String>,
     /// `summary.json` without its schema and warnings.
     pub body: Value,
 }
@@ -79,7 +81,8 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
     for (name, bytes) in &files {
         folder.write(name, bytes)?;
     }
-    Ok(Written { folder: folder.commit()?, files: names, body })
+    let Committed { folder, removed } = folder.commit()?;
+    Ok(Written { folder, files: names, removed, body })
 }
 
 type File = (String, Vec<u8>);

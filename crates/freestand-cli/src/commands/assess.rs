@@ -8,6 +8,7 @@ use freestand_assess::job::{Job, JobReport, SCHEMA, assess_into, inventory_of};
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
 use freestand_input::words::counted;
+use freestand_output::folder::removed_note;
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::Step;
 
@@ -112,6 +113,9 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     let report = assess_into(&study, &inventory, &out, &job, &progress);
     bar.finish_and_clear();
     let report = report?;
+    if let Some(note) = removed_note(&report.removed) {
+        printer.note(&note);
+    }
     printer.result(SCHEMA, &report, &report.warnings, || text(&report))?;
     if report.interrupted {
         return Err(Failure::StoppedAfterWriting);

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use clap::{ArgAction, Args};
 use freestand_input::words::counted;
-use freestand_output::folder::OutputFolder;
+use freestand_output::folder::{OutputFolder, removed_note};
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
@@ -107,7 +107,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let out = global.folder();
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
     let stop = Stop::listen();
-    let folder = OutputFolder::stage(&out, global.force, &inputs)?;
+    let folder = OutputFolder::stage(&out, global.force, &inputs)?.of_command(freestand_study::summary::SCHEMA)?;
     folder.check(&expected_names(&study, variations.is_some()))?;
 
     let bar = printer.progress_bar(false);
@@ -139,6 +139,9 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let written = write_outputs(folder, &study, &result)?;
     bar.finish_and_clear();
 
+    if let Some(note) = removed_note(&written.removed) {
+        printer.note(&note);
+    }
     let levels = level_summaries(&study, &result);
     let failed: usize = levels.iter().map(|level| level.failed).sum();
     let mut body = written.body;
