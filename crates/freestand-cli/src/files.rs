@@ -17,6 +17,7 @@ use crate::reading::path_text;
 #[derive(Debug)]
 pub(crate) struct Files {
     folder: Option<(PathBuf, OutputFolder)>,
+    printer: Printer,
 }
 
 impl Files {
@@ -27,7 +28,7 @@ impl Files {
             Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force, inputs)?)),
             None => None,
         };
-        Ok(Self { folder })
+        Ok(Self { folder, printer: Printer::new(global) })
     }
 
     /// Whether there is a folder to write to.
@@ -103,7 +104,9 @@ impl Files {
         names.sort_unstable();
         let manifest = Listed { body, files: names };
         folder.write(MANIFEST, document(schema, &manifest, warnings)?.as_bytes())?;
-        folder.commit()?;
+        if let Some(note) = folder.commit()?.note() {
+            self.printer.note(&note);
+        }
         Ok(())
     }
 }

@@ -5,6 +5,7 @@ mod commands;
 mod cushion;
 mod failure;
 mod files;
+mod hazard;
 mod keys;
 mod printer;
 mod processing;

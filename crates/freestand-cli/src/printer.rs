@@ -62,6 +62,13 @@ impl Printer {
         }
     }
 
+    /// Prints what the user should know besides the result, unless `--quiet` is given.
+    pub(crate) fn note(&self, text: &str) {
+        if !self.quiet {
+            error_line(text);
+        }
+    }
+
     /// Prints a detail if `-v` is given.
     pub(crate) fn detail(&self, text: &str) {
         if self.verbose {

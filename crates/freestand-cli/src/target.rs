@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use freestand_study::target::Target;
+use freestand::code_spectrum::PeriodCode;
+use freestand_study::target::{Target, period_code};
 
 use crate::failure::Failure;
 use crate::keys::{Key, KeySet, Keys, key};
@@ -39,15 +40,20 @@ impl KeySet for TargetKeys {
                     "site",
                     "CLASS",
                     "Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8, \
-                     subsoil class A to E of NZS 1170.5",
+                     subsoil class A to E of NZS 1170.5, site class A to E of ASCE 7",
+                ),
+                key(
+                    "place",
+                    "NAME",
+                    "Place whose hazard is used, with its code: freestand place list [default: Melbourne]",
                 ),
             ],
         ),
         (
             "AS 1170.4 and NZS 1170.5",
             &[
-                key("hazard_factor", "RATIO", "Hazard factor Z [default: that of the city]"),
-                key("city", "NAME", "City in the table of AS 1170.4 [default: Melbourne]"),
+                key("hazard_factor", "RATIO", "Hazard factor Z [default: that of the place]"),
+                key("city", "NAME", "Another name of --place"),
                 key("return_period_years", "YEARS", "Return period in years [default: 500]"),
                 key(
                     "fault_distance",
@@ -81,9 +87,9 @@ impl KeySet for TargetKeys {
                 key("sd1", "ACCELERATION", "Design acceleration at 1 s"),
                 key("ss", "ACCELERATION", "Mapped acceleration at short periods, instead of --sds"),
                 key("s1", "ACCELERATION", "Mapped acceleration at 1 s, instead of --sd1"),
-                key("fa", "RATIO", "Site coefficient of --ss"),
-                key("fv", "RATIO", "Site coefficient of --s1"),
-                key("long_period", "TIME", "Long-period transition TL"),
+                key("fa", "RATIO", "Site coefficient of --ss [default: that of --site]"),
+                key("fv", "RATIO", "Site coefficient of --s1 [default: that of --site]"),
+                key("long_period", "TIME", "Long-period transition TL [default with --place: 8 s]"),
             ],
         ),
         (
@@ -117,6 +123,11 @@ impl TargetArgs {
         let target = self.target()?;
         target.check_matched_band()?;
         Ok(target)
+    }
+
+    /// The code whose formula gives the periods of buildings.
+    pub(crate) fn period_code(&self) -> Option<PeriodCode> {
+        period_code(&self.keys.words)
     }
 
     /// Whether any of these flags was given.

@@ -90,7 +90,7 @@ fn shock_refuses_bad_values_all_at_once() {
         "--stiffness",
         "nan N/mm",
         "--cg-rise",
-        "1 inch",
+        "1 furlong",
     ]));
 }
 
@@ -421,6 +421,20 @@ fn validation_holds() {
     assert!(shown.contains("exit status 0") && !shown.contains("FAILED"), "{shown}");
 }
 
+#[test]
+fn places_are_listed_and_shown() {
+    let cases: [&[&str]; 6] = [
+        &["place", "list", "new zealand"],
+        &["place", "show", "zürich"],
+        &["place", "show", "Salt Lake City", "--json"],
+        &["place", "show", "Welington"],
+        &["place", "list", "atlantis"],
+        &["motion", "code-spectrum", "--place", "Athens", "--periods", "0.2 s, 1 s"],
+    ];
+    cases::each("places_are_listed_and_shown", &cases.map(freestand));
+    assert_eq!(freestand(&["place", "list", "--json"]).matches("\"confidence\":").count(), 99);
+}
+
 /// Every command, found by walking the help.
 fn commands(of: &[String]) -> Vec<Vec<String>> {
     let help = freestand(&[of.iter().map(String::as_str).collect::<Vec<_>>(), vec!["--help"]].concat());
@@ -433,7 +447,7 @@ fn commands(of: &[String]) -> Vec<Vec<String>> {
 #[test]
 fn help_of_every_command_has_examples() {
     let commands = commands(&[]);
-    assert_eq!(commands.len(), 37);
+    assert_eq!(commands.len(), 40);
     for command in commands {
         let words: Vec<&str> = command.iter().map(String::as_str).chain(["--help"]).collect();
         let shown = freestand(&words);

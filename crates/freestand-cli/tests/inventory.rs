@@ -54,7 +54,7 @@ fn a_template_is_written_checked_and_converted() {
 fn what_is_wrong_is_said_at_once() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    let text = "Ward 3\n\nid,item,level,height,depth [in],mass [kg]\n\
+    let text = "Ward 3\n\nid,item,level,height,depth [px],mass [kg]\n\
                 a,rack,3,1800,24,140\na,rack,0.5,1.8 m,24,abc\n";
     std::fs::write(here.join("objects.csv"), text).unwrap();
     let cases: [&[&str]; 5] = [

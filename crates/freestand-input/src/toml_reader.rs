@@ -173,7 +173,7 @@ pub fn example(dimension: Dimension) -> String {
 
 /// How a unit is written at the end of a key: `N/mm` → `n_mm`, `m/s2` → `m_s2`.
 pub fn key_suffix(unit: &Unit) -> String {
-    unit.symbol.to_lowercase().replace(['/', '·'], "_")
+    unit.symbol.to_lowercase().replace(['/', '·', ' '], "_")
 }
 
 /// The place of keys in a TOML document.

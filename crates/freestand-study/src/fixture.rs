@@ -59,6 +59,7 @@ pub(crate) fn study() -> Study {
             storey_height_m: Some(3.0),
             across: None,
             along: Building::beam(2.74, 0.05, 5.0, 5).unwrap(),
+            period_code: None,
             period_note: "AS 1170.4, concrete moment frame of 90 m".into(),
             across_note: None,
             tables: Vec::new(),

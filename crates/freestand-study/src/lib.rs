@@ -15,6 +15,7 @@ pub mod matched;
 mod options;
 pub mod outputs;
 pub mod pair;
+pub mod places;
 pub mod recorded;
 pub mod report;
 pub mod rerun;

@@ -9,13 +9,15 @@ use crate::figures::figures;
 use crate::report::{provenance, report};
 use crate::rerun::{
     LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed, with_spectrum,
+    with_value,
 };
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
 use crate::tables::{profile_csv, srs_csv, statistics_csv, urs_csv};
+use freestand::code_spectrum::PeriodCode;
 use freestand_input::problem::{Problem, Problems};
-use freestand_output::folder::OutputFolder;
+use freestand_output::folder::{Committed, OutputFolder};
 use freestand_output::json::document;
 use freestand_output::rows::records_csv;
 
@@ -26,6 +28,8 @@ pub struct Written {
     pub folder: PathBuf,
     /// The names of its files.
     pub files: Vec<String>,
+    /// The files of an earlier run that were removed from it.
+    pub removed: Vec<String>,
     /// `summary.json` without its schema and warnings.
     pub body: Value,
 }
@@ -77,7 +81,8 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
     for (name, bytes) in &files {
         folder.write(name, bytes)?;
     }
-    Ok(Written { folder: folder.commit()?, files: names, body })
+    let Committed { folder, removed } = folder.commit()?;
+    Ok(Written { folder, files: names, removed, body })
 }
 
 type File = (String, Vec<u8>);
@@ -104,6 +109,12 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
     };
     let tables: Vec<_> = building_tables(study).into_iter().map(|(across, key, name, _)| (across, key, name)).collect();
     let toml = if tables.is_empty() { toml } else { with_building_tables(&toml, &tables)? };
+    // Without the code of the ground, the period would be by another formula.
+    let code = study.building.as_ref().and_then(|building| building.period_code);
+    let toml = match (&study.ground, code.filter(|code| *code != PeriodCode::default())) {
+        (Ground::Recorded(_), Some(code)) => with_value(&toml, "building", "period_code", code.name(), &[])?,
+        _ => toml,
+    };
     let names = study.ground.names(&study.levels);
     match &study.ground {
         Ground::Synthetic(synthetic) => {

@@ -36,6 +36,30 @@ pub fn with_seed(toml: &str, seed: u64) -> Result<String, Problem> {
     Ok(study.to_string())
 }
 
+/// The text with these keys of `[ground]` in place of `removed`.
+///
+/// # Errors
+/// A text that is not TOML, or in which `ground` is not a table.
+pub(crate) fn with_hazard(toml: &str, removed: &[&str], words: &Words) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let ground = study.entry("ground").or_insert_with(toml_edit::table);
+    let Some(ground) = ground.as_table_like_mut() else { return Err(broken("ground is not a table")) };
+    let is =
+        |name: &str, key: &str| name.strip_prefix(key).is_some_and(|unit| unit.is_empty() || unit.starts_with('_'));
+    let old: Vec<String> = ground.iter().map(|(name, _)| name.to_owned()).collect();
+    // A key may end in its unit. `spectrum` also begins `spectrum_type`; both are removed together.
+    for name in old.iter().filter(|name| removed.iter().any(|key| is(name, key))) {
+        ground.remove(name);
+    }
+    for (key, text) in words.entries() {
+        match text.parse::<i64>() {
+            Ok(whole) if key == "return_period_years" => ground.insert(key, value(whole)),
+            _ => ground.insert(key, value(text)),
+        };
+    }
+    Ok(study.to_string())
+}
+
 /// The text with another value of a key; keys of `in_place_of` are removed, because they state the
 /// same quantity in another way.
 ///

@@ -7,11 +7,13 @@ use serde_json::{Value, json};
 
 use crate::building::{mode_facts, model_words};
 use crate::cushion::cushion_words;
+use crate::places::Place;
 use crate::result::{LevelResult, ObjectResponse, Ranked, StudyResult};
 use crate::simulated::{FoundEarthquake, source_facts};
 use crate::statistics::ranked_quantile;
 use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround};
 use crate::suite::Suite;
+use crate::target::Target;
 use crate::target::hazard_facts;
 use freestand::G0_M_S2;
 use freestand::building::Building;
@@ -205,7 +207,8 @@ fn ground_inputs(ground: &Ground) -> Value {
                 .key("code", target.code())
                 .key("edition", target.spectrum.name())
                 .key("site", target.spectrum.site_name())
-                .key("city", target.city.clone())
+                .key("city", target.place_name())
+                .key("place", target.place.map(Place::facts))
                 .and(hazard_facts(Some(target)))
                 .key("facts", target.named_facts())
                 .key("spectrum_file", target.file.as_ref().map(input_file))
@@ -225,7 +228,7 @@ fn simulated_inputs(simulated: &SimulatedGround) -> Facts<'static> {
         .key("parameters", source_facts(&request.any_source()))
         .key("earthquakes", earthquakes.iter().map(FoundEarthquake::facts).collect::<Vec<_>>())
         .key("site", request.site.name())
-        .key("city", hazard.as_ref().and_then(|target| target.city.clone()))
+        .key("city", hazard.as_ref().and_then(Target::place_name))
         .and(hazard_facts(hazard.as_ref()))
         .and(facts!(request.options; dt_s, low_cut_hz))
         .key("assumptions", request.assumptions())

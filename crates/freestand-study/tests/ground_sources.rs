@@ -87,7 +87,10 @@ fn a_source_that_cannot_be_meant_is_refused_at_its_line() {
             "code = \"ec8\"\npoint_source = { pairs = true }\n",
             "s.toml:2: code: pairs = true searches for earthquakes that fit AS 1170.4 only",
         ),
-        ("city = \"Melborne\"\npoint_source = { pairs = true }\n", "s.toml:2: city \"Melborne\" is not in AS 1170.4"),
+        (
+            "city = \"Melborne\"\npoint_source = { pairs = true }\n",
+            "s.toml:2: city \"Melborne\" is not in the table of places",
+        ),
         // kpZ = 20 g is met nowhere.
         (
             "hazard_factor = 20\ncount = 1\npoint_source = { pairs = true, magnitude = 5.5 }\n",

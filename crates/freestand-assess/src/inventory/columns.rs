@@ -469,10 +469,10 @@ mod tests {
         ] {
             assert_eq!(heading(text), Heading::Ours(column, None), "{text}");
         }
-        for text in ["", "serial number", "height of the table", "widthwise", "mass_lb", "item_kg"] {
+        for text in ["", "serial number", "height of the table", "widthwise", "mass_st", "item_kg"] {
             assert_eq!(heading(text), Heading::Other, "{text}");
         }
-        assert_eq!(heading("height [in]"), Heading::BadUnit(Column::Height, "in".to_owned()));
+        assert_eq!(heading("height [px]"), Heading::BadUnit(Column::Height, "px".to_owned()));
         assert_eq!(heading("mass (g)"), Heading::BadUnit(Column::Mass, "g".to_owned()));
     }
 

@@ -70,6 +70,8 @@ pub struct JobReport {
     pub out: String,
     /// The files in it.
     pub files: Vec<String>,
+    /// The files of an earlier run that were removed from it.
+    pub removed: Vec<String>,
     /// Warnings.
     #[serde(skip)]
     pub warnings: Vec<String>,
@@ -122,10 +124,10 @@ pub fn assess_into(
         return Ok(report);
     }
     let names = progress_names(inventory.items.len());
-    announce(target, job.force, &names)?;
+    announce(target, job.force, SCHEMA, &names)?;
     let inputs = study.source.iter().cloned().chain(motion_paths(study)).chain([inventory.path.clone()]);
     let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
-    let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?;
+    let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?.of_command(SCHEMA)?;
     folder.check(&OUTPUTS.map(str::to_owned))?;
     let mut portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), (job.resume, job.outcomes), progress)?;
     let settings = &study.assessment;
@@ -153,7 +155,7 @@ pub fn assess_into(
     report.files.push(MANIFEST.to_owned());
     report.files.sort_unstable();
     folder.write(MANIFEST, manifest(study, inventory, &report, &key)?.as_bytes())?;
-    folder.commit()?;
+    report.removed = folder.commit()?.removed;
     report.files.retain(|name| !name.starts_with(PROGRESS));
     Ok(report)
 }
@@ -201,6 +203,7 @@ fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Pa
         histories: portfolio.histories,
         out: target.display().to_string(),
         files: Vec::new(),
+        removed: Vec::new(),
         warnings: head.warnings.clone(),
     }
 }
@@ -278,6 +281,7 @@ fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), 
         histories: 0,
         out: target.display().to_string(),
         files,
+        removed: Vec::new(),
         warnings: serde_json::from_value(manifest.get("warnings")?.clone()).ok()?,
     })
 }

@@ -8,12 +8,14 @@ use freestand_assess::job::{Job, JobReport, SCHEMA, assess_into, inventory_of};
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
 use freestand_input::words::counted;
+use freestand_output::folder::removed_note;
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::Step;
 
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::hazard::HazardArgs;
 use crate::printer::{Printer, table};
 use crate::stop::Stop;
 
@@ -37,6 +39,8 @@ pub(crate) struct AssessArgs {
     /// Study file (TOML) with hazard, building and settings [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
+    #[command(flatten)]
+    hazard: HazardArgs,
     /// Inventory (CSV or XLSX); replaces the inventory of the study
     #[arg(long, value_name = "FILE")]
     inventory: Option<PathBuf>,
@@ -81,7 +85,7 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
             "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
         ));
     }
-    let overrides = Overrides { seed: global.seed, ..Overrides::default() };
+    let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), ..Overrides::default() };
     let mut study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
@@ -109,6 +113,9 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     let report = assess_into(&study, &inventory, &out, &job, &progress);
     bar.finish_and_clear();
     let report = report?;
+    if let Some(note) = removed_note(&report.removed) {
+        printer.note(&note);
+    }
     printer.result(SCHEMA, &report, &report.warnings, || text(&report))?;
     if report.interrupted {
         return Err(Failure::StoppedAfterWriting);

@@ -89,12 +89,18 @@ impl KeySet for BuildingKeys {
         &[
             key("storeys", "N", "Number of storeys [default: 30]"),
             key("storey_height", "LENGTH", "Height of a storey [default: 3.2 m]"),
-            key("period", "TIME", "Fundamental period [default: from the height, by AS 1170.4]"),
+            key("height", "LENGTH", "Height of the building, in place of --storey-height"),
+            key("period", "TIME", "Fundamental period [default: from the height, by the code]"),
             key(
                 "frame",
                 "FRAME",
-                "Structure, for the period by AS 1170.4: steel-moment, concrete-moment, steel-braced, other [default: \
+                "Structure, for the period by the code: steel-moment, concrete-moment, steel-braced, other [default: \
                  other]",
+            ),
+            key(
+                "period_code",
+                "CODE",
+                "Code of the formula for the period: as1170.4, nzs1170.5, asce7, eurocode8 [default: --code]",
             ),
             key("damping", "RATIO", "Damping ratio of every mode for which a table states none [default: 5 %]"),
             key("rayleigh_modes", "N, N", "Rayleigh damping, with that ratio at two modes, such as \"1, 3\""),
@@ -138,7 +144,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         return Err(Failure::usage("--rotation-step applies to objects, not to floors", hint));
     }
     let mut values = Values::default();
-    let building = values.take(building::resolve(&args.building.words, Path::new("")));
+    let building = values.take(building::resolve(&args.building.words, Path::new(""), args.target.period_code()));
     let tail_s = values.read(&args.tail).unwrap_or(0.0);
     let levels = values.read(&args.levels).flatten();
     let spectra = args.spectra.then(|| SpectraRequest {

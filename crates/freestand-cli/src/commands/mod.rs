@@ -8,6 +8,7 @@ mod floor;
 mod inventory;
 mod library;
 mod motion;
+mod place;
 mod rock;
 mod run;
 mod shock;
@@ -49,6 +50,7 @@ pub(crate) enum Command {
     Floor(Box<floor::FloorArgs>),
     Inventory(inventory::InventoryArgs),
     Tolerance(tolerance::ToleranceArgs),
+    Place(place::PlaceArgs),
     Validate(validate::ValidateArgs),
 }
 
@@ -67,6 +69,7 @@ impl Command {
             Self::Floor(args) => floor::run(args, global, printer),
             Self::Inventory(args) => inventory::run(args, global, printer),
             Self::Tolerance(args) => tolerance::run(args, global, printer),
+            Self::Place(args) => place::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
         }
     }

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use clap::{ArgAction, Args};
 use freestand_input::words::counted;
-use freestand_output::folder::OutputFolder;
+use freestand_output::folder::{OutputFolder, removed_note};
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::recorded::MotionFiles;
 use freestand_study::rerun::with_seed;
@@ -22,6 +22,7 @@ use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::hazard::HazardArgs;
 use crate::printer::{Printer, optional, table};
 use crate::reading::{ReadArgs, SecondArgs};
 use crate::stop::Stop;
@@ -48,6 +49,8 @@ pub(crate) struct RunArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
+    #[command(flatten)]
+    hazard: HazardArgs,
     /// Records that replace the ground motions of the study
     #[arg(long, value_name = "FILE", num_args = 1..)]
     motion: Vec<PathBuf>,
@@ -96,7 +99,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let rotation_step_deg = args.second.rotation_step_deg(&mut values);
     let variations = args.vary.as_ref().map(|texts| variations(texts, &mut values));
     values.finish()?;
-    let overrides = Overrides { seed: global.seed, motions, rotation_step_deg };
+    let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), motions, rotation_step_deg };
     let study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
@@ -104,7 +107,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let out = global.folder();
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
     let stop = Stop::listen();
-    let folder = OutputFolder::stage(&out, global.force, &inputs)?;
+    let folder = OutputFolder::stage(&out, global.force, &inputs)?.of_command(freestand_study::summary::SCHEMA)?;
     folder.check(&expected_names(&study, variations.is_some()))?;
 
     let bar = printer.progress_bar(false);
@@ -136,6 +139,9 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let written = write_outputs(folder, &study, &result)?;
     bar.finish_and_clear();
 
+    if let Some(note) = removed_note(&written.removed) {
+        printer.note(&note);
+    }
     let levels = level_summaries(&study, &result);
     let failed: usize = levels.iter().map(|level| level.failed).sum();
     let mut body = written.body;

@@ -6,291 +6,73 @@
 use crate::problem::{Problem, ProblemKind};
 use crate::words::number;
 
-/// The unit g \[m/s²\], as the core has it; this crate uses none of the core's code.
-const G0_M_S2: f64 = 9.80665;
+mod number;
+mod units;
 
-/// What a quantity measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Dimension {
-    /// Metres.
-    Length,
-    /// Kilograms.
-    Mass,
-    /// Seconds.
-    Time,
-    /// m/s².
-    Acceleration,
-    /// N/m.
-    Stiffness,
-    /// Newtons.
-    Force,
-    /// Viscous damping, N s/m.
-    Damping,
-    /// Pascals.
-    Pressure,
-    /// Square metres.
-    Area,
-    /// Hunt and Crossley's Λ, s/m.
-    Dissipation,
-    /// Hertz.
-    Frequency,
-    /// Radians.
-    Angle,
-    /// rad/s.
-    AngularVelocity,
-    /// m/s.
-    Velocity,
-    /// Moment of inertia, kg·m².
-    Inertia,
-    /// A pure number, bare or in per cent.
-    Ratio,
-}
+use number::{Number, Split, plain, split};
+pub use units::{Dimension, Unit, find_unit, find_unit_any_case, lookup};
+use units::{unknown_unit, wrong_dimension};
 
-impl Dimension {
-    /// All dimensions.
-    pub const ALL: [Self; 16] = [
-        Self::Length,
-        Self::Mass,
-        Self::Time,
-        Self::Acceleration,
-        Self::Stiffness,
-        Self::Force,
-        Self::Damping,
-        Self::Pressure,
-        Self::Area,
-        Self::Dissipation,
-        Self::Frequency,
-        Self::Angle,
-        Self::AngularVelocity,
-        Self::Velocity,
-        Self::Inertia,
-        Self::Ratio,
-    ];
-
-    /// The name with its article: `a length`, `an acceleration`.
-    pub fn with_article(self) -> &'static str {
-        match self {
-            Self::Length => "a length",
-            Self::Mass => "a mass",
-            Self::Time => "a time",
-            Self::Acceleration => "an acceleration",
-            Self::Stiffness => "a stiffness",
-            Self::Force => "a force",
-            Self::Damping => "a damping",
-            Self::Pressure => "a pressure",
-            Self::Area => "an area",
-            Self::Dissipation => "a dissipation",
-            Self::Frequency => "a frequency",
-            Self::Angle => "an angle",
-            Self::AngularVelocity => "an angular velocity",
-            Self::Velocity => "a velocity",
-            Self::Inertia => "a moment of inertia",
-            Self::Ratio => "a ratio",
-        }
-    }
-
-    /// The units of this dimension, the most usual first.
-    pub fn units(self) -> impl Iterator<Item = &'static Unit> {
-        UNITS.iter().filter(move |unit| unit.dimension == self)
-    }
-
-    /// The list of units for hints: `m, mm, cm, km`.
-    fn unit_list(self) -> String {
-        let symbols: Vec<&str> = self.units().map(|unit| unit.symbol).collect();
-        symbols.join(", ")
-    }
-}
-
-/// A unit: `value_si = value · 10^decimal_exponent · factor`.
+/// A number, and the unit it was written with, if there is one.
 ///
-/// The power of ten is kept apart from the factor because it can be applied to the decimal digits
-/// before they become binary: "2300 mm", "230 cm" and "2.3 m" are then the same f64, and so is the
-/// result of a study that states either.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unit {
-    /// Its usual spelling.
-    pub symbol: &'static str,
-    /// What it measures.
-    pub dimension: Dimension,
-    decimal_exponent: i32,
-    factor: f64,
-    /// Other spellings, in the canonical form of [`canonical`].
-    aliases: &'static [&'static str],
-    /// Whether capitals are ignored. They matter for a leading milli (`mm`, `mg`, `ms`), which as a
-    /// capital means mega, and for `m`, `s` and `t`, whose capitals are other units or prefixes.
-    any_case: bool,
+/// For tables, where the unit may also come from a heading: the unit of a cell is known before its
+/// value is needed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    number: Number,
+    /// The unit; inches after feet and inches.
+    pub unit: Option<&'static Unit>,
 }
 
-impl Unit {
-    /// A unit of acceleration that only a record format has, of `10^decimal_exponent · factor`
-    /// m/s².
-    pub const fn acceleration(symbol: &'static str, decimal_exponent: i32, factor: f64) -> Self {
-        Self { factor, ..unit(symbol, Dimension::Acceleration, decimal_exponent, false) }
-    }
-
-    /// A value in this unit, in SI.
-    pub fn to_si(&self, value: f64) -> f64 {
-        // Powers of ten up to 10^22 are exact in binary, negative ones are not: divide by the exact
-        // one. One rounding.
-        let shifted = if self.decimal_exponent < 0 {
-            value / 10f64.powi(-self.decimal_exponent)
-        } else {
-            value * 10f64.powi(self.decimal_exponent)
+impl Quantity {
+    /// Reads `6'2"`, `11 1/2 in`, `150 lbs`, `52½`, `2.3 m` or `0.35`.
+    ///
+    /// # Errors
+    /// No number, a unit that is not known, or what [`parse`] refuses in a number.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand_input::quantity::{Dimension, Quantity, find_unit};
+    /// let inch = find_unit("in", Dimension::Length)?;
+    /// let cell = Quantity::read("6'2\"")?;
+    /// assert_eq!((cell.unit, cell.si(None)?), (Some(inch), 1.8796));
+    /// let bare = Quantity::read("52½")?;
+    /// assert_eq!((bare.unit, bare.si(Some(inch))?), (None, 1.3335));
+    /// # Ok::<(), freestand_input::problem::Problem>(())
+    /// ```
+    pub fn read(text: &str) -> Result<Self, Problem> {
+        let text = text.trim();
+        let plain = plain(text);
+        let found = split(plain.trim(), text)?;
+        let unit = match found.unit.as_ref() {
+            "" => None,
+            unit => Some(lookup(unit).ok_or_else(|| value_problem(format!("\"{}\" is not a unit", shorten(unit))))?),
         };
-        shifted * self.factor
+        Ok(Self { number: found.number, unit })
     }
 
-    /// An SI value in this unit.
-    pub fn from_si(&self, value_si: f64) -> f64 {
-        let shifted = value_si / self.factor;
-        if self.decimal_exponent < 0 {
-            shifted * 10f64.powi(-self.decimal_exponent)
-        } else {
-            shifted / 10f64.powi(self.decimal_exponent)
-        }
+    /// The value in SI. `other` is the unit where the quantity states none; without either, the
+    /// bare number.
+    ///
+    /// # Errors
+    /// A value that is not finite.
+    pub fn si(&self, other: Option<&Unit>) -> Result<f64, Problem> {
+        let unit = self.unit.or(other);
+        self.number.in_unit(unit).ok_or_else(|| value_problem("the number is too large"))
+    }
+
+    /// The number as it was written, without its unit; feet and inches in inches.
+    ///
+    /// # Errors
+    /// A number that is not finite.
+    pub fn bare(&self) -> Result<f64, Problem> {
+        self.number.in_unit(None).ok_or_else(|| value_problem("the number is too large"))
     }
 }
-
-const fn unit(symbol: &'static str, dimension: Dimension, decimal_exponent: i32, any_case: bool) -> Unit {
-    Unit { symbol, dimension, decimal_exponent, factor: 1.0, aliases: &[], any_case }
-}
-
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
-/// Every unit, the first of a dimension being its SI unit or the one that engineers expect in a
-/// hint.
-static UNITS: &[Unit] = &[
-    unit("m", Dimension::Length, 0, false),
-    unit("mm", Dimension::Length, -3, false),
-    unit("cm", Dimension::Length, -2, true),
-    unit("km", Dimension::Length, 3, true),
-    unit("kg", Dimension::Mass, 0, true),
-    unit("t", Dimension::Mass, 3, false),
-    unit("s", Dimension::Time, 0, false),
-    unit("ms", Dimension::Time, -3, false),
-    Unit { aliases: &["µs", "μs"], ..unit("us", Dimension::Time, -6, false) },
-    Unit { factor: G0_M_S2, ..unit("g", Dimension::Acceleration, 0, true) },
-    Unit { aliases: &["m/s/s"], ..unit("m/s2", Dimension::Acceleration, 0, false) },
-    Unit { factor: G0_M_S2, aliases: &["milli-g", "milli·g"], ..unit("mg", Dimension::Acceleration, -3, false) },
-    Unit { aliases: &["cm/s/s"], ..unit("cm/s2", Dimension::Acceleration, -2, true) },
-    Unit { aliases: &["mm/s/s"], ..unit("mm/s2", Dimension::Acceleration, -3, false) },
-    Unit { aliases: &["nm/s/s"], ..unit("nm/s2", Dimension::Acceleration, -9, false) },
-    unit("gal", Dimension::Acceleration, -2, true),
-    Unit { aliases: &["µm/s2", "μm/s2", "um/s/s"], ..unit("um/s2", Dimension::Acceleration, -6, false) },
-    Unit { factor: G0_M_S2, aliases: &["%·g"], ..unit("%g", Dimension::Acceleration, -2, true) },
-    Unit { factor: G0_M_S2, ..unit("g/10", Dimension::Acceleration, -1, true) },
-    Unit {
-        factor: G0_M_S2,
-        aliases: &["µg", "μg", "micro-g", "micro·g"],
-        ..unit("ug", Dimension::Acceleration, -6, false)
-    },
-    // An inch is 25.4 mm and a foot 12 inches, exactly (1959).
-    Unit { factor: 0.0254, aliases: &["in/s/s"], ..unit("in/s2", Dimension::Acceleration, 0, true) },
-    Unit { factor: 0.3048, aliases: &["ft/s/s"], ..unit("ft/s2", Dimension::Acceleration, 0, true) },
-    unit("N/mm", Dimension::Stiffness, 3, true),
-    unit("N/m", Dimension::Stiffness, 0, true),
-    unit("kN/m", Dimension::Stiffness, 3, true),
-    unit("kN/mm", Dimension::Stiffness, 6, true),
-    unit("MN/m", Dimension::Stiffness, 6, false),
-    unit("N", Dimension::Force, 0, false),
-    unit("kN", Dimension::Force, 3, true),
-    unit("MN", Dimension::Force, 6, false),
-    unit("N·s/m", Dimension::Damping, 0, true),
-    Unit { aliases: &["N·s/mm"], ..unit("kN·s/m", Dimension::Damping, 3, true) },
-    unit("kPa", Dimension::Pressure, 3, false),
-    unit("Pa", Dimension::Pressure, 0, false),
-    unit("MPa", Dimension::Pressure, 6, false),
-    unit("bar", Dimension::Pressure, 5, true),
-    // A pound is 0.45359237 kg, an inch 25.4 mm, exactly.
-    Unit { factor: 0.453_592_37 * G0_M_S2 / (0.0254 * 0.0254), ..unit("psi", Dimension::Pressure, 0, true) },
-    unit("m2", Dimension::Area, 0, false),
-    unit("cm2", Dimension::Area, -4, false),
-    unit("mm2", Dimension::Area, -6, false),
-    unit("s/m", Dimension::Dissipation, 0, false),
-    unit("s/mm", Dimension::Dissipation, 3, false),
-    unit("Hz", Dimension::Frequency, 0, true),
-    unit("kHz", Dimension::Frequency, 3, true),
-    unit("rad", Dimension::Angle, 0, true),
-    Unit { factor: DEGREE, aliases: &["°"], ..unit("deg", Dimension::Angle, 0, true) },
-    unit("mrad", Dimension::Angle, -3, false),
-    unit("rad/s", Dimension::AngularVelocity, 0, true),
-    Unit { factor: DEGREE, aliases: &["°/s"], ..unit("deg/s", Dimension::AngularVelocity, 0, true) },
-    unit("m/s", Dimension::Velocity, 0, false),
-    unit("mm/s", Dimension::Velocity, -3, false),
-    unit("cm/s", Dimension::Velocity, -2, true),
-    Unit { aliases: &["kgm2"], ..unit("kg·m2", Dimension::Inertia, 0, true) },
-    unit("%", Dimension::Ratio, -2, false),
-];
-
-/// Converts the spellings of a unit to one: `m / s²`, `m s^-2`, `m·s⁻²` → `m/s2`, `kg m^2` and
-/// `kg*m2` → `kg·m2`.
-fn canonical(text: &str) -> String {
-    let plain = text.replace('⁻', "-").replace('²', "2").replace(['⋅', '*'], "·");
-    let spaced = plain.replace('^', "").replace('º', "°");
-    let mut out = spaced.split_whitespace().collect::<Vec<_>>().join(" ");
-    for sign in ["/", "·"] {
-        out = out.split(sign).map(str::trim).collect::<Vec<_>>().join(sign);
-    }
-    out.replace(' ', "·").replace("kg.m2", "kg·m2").replace("·s-2", "/s2").replace(".s-2", "/s2")
-}
-
-/// The unit that is written `text`, of any dimension.
-pub fn lookup(text: &str) -> Option<&'static Unit> {
-    let name = canonical(text);
-    UNITS.iter().find(|unit| {
-        unit.symbol == name
-            || unit.aliases.contains(&name.as_str())
-            || unit.any_case
-                && (unit.symbol.eq_ignore_ascii_case(&name)
-                    || unit.aliases.iter().any(|alias| alias.eq_ignore_ascii_case(&name)))
-    })
-}
-
-/// The unit that is written `text`, which must measure `dimension`.
+/// A quantity such as `"2.3 m"`, `2300mm`, `6'2"`, `11 1/2 in`, `0.35g` or `5 %`, in SI.
 ///
-/// # Errors
-/// An unknown unit, or one that measures something else.
-///
-/// # Example
-/// ```
-/// use freestand_input::quantity::{Dimension, find_unit};
-/// assert_eq!(find_unit("m/s²", Dimension::Acceleration)?.to_si(2.0), 2.0);
-/// assert!(find_unit("kg", Dimension::Acceleration).is_err());
-/// # Ok::<(), freestand_input::problem::Problem>(())
-/// ```
-pub fn find_unit(text: &str, dimension: Dimension) -> Result<&'static Unit, Problem> {
-    let Some(unit) = lookup(text) else { return Err(unknown_unit(text, dimension)) };
-    if unit.dimension == dimension { Ok(unit) } else { Err(wrong_dimension(text, unit, dimension)) }
-}
-
-fn unknown_unit(text: &str, dimension: Dimension) -> Problem {
-    let name = canonical(text);
-    // A capital that changes the meaning is refused; the hint names the unit that was probably
-    // meant.
-    let near = dimension.units().find(|unit| unit.symbol.eq_ignore_ascii_case(&name));
-    let problem = value_problem(format!("\"{}\" is not a unit of {}", shorten(text), dimension.with_article()));
-    match near {
-        Some(unit) => problem.hint(format!("write \"{}\": capital letters matter here", unit.symbol)),
-        None if dimension == Dimension::Ratio => {
-            problem.hint("write a bare number or a percentage, such as 0.05 or 5 %")
-        }
-        None => problem.hint(format!("known: {}", dimension.unit_list())),
-    }
-}
-
-fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
-    let text = shorten(text);
-    let problem =
-        value_problem(format!("\"{text}\" is {}, not {}", unit.dimension.with_article(), expected.with_article()));
-    match expected {
-        // A user who writes "150 g" for a mass means grams.
-        Dimension::Mass if unit.symbol == "g" => problem.hint("g is the acceleration of gravity here; write kg or t"),
-        Dimension::Ratio => problem.hint("write a bare number or a percentage, such as 0.05 or 5 %"),
-        _ => problem.hint(format!("known units: {}", expected.unit_list())),
-    }
-}
-
-/// A quantity such as `"2.3 m"`, `2300mm`, `0.35g` or `5 %`, in SI.
+/// Feet and inches: whole feet without a sign, then less than 12 inches with their mark. A fraction
+/// may follow a whole number after a blank or a hyphen, or be a character (`52½`).
 ///
 /// # Errors
 /// No number, a number without its unit, a unit that is unknown or measures something else, or a
@@ -302,16 +84,19 @@ fn wrong_dimension(text: &str, unit: &Unit, expected: Dimension) -> Problem {
 /// assert_eq!(parse("2300mm", Dimension::Length)?, 2.3);
 /// assert_eq!(parse("4380 N/mm", Dimension::Stiffness)?, 4_380_000.0);
 /// assert_eq!(parse("5 %", Dimension::Ratio)?, 0.05);
+/// assert_eq!(parse("6'2\"", Dimension::Length)?, 1.8796);
+/// assert_eq!(parse("150 lb", Dimension::Mass)?, 68.038_855_5);
 /// let problem = parse("2.3", Dimension::Length).unwrap_err();
 /// assert_eq!(problem.message, "\"2.3\" needs a unit");
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
     let text = text.trim();
-    let number = split_number(text)?;
-    if number.unit.is_empty() {
+    let plain = plain(text);
+    let Split { number, unit } = split(plain.trim(), text)?;
+    if unit.is_empty() {
         return if dimension == Dimension::Ratio {
-            number.scaled(text, 0, 1.0)
+            finite(number.in_unit(None), text)
         } else {
             let text = shorten(text);
             let mut written = dimension.units().take(2).map(|unit| format!("\"{text} {}\"", unit.symbol));
@@ -320,11 +105,11 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
             Err(Problem::value(format!("\"{text}\" needs a unit"), hint))
         };
     }
-    let Some(unit) = lookup(number.unit) else { return Err(unknown_unit(number.unit, dimension)) };
+    let Some(unit) = lookup(&unit) else { return Err(unknown_unit(&unit, dimension)) };
     if unit.dimension != dimension {
         return Err(wrong_dimension(text, unit, dimension));
     }
-    number.scaled(text, unit.decimal_exponent, unit.factor)
+    finite(number.in_unit(Some(unit)), text)
 }
 
 /// A bare number in a place whose key or column header states the unit: `("200", "mm")`, in SI.
@@ -333,12 +118,17 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, Problem> {
 /// Anything but one finite number, or a unit that is unknown or measures something else.
 pub fn parse_in_unit(text: &str, unit: &Unit) -> Result<f64, Problem> {
     let text = text.trim();
-    let number = split_number(text)?;
-    if !number.unit.is_empty() {
+    let plain = plain(text);
+    let found = split(plain.trim(), text)?;
+    if !found.unit.is_empty() {
         return Err(value_problem(format!("\"{}\" is not a number", shorten(text)))
             .hint(format!("the unit is already stated ({}): write only the number", unit.symbol)));
     }
-    number.scaled(text, unit.decimal_exponent, unit.factor)
+    finite(found.number.in_unit(Some(unit)), text)
+}
+
+fn finite(value: Option<f64>, text: &str) -> Result<f64, Problem> {
+    value.ok_or_else(|| value_problem(format!("\"{}\" is too large for a number", shorten(text))))
 }
 
 /// As [`parse`], and positive; `name` is what the message calls it ("the height").
@@ -493,82 +283,6 @@ pub fn format_si(value_si: f64, dimension: Dimension) -> String {
     };
     let value = lookup(symbol).map_or(value_si, |unit| unit.from_si(value_si));
     format!("{} {}", number(value, 6), symbol.replace("m2", "m²"))
-}
-
-/// The parts of a number, and the text that follows it.
-struct Number<'a> {
-    /// Sign, digits and point, without exponent.
-    mantissa: String,
-    exponent: i32,
-    unit: &'a str,
-}
-
-impl Number<'_> {
-    /// The value times `10^decimal_exponent · factor`. The power of ten is applied before the
-    /// digits become binary.
-    fn scaled(&self, text: &str, decimal_exponent: i32, factor: f64) -> Result<f64, Problem> {
-        let exponent = self.exponent.saturating_add(decimal_exponent);
-        match format!("{}e{exponent}", self.mantissa).parse::<f64>() {
-            Ok(value) if (value * factor).is_finite() => Ok(value * factor),
-            _ => Err(value_problem(format!("\"{}\" is too large for a number", shorten(text)))),
-        }
-    }
-}
-
-fn split_number(text: &str) -> Result<Number<'_>, Problem> {
-    let not_a_number = || {
-        if text.is_empty() {
-            value_problem("a quantity is missing")
-        } else {
-            value_problem(format!("\"{}\" is not a quantity", shorten(text)))
-        }
-        .hint("write a number and its unit, such as \"2.3 m\"")
-    };
-    let (negative, unsigned) = match text.strip_prefix(['-', '\u{2212}']) {
-        Some(rest) => (true, rest),
-        None => (false, text.strip_prefix('+').unwrap_or(text)),
-    };
-    let digits = |s: &str| s.bytes().take_while(u8::is_ascii_digit).count();
-    let whole = digits(unsigned);
-    let mut end = whole;
-    if unsigned[end..].starts_with('.') {
-        let fraction = digits(&unsigned[end + 1..]);
-        if whole + fraction == 0 {
-            return Err(not_a_number());
-        }
-        end += 1 + fraction;
-    } else if whole == 0 {
-        return Err(not_a_number());
-    }
-    let mut mantissa = String::with_capacity(end + 1);
-    if negative {
-        mantissa.push('-');
-    }
-    mantissa.push_str(&unsigned[..end]);
-
-    // An e that no digits follow is the beginning of a (wrong) unit.
-    let mut rest = &unsigned[end..];
-    let mut exponent = 0;
-    if let Some(after) = rest.strip_prefix(['e', 'E']) {
-        let sign = usize::from(after.starts_with(['+', '-']));
-        let length = digits(&after[sign..]);
-        if length > 0 {
-            // Beyond i32 the value is 0 or infinite anyway; saturate and let the parser say which.
-            let saturated = if after.starts_with('-') { i32::MIN / 2 } else { i32::MAX / 2 };
-            exponent = after[..sign + length].parse().unwrap_or(saturated);
-            rest = &after[sign + length..];
-        }
-    }
-    let unit = rest.trim();
-    match unit.chars().next() {
-        Some(',') => Err(value_problem(format!("\"{}\" has a comma in the number", shorten(text)))
-            .hint("write the decimal sign as a point: \"2.3 m\"")),
-        Some(c) if c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '_' | '\'') => {
-            Err(value_problem(format!("\"{}\" is more than one number", shorten(text)))
-                .hint("write the digits without separators and the unit once, such as \"2300 mm\""))
-        }
-        _ => Ok(Number { mantissa, exponent, unit }),
-    }
 }
 
 fn value_problem(message: impl Into<String>) -> Problem {

@@ -81,7 +81,9 @@ fn leading_unit(text: &str) -> Option<&'static Unit> {
     let (first, second) = (words.next()?, words.next().unwrap_or(""));
     // "m s^-2" is two words.
     let is_power = second.starts_with(['s', 'S']) && (second.ends_with("-2") || second.ends_with("⁻²"));
-    if is_power { record_unit(&format!("{first} {second}")) } else { record_unit(first) }
+    // In prose, "in" is a preposition before it is an inch.
+    let unit = if is_power { record_unit(&format!("{first} {second}")) } else { record_unit(first) };
+    unit.filter(|_| !first.trim_end_matches(':').eq_ignore_ascii_case("in"))
 }
 
 /// A problem if the first of `lines` that seems to state a unit states an unknown one: `a [kN]`,

@@ -5,6 +5,7 @@ mod words;
 use std::path::{Path, PathBuf};
 
 use freestand::building::{Building, BuildingError, Damping, ModalDoubt, Mode, ModeQuantity, Model};
+use freestand::code_spectrum::PeriodCode;
 
 use freestand_input::file::InputFile;
 use freestand_input::problem::Problem;
@@ -17,7 +18,7 @@ pub use words::resolve;
 
 /// Default number of storeys.
 pub const DEFAULT_STOREYS: u32 = 30;
-/// Default storey height \[m\].
+/// Default storey height; also the one with which a height alone becomes storeys \[m\].
 pub const DEFAULT_STOREY_HEIGHT_M: f64 = 3.2;
 /// Default α₀ of the shear-flexure beam: a frame combined with walls.
 pub const DEFAULT_SHEAR_FLEXURE_RATIO: f64 = 5.0;
@@ -97,6 +98,8 @@ pub struct BuildingInput {
     pub across: Option<Building>,
     /// The source of the period, in words for the report.
     pub period_note: String,
+    /// The code whose formula gave a period, if one did.
+    pub period_code: Option<PeriodCode>,
     /// The same for the second axis, if it has its own.
     pub across_note: Option<String>,
     /// The tables that it was read from; `true` for a table of the second axis.

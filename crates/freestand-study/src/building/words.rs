@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use freestand::building::{Damping, MAX_MODES};
-use freestand::code_spectrum::{FrameKind, fundamental_period_s};
+use freestand::code_spectrum::{FrameKind, PeriodCode};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si, shorten};
@@ -29,8 +29,9 @@ const AXIS_KEYS: [[&str; 2]; 8] = [
     ["rayleigh_modes", "across_rayleigh_modes"],
 ];
 
-/// Keys that a table replaces; the last two are not keys of an axis.
-const REPLACED_BY_TABLES: [&str; 5] = ["period", "frame", "shear_flexure", "storeys", "storey_height"];
+/// Keys that a table replaces; the last four are not keys of an axis.
+const REPLACED_BY_TABLES: [&str; 7] =
+    ["period", "frame", "shear_flexure", "storeys", "storey_height", "height", "period_code"];
 
 /// The name of a key for the first axis (0) or the second (1).
 pub(crate) fn axis_key(key: &'static str, axis: usize) -> &'static str {
@@ -39,19 +40,21 @@ pub(crate) fn axis_key(key: &'static str, axis: usize) -> &'static str {
 
 /// The building that words describe; paths are relative to `base_dir`. Keys of the second axis begin
 /// with `across_`; any of them, or `across` itself, gives the building a second axis. What is not
-/// stated for that axis is as along the first.
+/// stated for that axis is as along the first. `code` is the code of the study's spectrum: its
+/// formula gives the period where none is stated and the words name no other code.
 ///
 /// # Errors
 /// Everything that is wrong with the values and the tables, each problem with its keys.
-pub fn resolve(words: &Words, base_dir: &Path) -> Result<BuildingInput, Problems> {
+pub fn resolve(words: &Words, base_dir: &Path, code: Option<PeriodCode>) -> Result<BuildingInput, Problems> {
     let mut reader = WordReader::new(words);
-    let building = building(&mut reader, base_dir);
+    let building = building(&mut reader, base_dir, code);
     reader.problems.finish(building)
 }
 
-fn building(reader: &mut WordReader, base_dir: &Path) -> Option<BuildingInput> {
-    let storeys = whole(reader, "storeys", MAX_STOREYS).unwrap_or(DEFAULT_STOREYS);
-    let storey_height_m = reader.positive("storey_height", Dimension::Length).unwrap_or(DEFAULT_STOREY_HEIGHT_M);
+fn building(reader: &mut WordReader, base_dir: &Path, code: Option<PeriodCode>) -> Option<BuildingInput> {
+    let Storeys { count: storeys, each_m: storey_height_m, height_m: stated_m } = storeys(reader);
+    let named = reader.one_of("period_code", &PeriodCode::ALL.map(|code| (code.name(), code)));
+    let code = named.or(code).unwrap_or_default();
     let along = AxisWords::read(reader, 0, base_dir);
     let has_across = reader.words.entries().any(|(key, _)| key.starts_with("across"));
     let across = has_across.then(|| AxisWords::read(reader, 1, base_dir).inheriting(&along));
@@ -59,13 +62,17 @@ fn building(reader: &mut WordReader, base_dir: &Path) -> Option<BuildingInput> {
         // Values that were refused above would be refused again.
         return None;
     }
-    let (mut storeys, mut height_m) = (storeys as usize, f64::from(storeys) * storey_height_m);
-    let first = along.resolve(reader, 0, height_m);
+    // A height that is stated stays exact.
+    let mut height_m = stated_m.unwrap_or(f64::from(storeys) * storey_height_m);
+    let mut storeys = storeys as usize;
+    let has_formula = |axis: &AxisWords| axis.table.is_none() && axis.period_s.is_none();
+    let has_formula = has_formula(&along) || across.as_ref().is_some_and(has_formula);
+    let first = along.resolve(reader, 0, height_m, code);
     if let Some((Axis { height_m: Some(stated_m), building, .. }, _)) = &first {
         (storeys, height_m) = (building.floors_ratio().len(), *stated_m);
     }
     // Resolved even if the first is wrong, so that the problems of both are reported at once.
-    let second = across.map(|across| across.resolve(reader, 1, height_m));
+    let second = across.map(|across| across.resolve(reader, 1, height_m, code));
     let states_damping = |axis: Option<&(Axis, String)>| {
         axis.is_some_and(|(axis, _)| axis.table.as_ref().is_some_and(|table| table.states_damping))
     };
@@ -96,6 +103,16 @@ fn building(reader: &mut WordReader, base_dir: &Path) -> Option<BuildingInput> {
     }
     let mut tables = Vec::from_iter(first.table.map(|table| (false, table)));
     let mut warnings = first.warnings;
+    if let Some(greatest_m) = code.greatest_height_m().filter(|greatest_m| has_formula && height_m > *greatest_m) {
+        let [height, greatest] = [height_m, greatest_m].map(|height_m| format_si(height_m, Dimension::Length));
+        warnings.push(format!(
+            "the period is by {}, which is for buildings up to {greatest}; this one is {height} high: give its period",
+            code.clause()
+        ));
+    }
+    if code == PeriodCode::Nzs1170_5 && has_formula {
+        warnings.push(format!("the formula of {} for the period is recalled: confirm it", code.clause()));
+    }
     if let Some(axis) = &second {
         // A table that the second axis inherits is listed once, with the first.
         let own = axis.table.clone().filter(|table| reader.has(axis_key(table.key, 1)));
@@ -109,6 +126,7 @@ fn building(reader: &mut WordReader, base_dir: &Path) -> Option<BuildingInput> {
         along: first.building,
         across: second.map(|axis| axis.building),
         period_note,
+        period_code: has_formula.then_some(code),
         across_note,
         tables,
         warnings,
@@ -177,7 +195,7 @@ impl AxisWords {
     }
 
     /// The axis, and the source of its period.
-    fn resolve(self, reader: &mut WordReader, axis: usize, height_m: f64) -> Option<(Axis, String)> {
+    fn resolve(self, reader: &mut WordReader, axis: usize, height_m: f64, code: PeriodCode) -> Option<(Axis, String)> {
         let (model, name, note) = match (self.table, self.period_s) {
             (Some(table @ AxisModel::StoreyTable(_)), _) => {
                 (table, "storey_table", "from the storeys of the table".to_owned())
@@ -185,14 +203,18 @@ impl AxisWords {
             (Some(table), _) => (table, "mode_table", "from the table".to_owned()),
             (None, given) => {
                 let kind = self.frame.unwrap_or(FrameKind::Other);
-                let (kt, frame, height) = (kind.period_factor(), kind.name(), format_si(height_m, Dimension::Length));
+                let (formula, height) = (code.formula(kind), format_si(height_m, Dimension::Length));
                 let by_code = || {
-                    fundamental_period_s(kind, height_m)
+                    formula
+                        .period_s(height_m)
                         .map_err(|error| Problem::value(error.to_string(), "give `period`, or another height"))
                 };
                 let period_s = given.or_else(|| reader.keep("storey_height", by_code()))?;
                 let note = given.map_or_else(
-                    || format!("AS 1170.4, 1.25 kt h^0.75 with kt = {kt} (frame \"{frame}\") and h = {height}"),
+                    || {
+                        let (clause, words, frame) = (code.clause(), formula.words(), kind.name());
+                        format!("{clause}: T = {words} with H = {height} (frame \"{frame}\")")
+                    },
                     |_| "as given".to_owned(),
                 );
                 let shear_flexure_ratio = self.shear_flexure_ratio.unwrap_or(DEFAULT_SHEAR_FLEXURE_RATIO);
@@ -211,6 +233,30 @@ impl AxisWords {
         let found = reader.problems.keep(found.map_err(|problem| problem.of(&[key])))?;
         Some((found, note))
     }
+}
+
+/// The storeys of a building without a table.
+struct Storeys {
+    count: u32,
+    each_m: f64,
+    /// The height of the building, if it was stated.
+    height_m: Option<f64>,
+}
+
+/// Number and height of the storeys: as given, or from the height of the building.
+fn storeys(reader: &mut WordReader) -> Storeys {
+    let count = whole(reader, "storeys", MAX_STOREYS);
+    let each_m = reader.positive("storey_height", Dimension::Length);
+    let Some(height_m) = reader.positive("height", Dimension::Length) else {
+        let count = count.unwrap_or(DEFAULT_STOREYS);
+        return Storeys { count, each_m: each_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M), height_m: None };
+    };
+    if count.is_some() {
+        reader.exclusive("height", "storey_height");
+    }
+    let by_height = || (height_m / each_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M)).round();
+    let count = count.unwrap_or_else(|| by_height().clamp(1.0, f64::from(MAX_STOREYS)) as u32);
+    Storeys { count, each_m: height_m / f64::from(count), height_m: Some(height_m) }
 }
 
 /// A whole number from 1 to `most`.

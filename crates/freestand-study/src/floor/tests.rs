@@ -14,6 +14,7 @@ fn request(along: Building, across: Option<Building>) -> FloorRequest {
         along,
         across,
         period_note: String::new(),
+        period_code: None,
         across_note: None,
         tables: Vec::new(),
         warnings: Vec::new(),

@@ -27,7 +27,12 @@ pub(crate) struct LevelOptions {
     pub(crate) across: Option<Written<Vec<Written<String>>>>,
 }
 
-const STOREY_KEYS: [(&str, Kind); 2] = [("storeys", Count), ("storey_height", Quantity(Dimension::Length))];
+const STOREY_KEYS: [(&str, Kind); 4] = [
+    ("storeys", Count),
+    ("storey_height", Quantity(Dimension::Length)),
+    ("height", Quantity(Dimension::Length)),
+    ("period_code", Name),
+];
 
 const AXIS_KEYS: [(&str, Kind); 8] = [
     ("frame", Name),

@@ -3,9 +3,10 @@
 use super::Kind::{self, Name, Number, Quantity};
 use freestand_input::quantity::Dimension;
 
-pub(crate) const TARGET_KEYS: [(&str, Kind); 22] = [
+pub(crate) const TARGET_KEYS: [(&str, Kind); 23] = [
     ("code", Name),
     ("site", Name),
+    ("place", Name),
     ("city", Name),
     ("spectrum", Name),
     ("interpolation", Name),

@@ -2,6 +2,8 @@
 
 use std::collections::HashSet;
 
+use freestand::code_spectrum::PeriodCode;
+
 use super::{MAX_LEVELS, Resolver};
 use crate::building::{self, BuildingInput};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
@@ -13,9 +15,9 @@ use freestand_input::toml_reader::Written;
 const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
 
 impl Resolver<'_> {
-    /// Its warnings are still with it.
-    pub(super) fn building(&mut self, words: &Words) -> Option<BuildingInput> {
-        match building::resolve(words, self.base_dir) {
+    /// Its warnings are still with it; `code` is that of the spectrum.
+    pub(super) fn building(&mut self, words: &Words, code: Option<PeriodCode>) -> Option<BuildingInput> {
+        match building::resolve(words, self.base_dir, code) {
             Ok(building) => Some(building),
             Err(problems) => {
                 for mut problem in problems {

@@ -5,6 +5,7 @@ mod assessment;
 mod building;
 mod cushion;
 mod ground;
+mod hazard;
 mod objects;
 mod outputs;
 mod recorded;
@@ -16,8 +17,9 @@ use std::path::{Path, PathBuf};
 use crate::options::{self, Options};
 use crate::recorded::MotionFiles;
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
+use crate::target::period_code;
 use freestand_input::file::load_up_to;
-use freestand_input::keys::KeyStyle;
+use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::toml_reader::Written;
@@ -36,6 +38,10 @@ pub const MAX_LEVELS: usize = 100;
 pub struct Overrides {
     /// Seed of the synthetic motions.
     pub seed: Option<u64>,
+    /// Keys of `[ground]` that describe the hazard: `place`, `site`, `return_period_years`. A place
+    /// replaces the study's code with everything that belongs to it; its return period stays, and its
+    /// site where the code is the same.
+    pub hazard: Words,
     /// Files that replace the study's ground motions, which are then not read.
     pub motions: Option<MotionFiles>,
     /// Step between the directions in which objects are tried, for motions with two components
@@ -112,7 +118,8 @@ pub fn resolve_with(
     let (options, problems) = options::parse(text, source);
     let is_complete = problems.is_empty();
     let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete, reading: None };
-    let Options { ground, building, objects, outputs, assessment, worlds, restraint } = options;
+    let Options { mut ground, building, objects, outputs, assessment, worlds, restraint } = options;
+    let text = resolver.with_hazard(&mut ground, text, overrides);
     if has_measured_floors(&building)
         || ((ground.motions.is_some() || ground.suite.is_some()) && overrides.motions.is_none())
     {
@@ -124,7 +131,7 @@ pub fn resolve_with(
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
     } else {
-        let building = resolver.building(&building.words);
+        let building = resolver.building(&building.words, period_code(&ground.target));
         let ground = resolver.ground(&ground, overrides, building.as_ref(), &levels);
         resolver.warnings.extend(building.iter().flat_map(|building| building.warnings.clone()));
         (ground, building.map(Some))
@@ -143,7 +150,7 @@ pub fn resolve_with(
     match (ground_input, building_input, objects) {
         (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => Ok(Study {
             source: source.map(Path::to_path_buf),
-            toml: text.to_owned(),
+            toml: text,
             ground,
             directions_deg,
             building,

@@ -44,7 +44,7 @@ shear_flexure = -1\nmodes = 51\n\
     );
     let expected = [
         "s.toml:3: edition must be 2007 (with Amendments 1 and 2) or 2024 (not confirmed), not 1993",
-        "s.toml:4: city \"Melborne\" is not in AS 1170.4",
+        "s.toml:4: city \"Melborne\" is not in the table of places",
         "s.toml:5: site \"X\" is not a class of AS 1170.4",
         "s.toml:6: count must be a whole number from 1 to 1000, not 0",
         "s.toml:8: storeys must be a whole number from 1 to 500, not 0",
@@ -105,7 +105,7 @@ fn what_the_reader_must_know_is_a_warning() {
     let hobart = study("[ground]\ncity = \"hobart\"\n");
     assert!(hobart.warnings[0].contains("minimum kpZ of 0.08"), "{:?}", hobart.warnings);
     let Ground::Synthetic(ground) = hobart.ground else { panic!() };
-    assert_eq!((ground.target.city.as_deref(), ground.target.kpz_g()), (Some("Hobart"), Some(0.08)));
+    assert_eq!((ground.target.place_name().as_deref(), ground.target.kpz_g()), (Some("Hobart"), Some(0.08)));
     let squat = study("[objects]\nheights = \"0.3 m\"\n");
     assert!(squat.warnings[0].starts_with("2 of 5 objects are squat"), "{:?}", squat.warnings);
     assert_eq!(study("[objects]\nstiffness = \"4380 N/m\"\n").warnings.len(), 2);
@@ -187,7 +187,7 @@ fn recorded_motions_are_named_and_fingerprinted() {
         second: crate::recorded::Second::None,
         processing: Processing::default(),
     };
-    let study = builtin(&Overrides { seed: Some(7), motions: Some(files), rotation_step_deg: None }).unwrap();
+    let study = builtin(&Overrides { seed: Some(7), motions: Some(files), ..Overrides::default() }).unwrap();
     assert!(matches!(study.ground, Ground::Recorded(motions) if motions.len() == 1));
 }
 
@@ -529,4 +529,64 @@ fn a_measured_period_is_drawn_with_less_spread() {
     let measured = "[building]\nperiod_measured = true\n";
     let found = [spread(""), spread(measured), spread(&format!("{measured}[worlds]\nperiod_spread = 0.1\n"))];
     assert_eq!(found, [0.2, 0.05, 0.1]);
+}
+
+#[test]
+fn a_place_in_place_of_the_hazard_of_a_study() {
+    let hazard =
+        |pairs: &[(&'static str, &str)]| Overrides { hazard: pairs.iter().copied().collect(), ..Overrides::default() };
+    let target = |study: &Study| match &study.ground {
+        Ground::Synthetic(ground) => ground.target.parameters(),
+        _ => panic!(),
+    };
+    let cases: [(&[(&str, &str)], &str); 4] = [
+        (&[("place", "Wellington")], "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g"),
+        (&[("place", "Perth")], "site De, Z = 0.09 (Perth), 500 years, kpZ = 0.09 g"),
+        (&[("site", "Be")], "site Be, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g"),
+        (
+            &[("place", "Napier"), ("site", "D"), ("return_period_years", "1000")],
+            "site D, Z = 0.38 (Napier), 1000 years, Z R = 0.494 g",
+        ),
+    ];
+    for (pairs, line) in cases {
+        let study = builtin(&hazard(pairs)).unwrap();
+        assert_eq!(target(&study), line);
+        // The study that the run leaves behind gives the same ground and the same building.
+        let again = resolve(&study.toml, None, "".as_ref()).unwrap();
+        assert_eq!((&again.ground, &again.building), (&study.ground, &study.building), "{}", study.toml);
+    }
+    // The formula of New Zealand is Australia's; that of the United States is not.
+    let period = |place: &str| builtin(&hazard(&[("place", place)])).unwrap().building.unwrap().along.period_s();
+    assert_eq!(period("Wellington"), period("Melbourne"));
+    // 0.0488 · 96^0.75, to its last digit.
+    assert!((period("Reno") - 1.4967).abs() < 5e-5, "{}", period("Reno"));
+    let got = builtin(&hazard(&[("place", "Renno")])).unwrap_err();
+    assert!(got.problems[0].message.contains("is not in the table of places"));
+    let text = "[ground]\nmotions = [\"a.csv\"]\n";
+    let got = resolve_with(text, None, "".as_ref(), &hazard(&[("place", "Reno")])).unwrap_err();
+    assert!(got.problems.iter().any(|one| one.message.contains("the ground motions are records")), "{got}");
+}
+
+#[test]
+fn periods_by_the_code_and_the_height() {
+    let building = |text: &str| study(text).building.unwrap();
+    let tower = building("[building]\nstoreys = 12\nheight = \"40 m\"\nframe = \"concrete-moment\"\n");
+    assert_eq!((tower.storeys, tower.height_m), (12, 40.0));
+    assert_eq!(
+        tower.period_note,
+        "AS 1170.4, 6.2.3: T = 1.25 × 0.075 H^0.75 with H = 40 m (frame \"concrete-moment\")"
+    );
+    // 131 ft 3 in is 40.005 m: 12.5 storeys of 3.2 m.
+    assert_eq!(building("[building]\nheight = \"131' 3\\\"\"\n").storeys, 13);
+    let athens = building("[ground]\nplace = \"Athens\"\n[building]\nstoreys = 5\nstorey_height = \"3.2 m\"\n");
+    // 0.05 · 16^0.75 = 0.4, to the rounding of the power.
+    assert!((athens.along.period_s() - 0.4).abs() < 1e-14 && athens.warnings.is_empty());
+    let high = building("[ground]\nplace = \"Athens\"\n");
+    assert!(high.warnings[0].contains("buildings up to 40 m"), "{:?}", high.warnings);
+    let stated = building("[ground]\nplace = \"Athens\"\n[building]\nperiod = \"2 s\"\n");
+    assert!(stated.warnings.is_empty() && stated.period_code.is_none());
+    let other = building("[building]\nperiod_code = \"asce7\"\nheight = \"30 m\"\nframe = \"steel-moment\"\n");
+    assert!((other.along.period_s() - 1.100).abs() < 5e-4);
+    assert!(problems("[building]\nperiod_code = \"ibc\"\n")[0].contains("is not known"));
+    assert!(problems("[building]\nstoreys = 3\nstorey_height = \"3 m\"\nheight = \"9 m\"\n")[0].contains("exclude"));
 }

@@ -266,10 +266,11 @@ fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
 /// The rock spectrum of a city, by AS 1170.4, with its warnings.
 ///
 /// # Errors
-/// A city or a return period that the code does not have.
+/// A place outside Australia or not in the table, or a return period that the code does not have.
 pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problems> {
     let years = return_period_years.to_string();
-    let words = [("city", city), ("return_period_years", years.as_str()), ("site", SiteClass::Be.name())];
+    let code = ("code", "as1170.4");
+    let words = [code, ("place", city), ("return_period_years", years.as_str()), ("site", SiteClass::Be.name())];
     Target::resolve(&words.into_iter().collect(), Path::new(""))
 }
 

@@ -2,25 +2,58 @@
 
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{
-    As1170_4, Asce7, Asce7Edition, CodeSpectrum, CodeSpectrumError, Edition, Eurocode8, GroundType, Nzs1170_5,
-    SiteClass, SpectrumShape, SpectrumType, SubsoilClass, hazard_factor, hazard_factor_places, minimum_kpz,
-    probability_factor, return_period_factor,
+    As1170_4, Asce7, Asce7Edition, Asce7Site, CodeSpectrum, CodeSpectrumError, Edition, Eurocode8, GroundType,
+    Nzs1170_5, SiteClass, SpectrumShape, SpectrumType, SubsoilClass, minimum_kpz, probability_factor,
+    return_period_factor, site_coefficients,
 };
 
 use super::Target;
-use super::words::{Code, missing, needed};
+use super::words::{Code, missing, needed, place_key};
+use crate::places::{Confidence, Place, PlaceHazard};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
-use freestand_input::words::{nearest, number};
+use freestand_input::words::number;
 
 /// Default return period \[years\].
 pub const DEFAULT_YEARS: u32 = 500;
 const DEFAULT_SITE: SiteClass = SiteClass::De;
 const DEFAULT_CITY: &str = "Melbourne";
+/// The subsoil class of NZS 1170.5, where a place gives the hazard.
+const DEFAULT_SUBSOIL: SubsoilClass = SubsoilClass::C;
+/// The ground type of Eurocode 8, where a place gives the hazard.
+const DEFAULT_GROUND: GroundType = GroundType::B;
+/// The site class of ASCE 7, where a place gives the hazard.
+const DEFAULT_ASCE7_SITE: Asce7Site = Asce7Site::D;
+/// The long-period transition of ASCE 7, where a place gives the hazard \[s\]: 4 to 16 s on the maps,
+/// 8 s in most of California and much of the west.
+const DEFAULT_LONG_PERIOD_S: f64 = 8.0;
 
 /// A fact of a report.
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {
     (name.to_owned(), value.into())
+}
+
+/// A target with the place that gave its hazard, what is said about it first.
+fn at(place: Option<&'static Place>, mut target: Target) -> Target {
+    let Some(place) = place else { return target };
+    let source = match place.confidence {
+        Confidence::Read => place.source.to_owned(),
+        Confidence::Approximate => format!("{}: approximate, confirm it", place.source),
+    };
+    let facts = [fact("Place", place.name), fact("Hazard from", source)];
+    // The first fact is the code.
+    target.facts.splice(1..1, facts);
+    target.warnings.extend(place.doubt());
+    target.place = Some(place);
+    target
+}
+
+/// Notes keys that state the hazard although the place does.
+fn refuse_beside_place(reader: &mut WordReader, keys: &[&'static str]) {
+    let Some(place) = place_key(reader) else { return };
+    for key in keys.iter().filter(|key| reader.has(key)).copied().collect::<Vec<_>>() {
+        reader.note(&[place, key], format!("`{place}` and `{key}` exclude each other"), "keep one of them");
+    }
 }
 
 /// A target without a file.
@@ -29,17 +62,24 @@ fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
     all.extend(facts);
     let warnings: Vec<String> = spectrum.doubt().into_iter().map(str::to_owned).collect();
     all.extend(warnings.iter().map(|doubt| fact("Not confirmed", doubt.as_str())));
-    Target { spectrum, city: None, facts: all, file: None, table_csv: None, warnings }
+    Target { spectrum, place: None, facts: all, file: None, table_csv: None, warnings }
 }
 
 fn in_g(value_g: f64) -> String {
     format!("{} g", number(value_g, 4))
 }
 
-pub(super) fn as1170_4(reader: &mut WordReader) -> Option<Target> {
+pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
     let editions = [("2007", Edition::As1170_4Ed2007Amd2), ("2024", Edition::As1170_4Ed2024Unconfirmed)];
     let edition = edition(reader, &editions, "2007 (with Amendments 1 and 2) or 2024 (not confirmed)");
-    let (hazard, city) = hazard_of_a_place(reader);
+    refuse_beside_place(reader, &["hazard_factor"]);
+    let given = reader.positive("hazard_factor", Dimension::Ratio);
+    // Melbourne where nothing is stated.
+    let place = place.or_else(|| if reader.has("hazard_factor") { None } else { Place::find(DEFAULT_CITY) });
+    let hazard = match place.map(|place| place.hazard) {
+        Some(PlaceHazard::As1170_4 { hazard_factor }) => Some(hazard_factor),
+        _ => given,
+    };
     let site = match reader.words.get("site") {
         None => Some(DEFAULT_SITE),
         Some(text) => {
@@ -51,14 +91,13 @@ pub(super) fn as1170_4(reader: &mut WordReader) -> Option<Target> {
         return_period(reader, |years| probability_factor(years).map(|_| ()), "see Tables 3.1 and 3.2 of AS 1170.4");
     let code = As1170_4::new(edition?, site?, hazard?, years?).ok()?;
     let minimum = if code.minimum_governs() { " (the code’s minimum governs)" } else { "" };
-    let mut facts: Vec<(String, String)> = city.iter().map(|city| fact("Place", city.as_str())).collect();
-    facts.extend([
+    let facts = vec![
         fact("Site class", format!("{}: {}", code.site().name(), code.site().description())),
         fact("Hazard design factor Z", number(code.hazard_factor(), 4)),
         fact("Return period", format!("{} years", code.return_period_years())),
         fact("kp·Z", format!("{}{minimum}", in_g(code.kpz_g()))),
-    ]);
-    let mut target = Target { city, ..target(code.into(), facts) };
+    ];
+    let mut target = at(place, target(code.into(), facts));
     if let Some(least) = minimum_kpz(code.return_period_years()).filter(|_| code.minimum_governs()) {
         target.warnings.push(format!(
             "the code's minimum kpZ of {least} for {} years governs: Z = {} would give less",
@@ -67,34 +106,6 @@ pub(super) fn as1170_4(reader: &mut WordReader) -> Option<Target> {
         ));
     }
     Some(target)
-}
-
-/// Z as given, or of a city of the code's table; by default Melbourne.
-fn hazard_of_a_place(reader: &mut WordReader) -> (Option<f64>, Option<String>) {
-    let words = reader.words;
-    let given = reader.positive("hazard_factor", Dimension::Ratio);
-    match (words.get("hazard_factor"), words.get("city")) {
-        (Some(_), Some(_)) => {
-            let message = "`city` and `hazard_factor` exclude each other";
-            reader.note(&["city", "hazard_factor"], message, "keep one of them");
-            (given, None)
-        }
-        (Some(_), None) => (given, None),
-        (None, None) => (hazard_factor(DEFAULT_CITY), Some(DEFAULT_CITY.to_owned())),
-        (None, Some(city)) => {
-            let places: Vec<&str> = hazard_factor_places().collect();
-            let place = places.iter().find(|place| place.eq_ignore_ascii_case(city.trim()));
-            if place.is_none() {
-                let hint = match nearest(city, &places) {
-                    Some(near) => format!("did you mean \"{near}\"?"),
-                    None => "give `hazard_factor` instead; the code's table has Melbourne, Sydney, Adelaide, Perth, …"
-                        .to_owned(),
-                };
-                reader.note(&["city"], format!("`city` \"{}\" is not in AS 1170.4", shorten(city)), hint);
-            }
-            (hazard_factor(city), place.map(|&place| place.to_owned()))
-        }
-    }
 }
 
 /// An edition by its year, with two or four digits.
@@ -121,6 +132,7 @@ fn site_class<T>(
         let what = match code {
             Code::Eurocode8 => "a ground type of Eurocode 8",
             Code::Nzs1170_5 => "a class of NZS 1170.5",
+            Code::Asce7 => "a class of ASCE 7",
             _ => "a class of AS 1170.4",
         };
         reader.note(&["site"], format!("`site` \"{}\" is not {what}", shorten(text)), hint);
@@ -156,19 +168,27 @@ fn made<T>(reader: &mut WordReader, keys: &[&'static str], result: Result<T, Cod
         .ok()
 }
 
-pub(super) fn eurocode8(reader: &mut WordReader) -> Option<Target> {
+pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
     const CODE: Code = Code::Eurocode8;
     edition(reader, &[("2004", ())], "2004 (EN 1998-1:2004)");
-    let acceleration = needed(reader, "ground_acceleration", Dimension::Acceleration, CODE, "0.15 g");
+    refuse_beside_place(reader, &["ground_acceleration"]);
+    let acceleration_g = match place.map(|place| place.hazard) {
+        Some(PlaceHazard::Eurocode8 { ground_acceleration_g }) => Some(ground_acceleration_g),
+        _ => needed(reader, "ground_acceleration", Dimension::Acceleration, CODE, "0.15 g").map(|a| a / G0_M_S2),
+    };
     let importance = match reader.has("importance_factor") {
         false => Some(1.0),
         true => reader.positive("importance_factor", Dimension::Ratio),
     };
-    if !reader.has("spectrum_type") {
-        missing(reader, "spectrum_type", CODE, "1");
-    }
     let types = [("1", SpectrumType::Type1), ("2", SpectrumType::Type2)];
-    let spectrum_type = reader.one_of("spectrum_type", &types);
+    let spectrum_type = match (reader.has("spectrum_type"), place) {
+        (false, Some(_)) => Some(SpectrumType::Type1),
+        (false, None) => {
+            missing(reader, "spectrum_type", CODE, "1");
+            None
+        }
+        (true, _) => reader.one_of("spectrum_type", &types),
+    };
     let soil_factor = reader.positive("soil_factor", Dimension::Ratio);
     let corners = eurocode8_corners(reader);
     let is_complete = ["soil_factor", "corner_periods"].iter().all(|key| reader.has(key));
@@ -178,10 +198,10 @@ pub(super) fn eurocode8(reader: &mut WordReader) -> Option<Target> {
                 "A rock, B very dense or very stiff, C dense or stiff, D loose or soft, E a layer of C or D over rock";
             site_class(reader, text, GroundType::parse, CODE, hint)
         }
+        None if is_complete => None,
+        None if place.is_some() => Some(DEFAULT_GROUND),
         None => {
-            if !is_complete {
-                missing(reader, "site", CODE, "B");
-            }
+            missing(reader, "site", CODE, "B");
             None
         }
     };
@@ -190,21 +210,22 @@ pub(super) fn eurocode8(reader: &mut WordReader) -> Option<Target> {
     }
     let recommended = ground.zip(spectrum_type).map(|(ground, kind)| SpectrumShape::recommended(kind, ground));
     let shape = eurocode8_shape(recommended, soil_factor, corners)?;
-    let result = Eurocode8::with_shape(spectrum_type?, ground, acceleration? / G0_M_S2, importance?, shape);
+    let result = Eurocode8::with_shape(spectrum_type?, ground, acceleration_g?, importance?, shape);
     let code = made(reader, &["ground_acceleration", "soil_factor", "corner_periods"], result)?;
     let given = |is_given: bool| if is_given { "as given" } else { "recommended" };
+    let assumed = |key: &str| if reader.has(key) { "" } else { ", assumed" };
     let ground_words =
         ground.map_or_else(|| "not given".to_owned(), |ground| format!("{}: {}", ground.name(), ground.description()));
     let [tb_s, tc_s, td_s] = code.corner_periods_s().map(|period_s| number(period_s, 4));
     let facts = vec![
-        fact("Type of spectrum", code.spectrum_type().number().to_string()),
-        fact("Ground type", ground_words),
+        fact("Type of spectrum", format!("{}{}", code.spectrum_type().number(), assumed("spectrum_type"))),
+        fact("Ground type", if ground.is_some() { ground_words + assumed("site") } else { ground_words }),
         fact("Reference ground acceleration a_gR", in_g(code.reference_acceleration_g())),
         fact("Importance factor γ_I", number(code.importance_factor_ratio(), 4)),
         fact("Soil factor S", format!("{}, {}", number(shape.soil_factor_ratio, 4), given(soil_factor.is_some()))),
         fact("TB, TC, TD", format!("{tb_s} s, {tc_s} s, {td_s} s, {}", given(corners.is_some()))),
     ];
-    let mut target = target(code.into(), facts);
+    let mut target = at(place, target(code.into(), facts));
     if !code.is_recommended() {
         target.warnings.push(
             "the soil factor or the corner periods differ from those that EN 1998-1 recommends: check them against \
@@ -238,29 +259,58 @@ fn eurocode8_shape(
     Some(SpectrumShape { soil_factor_ratio, tb_s, tc_s, td_s })
 }
 
-pub(super) fn asce7(reader: &mut WordReader) -> Option<Target> {
+pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
     const CODE: Code = Code::Asce7;
-    let editions = [("2022", Asce7Edition::Asce7_22), ("2016", Asce7Edition::Asce7_16)];
-    let edition = edition(reader, &editions, "2022 or 2016");
-    let is_mapped = ["ss", "s1", "fa", "fv"].iter().any(|key| reader.has(key));
+    // The values of places are those of 2016.
+    let known = [("2022", Asce7Edition::Asce7_22), ("2016", Asce7Edition::Asce7_16)];
+    let edition = match reader.has("edition") || place.is_none() {
+        true => edition(reader, &known, "2022 or 2016"),
+        false => Some(Asce7Edition::Asce7_16),
+    };
+    refuse_beside_place(reader, &["ss", "s1", "sds", "sd1"]);
+    let is_mapped = place.is_some() || ["ss", "s1", "fa", "fv", "site"].iter().any(|key| reader.has(key));
     let design: Vec<&'static str> = ["sds", "sd1"].into_iter().filter(|key| reader.has(key)).collect();
-    if let (true, Some(key)) = (is_mapped, design.first().copied()) {
+    if let (true, Some(key), None) = (is_mapped, design.first().copied(), place) {
         let message = format!("`{key}` and mapped accelerations exclude each other");
-        reader.note(&[key, "ss", "s1", "fa", "fv"], message, "give SDS and SD1, or Ss, S1, Fa and Fv");
+        reader.note(&[key, "ss", "s1", "fa", "fv", "site"], message, "give SDS and SD1, or Ss, S1 and the site");
         return None;
     }
-    let long_period_s = needed(reader, "long_period", Dimension::Time, CODE, "8 s");
+    let long_period_s = match reader.has("long_period") || place.is_none() {
+        true => needed(reader, "long_period", Dimension::Time, CODE, "8 s"),
+        false => Some(DEFAULT_LONG_PERIOD_S),
+    };
     let mut facts = Vec::new();
+    let mut warnings = Vec::new();
     let code = if is_mapped {
-        let ss = needed(reader, "ss", Dimension::Acceleration, CODE, "1.5 g").map(|value| value / G0_M_S2);
-        let s1 = needed(reader, "s1", Dimension::Acceleration, CODE, "0.6 g").map(|value| value / G0_M_S2);
-        let fa = needed(reader, "fa", Dimension::Ratio, CODE, "1.0");
-        let fv = needed(reader, "fv", Dimension::Ratio, CODE, "1.7");
-        let (ss, s1, fa, fv) = (ss?, s1?, fa?, fv?);
+        let (ss, s1) = match place.map(|place| place.hazard) {
+            Some(PlaceHazard::Asce7 { ss_g, s1_g }) => (Some(ss_g), Some(s1_g)),
+            _ => ["ss", "s1"].map(|key| mapped(reader, key)).into(),
+        };
+        let found = coefficients(reader, ss, s1, place.is_some());
+        let (ss, s1, Coefficients { fa, fv, site, asks_for_study }) = (ss?, s1?, found?);
         facts.push(fact("Ss, S1", format!("{}, {}", in_g(ss), in_g(s1))));
+        if let Some(site) = site {
+            let assumed = if reader.has("site") { "" } else { ", assumed" };
+            facts.push(fact("Site class", format!("{}: {}{assumed}", site.name(), site.description())));
+        }
         facts.push(fact("Fa, Fv", format!("{}, {}", number(fa, 4), number(fv, 4))));
+        if asks_for_study {
+            warnings.push(
+                "ASCE 7-16, 11.4.8, asks for a site-specific study on site class D where S1 is 0.2 g or more; Fv of \
+                 Table 11.4-2 is used instead, without the increase of SM1 by half that Supplement 3 allows in its \
+                 place: long periods may be underestimated"
+                    .to_owned(),
+            );
+        }
+        if site.is_some() && edition == Some(Asce7Edition::Asce7_22) {
+            warnings.push(
+                "the site coefficients, and the values of places, are those of ASCE 7-16: ASCE 7-22 has no such tables"
+                    .to_owned(),
+            );
+        }
         let result = Asce7::from_mapped(edition?, (ss, fa), (s1, fv), long_period_s?);
-        made(reader, &["ss", "s1", "fa", "fv", "long_period"], result)?
+        let code = made(reader, &["ss", "s1", "fa", "fv", "long_period"], result)?;
+        site.map_or(code, |site| code.on_site(site))
     } else {
         let sds = needed(reader, "sds", Dimension::Acceleration, CODE, "1 g");
         let sd1 = needed(reader, "sd1", Dimension::Acceleration, CODE, "0.6 g");
@@ -268,20 +318,85 @@ pub(super) fn asce7(reader: &mut WordReader) -> Option<Target> {
         made(reader, &["sds", "sd1", "long_period"], result)?
     };
     let [t0_s, ts_s, tl_s] = code.corner_periods_s().map(|period_s| number(period_s, 4));
+    let assumed = if reader.has("long_period") { "" } else { " (TL assumed: confirm it on the maps of the code)" };
     facts.push(fact("SDS, SD1", format!("{}, {}", in_g(code.sds_g()), in_g(code.sd1_g()))));
-    facts.push(fact("T0, TS, TL", format!("{t0_s} s, {ts_s} s, {tl_s} s")));
-    Some(target(code.into(), facts))
+    facts.push(fact("T0, TS, TL", format!("{t0_s} s, {ts_s} s, {tl_s} s{assumed}")));
+    let mut target = at(place, target(code.into(), facts));
+    target.warnings.extend(warnings);
+    Some(target)
 }
 
-pub(super) fn nzs1170_5(reader: &mut WordReader) -> Option<Target> {
+/// A mapped acceleration \[g\].
+fn mapped(reader: &mut WordReader, key: &'static str) -> Option<f64> {
+    let example = if key == "ss" { "1.5 g" } else { "0.6 g" };
+    needed(reader, key, Dimension::Acceleration, Code::Asce7, example).map(|value| value / G0_M_S2)
+}
+
+/// The site coefficients of ASCE 7, and where they are from.
+struct Coefficients {
+    fa: f64,
+    fv: f64,
+    site: Option<Asce7Site>,
+    asks_for_study: bool,
+}
+
+/// Fa and Fv as given, or of the site class.
+fn coefficients(
+    reader: &mut WordReader,
+    ss_g: Option<f64>,
+    s1_g: Option<f64>,
+    has_place: bool,
+) -> Option<Coefficients> {
+    let is_given = reader.has("fa") || reader.has("fv");
+    if is_given || !reader.has("site") && !has_place {
+        for key in ["fa", "fv"] {
+            reader.exclusive("site", key);
+            if !reader.has(key) {
+                let (example, also) = if key == "fa" { ("1.0", "D") } else { ("1.7", "D") };
+                let hint = format!("give `{key} = \"{example}\"`, or `site = \"{also}\"` for the tables of the code");
+                reader.missing(&[key, "code"], format!("ASCE 7 needs `{key}`"), hint);
+            }
+        }
+        let fa = reader.positive("fa", Dimension::Ratio);
+        let fv = reader.positive("fv", Dimension::Ratio);
+        return Some(Coefficients { fa: fa?, fv: fv?, site: None, asks_for_study: false });
+    }
+    let site = match reader.words.get("site") {
+        None => Some(DEFAULT_ASCE7_SITE),
+        Some(text) => {
+            let hint = "A hard rock, B rock, C very dense soil or soft rock, D stiff soil, E soft clay; class F needs a \
+                        site-specific study: give its `sds` and `sd1`";
+            site_class(reader, text, Asce7Site::parse, Code::Asce7, hint)
+        }
+    }?;
+    match site_coefficients(site, ss_g?, s1_g?, !reader.has("site")) {
+        Ok(found) => Some(Coefficients {
+            fa: found.fa_ratio,
+            fv: found.fv_ratio,
+            site: Some(site),
+            asks_for_study: found.asks_for_study,
+        }),
+        Err(error) => {
+            reader.note(&["site"], error.to_string(), "give `sds` and `sd1` of the study, or another site class");
+            None
+        }
+    }
+}
+
+pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
     const CODE: Code = Code::Nzs1170_5;
     edition(reader, &[("2004", ())], "2004");
-    let hazard = needed(reader, "hazard_factor", Dimension::Ratio, CODE, "0.40");
+    refuse_beside_place(reader, &["hazard_factor"]);
+    let hazard = match place.map(|place| place.hazard) {
+        Some(PlaceHazard::Nzs1170_5 { hazard_factor }) => Some(hazard_factor),
+        _ => needed(reader, "hazard_factor", Dimension::Ratio, CODE, "0.40"),
+    };
     let site = match reader.words.get("site") {
         Some(text) => {
             let hint = "A strong rock, B rock, C shallow soil, D deep or soft soil, E very soft soil";
             site_class(reader, text, SubsoilClass::parse, CODE, hint)
         }
+        None if place.is_some() => Some(DEFAULT_SUBSOIL),
         None => {
             missing(reader, "site", CODE, "C");
             None
@@ -297,18 +412,27 @@ pub(super) fn nzs1170_5(reader: &mut WordReader) -> Option<Target> {
     let code = made(reader, &["hazard_factor", "fault_distance"], code)?;
     let maximum = if code.maximum_governs() { " (the code’s maximum governs)" } else { "" };
     let fault = match distance_km {
+        None if place.is_some() => "distance not given: N(T, D) = 1".to_owned(),
         None => "none near: N(T, D) = 1".to_owned(),
         Some(km) if code.is_near_fault() => format!("{} km away: N(T, D) rises from 1.5 s on", number(km, 4)),
         Some(km) => format!("{} km away: N(T, D) = 1 by the code", number(km, 4)),
     };
+    let assumed = if reader.has("site") { "" } else { ", assumed" };
     let facts = vec![
-        fact("Site subsoil class", format!("{}: {}", code.site().name(), code.site().description())),
+        fact("Site subsoil class", format!("{}: {}{assumed}", code.site().name(), code.site().description())),
         fact("Hazard factor Z", number(code.hazard_factor(), 4)),
         fact("Return period", format!("{} years, R = {}", code.return_period_years(), code.return_factor_ratio())),
         fact("Z·R", format!("{}{maximum}", in_g(code.zr_g()))),
         fact("Major fault", fault),
     ];
-    let mut target = target(code.into(), facts);
+    let mut target = at(place, target(code.into(), facts));
+    if place.is_some() && distance_km.is_none() && code.return_period_years() > 250 {
+        target.warnings.push(
+            "the table of places has no distances to faults, so N(T, D) = 1: give `fault_distance` where a major fault \
+             is within 20 km, because it raises the spectrum beyond 1.5 s"
+                .to_owned(),
+        );
+    }
     if code.maximum_governs() {
         target.warnings.push(format!(
             "Z R = {} is above the maximum of NZS 1170.5, so 0.7 governs",

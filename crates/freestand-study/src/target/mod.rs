@@ -18,8 +18,10 @@ pub use spectrum::{
     CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum, usual_periods_s,
 };
 use words::Code;
-pub(crate) use words::key_of_other_code;
+pub use words::period_code;
+pub(crate) use words::{code_name, key_of_other_code};
 
+use crate::places::{Confidence, Place};
 use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
@@ -31,8 +33,8 @@ use freestand_output::facts::Facts;
 pub struct Target {
     /// The spectrum, 5 % damping.
     pub spectrum: CodeSpectrum,
-    /// The city whose hazard factor was used.
-    pub city: Option<String>,
+    /// The place whose hazard was used.
+    pub place: Option<&'static Place>,
     /// Its description and the sources of its numbers, for reports: name and value.
     pub facts: Vec<(String, String)>,
     /// The file of a table.
@@ -72,6 +74,11 @@ impl Target {
         Code::of(&self.spectrum).name()
     }
 
+    /// The name of the place whose hazard was used.
+    pub fn place_name(&self) -> Option<String> {
+        self.place.map(|place| place.name.to_owned())
+    }
+
     /// Hazard factor Z, if the code has one \[g\].
     pub fn hazard_factor(&self) -> Option<f64> {
         match &self.spectrum {
@@ -101,6 +108,7 @@ impl Target {
         Facts::default()
             .key("code", self.spectrum.name())
             .key("site", self.spectrum.site_name())
+            .key("place", self.place.map(Place::facts))
             .and(hazard_facts(Some(self)))
             .key("minimum_kpz_governs", self.as1170_4().map(As1170_4::minimum_governs))
             .key("facts", self.named_facts())
@@ -121,7 +129,11 @@ impl Target {
 
     /// The parameters on one line, without the code.
     pub fn parameters(&self) -> String {
-        let place = self.city.as_ref().map_or_else(String::new, |city| format!(" ({city})"));
+        let place = match self.place {
+            None => String::new(),
+            Some(Place { name, confidence: Confidence::Read, .. }) => format!(" ({name})"),
+            Some(Place { name, confidence: Confidence::Approximate, .. }) => format!(" ({name}, approximate)"),
+        };
         match &self.spectrum {
             CodeSpectrum::As1170_4(code) => format!(
                 "site {}, Z = {}{place}, {} years, kpZ = {} g",
@@ -131,13 +143,14 @@ impl Target {
                 number(code.kpz_g(), 4)
             ),
             CodeSpectrum::Eurocode8(code) => format!(
-                "type {}, ground {}, a_g = {} g",
+                "type {}, ground {}, a_g = {} g{place}",
                 code.spectrum_type().number(),
                 code.ground().map_or("not given", |ground| ground.name()),
                 number(code.ground_acceleration_g(), 4)
             ),
             CodeSpectrum::Asce7(code) => format!(
-                "SDS = {} g, SD1 = {} g, TL = {} s",
+                "{}SDS = {} g, SD1 = {} g{place}, TL = {} s",
+                code.site().map_or_else(String::new, |site| format!("site {}, ", site.name())),
                 number(code.sds_g(), 4),
                 number(code.sd1_g(), 4),
                 number(code.long_period_s(), 4)
@@ -148,7 +161,7 @@ impl Target {
                     _ => String::new(),
                 };
                 format!(
-                    "site {}, Z = {}, {} years, Z R = {} g{near}",
+                    "site {}, Z = {}{place}, {} years, Z R = {} g{near}",
                     code.site().name(),
                     number(code.hazard_factor(), 6),
                     code.return_period_years(),
@@ -169,16 +182,20 @@ impl Target {
     pub fn title_words(&self) -> String {
         match &self.spectrum {
             CodeSpectrum::As1170_4(code) => {
-                let place = self.city.clone().unwrap_or_else(|| format!("Z = {}", code.hazard_factor()));
+                let place = self.place_name().unwrap_or_else(|| format!("Z = {}", code.hazard_factor()));
                 let years = code.return_period_years();
                 format!("a {years}-year earthquake: {place}, site class {}", code.site().name())
             }
             CodeSpectrum::Nzs1170_5(code) => {
-                let (years, z) = (code.return_period_years(), code.hazard_factor());
-                format!("a {years}-year earthquake: NZS 1170.5, Z = {z}, site class {}", code.site().name())
+                let years = code.return_period_years();
+                let place = self.place_name().unwrap_or_else(|| format!("NZS 1170.5, Z = {}", code.hazard_factor()));
+                format!("a {years}-year earthquake: {place}, site class {}", code.site().name())
             }
             CodeSpectrum::Table(_) => format!("an earthquake with the spectrum {}", self.file_name()),
-            _ => format!("an earthquake by {}: {}", self.spectrum.name(), self.parameters()),
+            CodeSpectrum::Eurocode8(_) | CodeSpectrum::Asce7(_) => match self.place_name() {
+                Some(place) => format!("an earthquake by {}: {place}, {}", self.spectrum.name(), self.site_words()),
+                None => format!("an earthquake by {}: {}", self.spectrum.name(), self.parameters()),
+            },
         }
     }
 

@@ -58,7 +58,7 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
     Some(Target {
         facts: facts(&spectrum, &read.name),
         spectrum: spectrum.into(),
-        city: None,
+        place: None,
         file: read.file,
         table_csv: Some(format!("period [s],PSA [m/s2]\n{lines}")),
         warnings,

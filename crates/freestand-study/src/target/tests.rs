@@ -124,7 +124,7 @@ fn what_is_not_confirmed_is_said_in_facts_and_warnings() {
             && new.facts.iter().any(|(name, _)| name == "Not confirmed")
     );
     let hobart = target(&[("city", "hobart")]);
-    assert_eq!(hobart.city.as_deref(), Some("Hobart"));
+    assert_eq!(hobart.place_name().as_deref(), Some("Hobart"));
     assert!(hobart.warnings[0].contains("minimum kpZ of 0.08"));
     let otira =
         target(&[("code", "nzs1170.5"), ("site", "B"), ("hazard_factor", "0.6"), ("return_period_years", "2500")]);
@@ -134,9 +134,10 @@ fn what_is_not_confirmed_is_said_in_facts_and_warnings() {
 #[test]
 fn all_problems_are_told_at_once() {
     assert_eq!(
-        problems(&[("code", "ec8"), ("city", "Oslo"), ("site", "Q"), ("ground_acceleration", "0.1")]),
+        problems(&[("code", "ec8"), ("hazard_factor", "0.1"), ("site", "Q"), ("ground_acceleration", "0.1")]),
         [
-            "`city` is not part of Eurocode 8 | leave it out, or name a code that has it: `code = \"as1170.4\"`",
+            "`hazard_factor` is not part of Eurocode 8 | leave it out, or name a code that has it: `code = \
+             \"as1170.4\"` or `code = \"nzs1170.5\"`",
             "`ground_acceleration`: \"0.1\" needs a unit | write \"0.1 g\" or \"0.1 m/s2\"",
             "Eurocode 8 needs `spectrum_type` | give `spectrum_type = \"1\"`",
             "`site` \"Q\" is not a ground type of Eurocode 8 | A rock, B very dense or very stiff, C dense or stiff, \
@@ -164,7 +165,7 @@ fn all_problems_are_told_at_once() {
 fn words_that_contradict_themselves() {
     let cases: [(Pairs, usize, &str); 10] = [
         (&[("city", "Perth"), ("hazard_factor", "0.09")], 1, "exclude each other"),
-        (&[("city", "Melborne")], 1, "is not in AS 1170.4"),
+        (&[("city", "Melborne")], 1, "is not in the table of places"),
         (&[("return_period_years", "475")], 1, "no factor for a return period of 475 years"),
         (&[("return_period_years", "5e2")], 1, "must be a whole number"),
         (&[("return_period_years", "99999999999999")], 1, "no factor for a return period"),
@@ -257,4 +258,66 @@ fn the_lists_of_words_agree() {
         let read: Vec<&str> = options.ground.target.entries().map(|(key, _)| key).collect();
         assert_eq!((read, problems.len()), (vec![key], 0));
     }
+}
+
+/// The plateau or the acceleration at 0 s of each code, by hand: 0.08 · 3.68; 0.4 · 1.0 · 2.93 (C at
+/// 0.2 s); ⅔ · 1.2 · 1.976 g (class D assumed: Fa at least 1.2); 2.5 · 0.16 · 1.2 (type 1, B).
+#[test]
+fn a_place_brings_its_code_and_its_hazard() {
+    let cases: [(&str, f64, &str); 4] = [
+        ("Sydney", 0.2944, "site De, Z = 0.08 (Sydney), 500 years, kpZ = 0.08 g"),
+        ("wellington", 1.172, "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g"),
+        ("Los Angeles", 1.5808, "site D, SDS = 1.581 g, SD1 = 0.7979 g (Los Angeles), TL = 8 s"),
+        ("athens", 0.48, "type 1, ground B, a_g = 0.16 g (Athens, approximate)"),
+    ];
+    for (place, sa_g, line) in cases {
+        for key in ["place", "city"] {
+            let target = target(&[(key, place)]);
+            // Three products: a few ulp.
+            assert!((target.spectrum.sa_g(0.2) - sa_g).abs() < 1e-14, "{place}: {}", target.spectrum.sa_g(0.2));
+            assert_eq!(target.parameters(), line);
+            assert!(target.facts[1].0 == "Place" && target.facts[2].0 == "Hazard from", "{:?}", target.facts);
+            assert!(target.check_matched_band().is_ok());
+        }
+    }
+    let said = |place: &str| target(&[("place", place)]).warnings;
+    assert!(said("Athens")[0].contains("approximate") && said("Sydney").is_empty());
+    assert!(said("Wellington")[0].contains("`fault_distance`"));
+    assert!(said("Los Angeles")[0].contains("site-specific study"));
+    assert_eq!(target(&[("place", "Los Angeles")]).spectrum.name(), "ASCE 7-16");
+    let chosen = target(&[("place", "Chicago"), ("site", "E"), ("edition", "2022"), ("long_period", "12 s")]);
+    // Fa 2.4 and Fv 4.2 of soft clay.
+    assert_eq!(chosen.parameters(), "site E, SDS = 0.1872 g, SD1 = 0.1764 g (Chicago), TL = 12 s");
+    assert!(chosen.warnings[0].contains("are those of ASCE 7-16"));
+    let own = target(&[("place", "Chicago"), ("fa", "1.5"), ("fv", "2")]);
+    assert_eq!(own.parameters(), "SDS = 0.117 g, SD1 = 0.084 g (Chicago), TL = 8 s");
+}
+
+#[test]
+fn places_that_contradict_other_words() {
+    let cases: [(Pairs, usize, &str); 8] = [
+        (&[("place", "Athens"), ("code", "nzs1170.5")], 1, "has values for Eurocode 8, not for NZS 1170.5"),
+        (&[("place", "Athens"), ("city", "Athens")], 1, "two names of the same key"),
+        (&[("place", "Athens"), ("ground_acceleration", "0.2 g")], 1, "exclude each other"),
+        (&[("place", "Reno"), ("sds", "1 g"), ("ss", "1 g")], 2, "exclude each other"),
+        (&[("place", "Reno"), ("site", "E")], 1, "11.4.8, requires a site-specific study"),
+        (&[("place", "Reno"), ("site", "F")], 1, "is not a class of ASCE 7"),
+        (&[("place", "Reno"), ("site", "D"), ("fa", "1")], 2, "exclude each other"),
+        (&[("place", "Oslo"), ("code", "ec8"), ("site", "Q")], 2, "is not in the table of places"),
+    ];
+    for (pairs, count, word) in cases {
+        let got = problems(pairs);
+        assert!(got.len() == count && got[0].contains(word), "{pairs:?}: {got:?}");
+    }
+    let got = problems(&[("place", "Welington"), ("site", "Q")]);
+    assert!(got[0].ends_with("did you mean \"Wellington\"?") && got[1].contains("NZS 1170.5"), "{got:?}");
+}
+
+#[test]
+fn mapped_accelerations_with_a_site_class() {
+    let words = [("code", "asce7"), ("ss", "1.5 g"), ("s1", "0.6 g"), ("site", "C"), ("long_period", "8 s")];
+    let target = target(&words);
+    assert_eq!(target.parameters(), "site C, SDS = 1.2 g, SD1 = 0.56 g, TL = 8 s");
+    let got = problems(&words[..3]);
+    assert!(got.iter().any(|one| one.contains("or `site = \"D\"`")), "{got:?}");
 }

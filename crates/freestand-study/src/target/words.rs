@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use freestand::code_spectrum::CodeSpectrum;
+use freestand::code_spectrum::{CodeSpectrum, PeriodCode};
 use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 
 use super::{Target, codes, table};
+use crate::places::{Place, near, places};
 
 /// The codes by the names that people give them, in lower case and without spaces, `-` and `_`.
 /// Outputs use the first.
@@ -62,18 +63,22 @@ impl Code {
     /// The keys that it takes, in addition to `code`.
     pub(super) fn keys(self) -> &'static [&'static str] {
         match self {
-            Self::As1170_4 => &["edition", "site", "city", "hazard_factor", "return_period_years"],
+            Self::As1170_4 => &["edition", "site", "place", "city", "hazard_factor", "return_period_years"],
             Self::Eurocode8 => &[
                 "edition",
                 "site",
+                "place",
+                "city",
                 "spectrum_type",
                 "ground_acceleration",
                 "importance_factor",
                 "soil_factor",
                 "corner_periods",
             ],
-            Self::Asce7 => &["edition", "sds", "sd1", "ss", "s1", "fa", "fv", "long_period"],
-            Self::Nzs1170_5 => &["edition", "site", "hazard_factor", "return_period_years", "fault_distance"],
+            Self::Asce7 => &["edition", "site", "place", "city", "sds", "sd1", "ss", "s1", "fa", "fv", "long_period"],
+            Self::Nzs1170_5 => {
+                &["edition", "site", "place", "city", "hazard_factor", "return_period_years", "fault_distance"]
+            }
             Self::Table => &["spectrum", "interpolation", "beyond"],
         }
     }
@@ -81,25 +86,73 @@ impl Code {
 
 pub(super) fn resolve(words: &Words, base_dir: &Path) -> Result<Target, Problems> {
     let mut reader = WordReader::new(words);
-    let target = code(&mut reader).and_then(|code| {
+    let target = place(&mut reader).and_then(|place| Some((code(&mut reader, place)?, place))).and_then(|found| {
+        let (code, place) = found;
         check_keys(&mut reader, code);
         match code {
-            Code::As1170_4 => codes::as1170_4(&mut reader),
-            Code::Eurocode8 => codes::eurocode8(&mut reader),
-            Code::Asce7 => codes::asce7(&mut reader),
-            Code::Nzs1170_5 => codes::nzs1170_5(&mut reader),
+            Code::As1170_4 => codes::as1170_4(&mut reader, place),
+            Code::Eurocode8 => codes::eurocode8(&mut reader, place),
+            Code::Asce7 => codes::asce7(&mut reader, place),
+            Code::Nzs1170_5 => codes::nzs1170_5(&mut reader, place),
             Code::Table => table::table(&mut reader, base_dir),
         }
     });
     reader.problems.finish(target)
 }
 
-/// The code: as named; otherwise a table if a file is named, or else AS 1170.4.
-fn code(reader: &mut WordReader) -> Option<Code> {
+/// The key that names the place: `city` is another name of `place`.
+pub(super) fn place_key(reader: &WordReader) -> Option<&'static str> {
+    ["place", "city"].into_iter().find(|key| reader.has(key))
+}
+
+/// The place, if one is named; `None` after a problem with it that leaves the code open. A misspelt
+/// place is noted, and another of the code stands in for it so that the other words are checked.
+fn place(reader: &mut WordReader) -> Option<Option<&'static Place>> {
+    if reader.has("place") && reader.has("city") {
+        reader.note(&["place", "city"], "`place` and `city` are two names of the same key", "keep `place`");
+        return None;
+    }
+    let Some(key) = place_key(reader) else { return Some(None) };
+    let name = reader.words.get(key).unwrap_or_default();
+    if let Some(found) = Place::find(name) {
+        return Some(Some(found));
+    }
+    let near = near(name);
+    let code = match reader.words.get("code") {
+        Some(text) => Code::parse(text).map(Code::name),
+        None => near.first().and_then(|name| Place::find(name)).map(|place| place.hazard.code()),
+    };
+    let hint = match near.as_slice() {
+        [] => "freestand place list shows all places; for any other, give the hazard itself, such as \
+                 `hazard_factor = \"0.08\"`"
+            .to_owned(),
+        names => {
+            let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
+            format!("did you mean {}?", quoted.join(" or "))
+        }
+    };
+    reader.note(&[key], format!("`{key}` \"{}\" is not in the table of places", shorten(name)), hint);
+    places().iter().find(|place| Some(place.hazard.code()) == code).map(Some)
+}
+
+/// The code: as named; otherwise a table if a file is named, or that of the place, or else
+/// AS 1170.4.
+fn code(reader: &mut WordReader, place: Option<&Place>) -> Option<Code> {
+    let of_place = place.and_then(|place| Code::parse(place.hazard.code()));
     let Some(text) = reader.words.get("code") else {
-        return Some(if reader.has("spectrum") { Code::Table } else { Code::As1170_4 });
+        return Some(if reader.has("spectrum") { Code::Table } else { of_place.unwrap_or(Code::As1170_4) });
     };
     let found = Code::parse(text);
+    if let (Some(found), Some(of_place), Some(place)) = (found, of_place, place)
+        && found != of_place
+        && found.keys().contains(&"place")
+    {
+        let key = place_key(reader).unwrap_or("place");
+        let (title, known) = (found.title(), of_place.title());
+        let message = format!("`{key}` \"{}\" has values for {known}, not for {title}", place.name);
+        reader.note(&["code", key], message, "leave `code` out, or give the values of that code instead of the place");
+        return None;
+    }
     if found.is_none() {
         let names: Vec<&str> = CODES.iter().map(|(_, code)| code.name()).collect();
         let message = format!("`code` \"{}\" is not known", shorten(text));
@@ -108,8 +161,32 @@ fn code(reader: &mut WordReader) -> Option<Code> {
     found
 }
 
+/// The name of the code that the words describe; AS 1170.4 where they name none. `None` for a code
+/// that is not known.
+pub(crate) fn code_name(words: &Words) -> Option<&'static str> {
+    let place = || Some(Place::find(words.get("place").or_else(|| words.get("city"))?)?.hazard.code());
+    match words.get("code") {
+        Some(text) => Code::parse(text).map(Code::name),
+        None if words.get("spectrum").is_some() => Some(Code::Table.name()),
+        None => place().or(Some(Code::As1170_4.name())),
+    }
+}
+
+/// The code of the periods of buildings of a study: that of its spectrum.
+pub fn period_code(words: &Words) -> Option<PeriodCode> {
+    let name = code_name(words)?;
+    PeriodCode::ALL.into_iter().find(|code| code.name() == name)
+}
+
 /// The key that names a spectrum other than that of AS 1170.4, if any.
 pub(crate) fn key_of_other_code(words: &Words) -> Option<&'static str> {
+    let is_elsewhere = |key: &&&str| {
+        let place = words.get(key).and_then(Place::find);
+        place.is_some_and(|place| Code::parse(place.hazard.code()) != Some(Code::As1170_4))
+    };
+    if let Some(key) = ["place", "city"].iter().find(is_elsewhere) {
+        return Some(key);
+    }
     let has_other_code = words.get("code").is_some_and(|text| Code::parse(text) != Some(Code::As1170_4));
     match () {
         () if words.get("spectrum").is_some() => Some("spectrum"),

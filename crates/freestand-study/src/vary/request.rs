@@ -29,7 +29,7 @@ const fn key(table: &'static str, name: &'static str, in_place_of: &'static [&'s
     Key { table, name, in_place_of }
 }
 
-static KEYS: [Key; 22] = [
+static KEYS: [Key; 23] = [
     key("building", "damping", &[]),
     key("building", "period", &["frame"]),
     key("building", "shear_flexure", &[]),
@@ -38,10 +38,11 @@ static KEYS: [Key; 22] = [
     key("ground", "seed", &[]),
     key("ground", "site", &[]),
     key("ground", "return_period_years", &[]),
-    key("ground", "hazard_factor", &["city"]),
-    key("ground", "city", &["hazard_factor"]),
+    key("ground", "hazard_factor", &["city", "place"]),
+    key("ground", "city", &["hazard_factor", "place"]),
+    key("ground", "place", &["hazard_factor", "city"]),
     key("ground", "spectrum_type", &[]),
-    key("ground", "ground_acceleration", &[]),
+    key("ground", "ground_acceleration", &["place", "city"]),
     key("ground", "importance_factor", &[]),
     key("ground", "sds", &[]),
     key("ground", "sd1", &[]),

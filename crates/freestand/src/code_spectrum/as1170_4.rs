@@ -142,48 +142,6 @@ const PLATEAU_START_S: f64 = 0.1;
 /// Period at which constant displacement begins in every class \[s\].
 const DISPLACEMENT_START_S: f64 = 1.5;
 
-/// AS 1170.4, Table 3.2: places and hazard design factors Z.
-const HAZARD_FACTORS: [(&str, f64); 38] = [
-    ("Adelaide", 0.10),
-    ("Albury", 0.09),
-    ("Wodonga", 0.09),
-    ("Alice Springs", 0.08),
-    ("Ballarat", 0.08),
-    ("Bendigo", 0.09),
-    ("Brisbane", 0.05),
-    ("Broome", 0.12),
-    ("Bundaberg", 0.11),
-    ("Cairns", 0.06),
-    ("Canberra", 0.08),
-    ("Darwin", 0.09),
-    ("Geelong", 0.10),
-    ("Gold Coast", 0.05),
-    ("Gladstone", 0.09),
-    ("Hobart", 0.03),
-    ("Latrobe Valley", 0.10),
-    ("Launceston", 0.04),
-    ("Mackay", 0.07),
-    ("Melbourne", 0.08),
-    ("Newcastle", 0.11),
-    ("Perth", 0.09),
-    ("Port Hedland", 0.12),
-    ("Sydney", 0.08),
-    ("Tennant Creek", 0.13),
-    ("Toowoomba", 0.06),
-    ("Townsville", 0.07),
-    ("Wollongong", 0.09),
-    ("Meckering", 0.20),
-    ("Cunderdin", 0.22),
-    ("Dowerin", 0.20),
-    ("Goomalling", 0.16),
-    ("Northam", 0.14),
-    ("York", 0.14),
-    ("Christmas Island", 0.15),
-    ("Macquarie Island", 0.60),
-    ("Norfolk Island", 0.08),
-    ("Lord Howe Island", 0.06),
-];
-
 /// AS 1170.4, Table 3.1: return period \[years\] and probability factor kp.
 const PROBABILITY_FACTORS: [(u32, f64); 12] = [
     (20, 0.20),
@@ -202,26 +160,6 @@ const PROBABILITY_FACTORS: [(u32, f64); 12] = [
 
 /// AS 1170.4, Table 3.3 (Amendment 2): return period \[years\] and smallest value of kp·Z.
 const MINIMUM_KPZ: [(u32, f64); 5] = [(500, 0.08), (1000, 0.10), (1500, 0.12), (2000, 0.14), (2500, 0.15)];
-
-/// Hazard design factor Z of a place, in upper or lower case; `None` if the code does not list it.
-///
-/// Z is the acceleration on rock (Be) at T = 0 with a return period of 500 years, in g.
-///
-/// # Reference
-/// AS 1170.4—2007 Amendment 2, Table 3.2.
-///
-/// # Example
-/// ```
-/// assert_eq!(freestand::code_spectrum::hazard_factor("melbourne"), Some(0.08));
-/// ```
-pub fn hazard_factor(place: &str) -> Option<f64> {
-    HAZARD_FACTORS.iter().find(|(name, _)| name.eq_ignore_ascii_case(place.trim())).map(|&(_, z)| z)
-}
-
-/// The places in [`hazard_factor`], in the order of the code's table.
-pub fn hazard_factor_places() -> impl Iterator<Item = &'static str> {
-    HAZARD_FACTORS.iter().map(|&(name, _)| name)
-}
 
 /// Probability factor kp of a return period; the period must be in the code's table.
 ///
@@ -470,24 +408,23 @@ mod tests {
     #[test]
     fn the_minimum_lifts_low_hazard() {
         let cases = [
-            // place, years, kpZ, minimum governs
-            ("Hobart", 500, 0.08, true),
-            ("Brisbane", 500, 0.08, true),
-            ("Hobart", 2500, 0.15, true),
-            ("Melbourne", 1000, 0.104, false),
-            ("Melbourne", 1500, 0.12, false),
-            ("Melbourne", 2000, 0.14, true),
-            ("Melbourne", 2500, 0.15, true),
-            ("Adelaide", 2500, 0.18, false),
-            ("Hobart", 100, 0.015, false),
-            ("Hobart", 800, 0.0375, false),
+            // Z, years, kpZ, minimum governs: Hobart, Brisbane, Melbourne and Adelaide
+            (0.03, 500, 0.08, true),
+            (0.05, 500, 0.08, true),
+            (0.03, 2500, 0.15, true),
+            (0.08, 1000, 0.104, false),
+            (0.08, 1500, 0.12, false),
+            (0.08, 2000, 0.14, true),
+            (0.08, 2500, 0.15, true),
+            (0.10, 2500, 0.18, false),
+            (0.03, 100, 0.015, false),
+            (0.03, 800, 0.0375, false),
         ];
-        for (place, years, kpz, governs) in cases {
-            let z = hazard_factor(place).unwrap();
+        for (z, years, kpz, governs) in cases {
             let spectrum = As1170_4::new(Edition::default(), SiteClass::Be, z, years).unwrap();
             // One multiplication.
-            assert!((spectrum.kpz_g() - kpz).abs() < 1e-15, "{place} {years}");
-            assert_eq!(spectrum.minimum_governs(), governs, "{place} {years}");
+            assert!((spectrum.kpz_g() - kpz).abs() < 1e-15, "{z} {years}");
+            assert_eq!(spectrum.minimum_governs(), governs, "{z} {years}");
         }
     }
 
@@ -496,9 +433,6 @@ mod tests {
         assert_eq!(SiteClass::parse("de"), Ok(SiteClass::De));
         assert_eq!(SiteClass::parse(" EE "), Ok(SiteClass::Ee));
         assert!(matches!(SiteClass::parse("D"), Err(CodeSpectrumError::SiteClass { name, .. }) if name == "D"));
-        assert_eq!(hazard_factor("port HEDLAND"), Some(0.12));
-        assert_eq!(hazard_factor("Atlantis"), None);
-        assert!(hazard_factor_places().all(|place| hazard_factor(place).is_some()));
         let refused = probability_factor(475);
         assert!(matches!(refused, Err(CodeSpectrumError::ReturnPeriod { return_period_years: 475, known_years })
                 if known_years == [20, 25, 50, 100, 200, 250, 500, 800, 1000, 1500, 2000, 2500]));

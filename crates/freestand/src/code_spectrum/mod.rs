@@ -32,12 +32,10 @@ mod table;
 
 use thiserror::Error;
 
-pub use as1170_4::{
-    As1170_4, Edition, SiteClass, hazard_factor, hazard_factor_places, minimum_kpz, probability_factor,
-};
-pub use asce7::{Asce7, Asce7Edition};
+pub use as1170_4::{As1170_4, Edition, SiteClass, minimum_kpz, probability_factor};
+pub use asce7::{Asce7, Asce7Edition, Asce7Site, SiteCoefficients, site_coefficients};
 pub use eurocode8::{Eurocode8, GroundType, SpectrumShape, SpectrumType, damping_correction_ratio};
-pub use frame_period::{FrameKind, fundamental_period_s};
+pub use frame_period::{FrameKind, PeriodCode, PeriodFormula, fundamental_period_s};
 pub use nzs1170_5::{Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor};
 pub use table::{Interpolation, OutOfRange, SpectrumTable};
 
@@ -133,7 +131,8 @@ impl CodeSpectrum {
             Self::As1170_4(code) => Some(code.site().name()),
             Self::Eurocode8(code) => code.ground().map(GroundType::name),
             Self::Nzs1170_5(code) => Some(code.site().name()),
-            Self::Asce7(_) | Self::Table(_) => None,
+            Self::Asce7(code) => code.site().map(Asce7Site::name),
+            Self::Table(_) => None,
         }
     }
 
@@ -215,6 +214,17 @@ pub enum CodeSpectrumError {
     Height {
         /// The height that was given.
         height_m: f64,
+    },
+    /// Coefficients that the code leaves to a site-specific study.
+    #[error(
+        "ASCE 7-16, 11.4.8, requires a site-specific study for site class E where Ss is above 0.75 g or S1 at least \
+         0.2 g; here Ss = {ss_g} g and S1 = {s1_g} g"
+    )]
+    SiteStudy {
+        /// Mapped acceleration at short periods \[g\].
+        ss_g: f64,
+        /// Mapped acceleration at 1 s \[g\].
+        s1_g: f64,
     },
     /// A parameter that is out of range.
     #[error("{name} must be {requirement}, not {value}")]

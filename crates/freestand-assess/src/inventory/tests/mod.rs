@@ -206,10 +206,10 @@ fn all_problems_of_a_file_at_once() {
 
 #[test]
 fn headings_are_checked_as_a_whole() {
-    let said = problems("id,height [in],weight,Height (mm)\na,1,2,3\n");
+    let said = problems("id,height [px],weight,Height (mm)\na,1,2,3\n");
     for one in [
-        "objects.csv:1: column B (height [in]): \"in\" is not a unit of height | write one of m, mm, cm",
-        "objects.csv:1: columns B (height [in]) and D (Height (mm)) are both height",
+        "objects.csv:1: column B (height [px]): \"px\" is not a unit of height | write one of m, mm, cm",
+        "objects.csv:1: columns B (height [px]) and D (Height (mm)) are both height",
         "objects.csv:1: the column level_ratio is missing",
         "objects.csv:1: the column thickness is missing | add a column \"thickness [mm]\"",
     ] {

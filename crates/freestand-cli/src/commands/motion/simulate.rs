@@ -45,7 +45,7 @@ pub(crate) struct SimulateArgs {
     distance: Option<String>,
     /// Find the distances at which the mean spectrum agrees with the rock spectrum of this city
     /// (AS 1170.4)
-    #[arg(long, value_name = "NAME", conflicts_with = "distance")]
+    #[arg(long, visible_alias = "place", value_name = "NAME", conflicts_with = "distance")]
     city: Option<String>,
     /// Return period in years; needs --city [default: 500]
     #[arg(long, value_name = "YEARS")]

@@ -1,0 +1,314 @@
+//! Places by name, with the hazard that the code of their country gives them and its source.
+
+use std::sync::LazyLock;
+
+use freestand_input::words::{edit_distance, number};
+use freestand_output::facts::Facts;
+
+/// A place, and what its code says about it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Its name.
+    pub name: &'static str,
+    /// Other names, separated by commas.
+    other_names: &'static str,
+    /// The state, as its two letters; empty outside the United States.
+    pub region: &'static str,
+    /// The country.
+    pub country: &'static str,
+    /// The hazard in the terms of the code.
+    pub hazard: PlaceHazard,
+    /// The source of the values.
+    pub source: &'static str,
+    /// How far the values can be trusted.
+    pub confidence: Confidence,
+}
+
+/// The hazard of a place in the terms of its code.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PlaceHazard {
+    /// AS 1170.4.
+    As1170_4 {
+        /// Hazard design factor Z.
+        hazard_factor: f64,
+    },
+    /// NZS 1170.5.
+    Nzs1170_5 {
+        /// Hazard factor Z.
+        hazard_factor: f64,
+    },
+    /// ASCE 7-16, risk-targeted maximum considered earthquake, class B/C.
+    Asce7 {
+        /// Mapped acceleration at short periods \[g\].
+        ss_g: f64,
+        /// Mapped acceleration at 1 s \[g\].
+        s1_g: f64,
+    },
+    /// Eurocode 8.
+    Eurocode8 {
+        /// Reference ground acceleration on rock a_gR \[g\].
+        ground_acceleration_g: f64,
+    },
+}
+
+impl PlaceHazard {
+    /// The name of the code in flags and studies.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::As1170_4 { .. } => "as1170.4",
+            Self::Nzs1170_5 { .. } => "nzs1170.5",
+            Self::Asce7 { .. } => "asce7",
+            Self::Eurocode8 { .. } => "eurocode8",
+        }
+    }
+
+    /// The name of the code in print.
+    pub fn code_title(&self) -> &'static str {
+        match self {
+            Self::As1170_4 { .. } => "AS 1170.4",
+            Self::Nzs1170_5 { .. } => "NZS 1170.5",
+            Self::Asce7 { .. } => "ASCE 7-16",
+            Self::Eurocode8 { .. } => "Eurocode 8",
+        }
+    }
+
+    /// The values with their symbols: `Z = 0.08`, `Ss = 1.976 g, S1 = 0.704 g`.
+    pub fn words(&self) -> String {
+        match self {
+            Self::As1170_4 { hazard_factor } | Self::Nzs1170_5 { hazard_factor } => {
+                format!("Z = {}", number(*hazard_factor, 4))
+            }
+            Self::Asce7 { ss_g, s1_g } => format!("Ss = {} g, S1 = {} g", number(*ss_g, 4), number(*s1_g, 4)),
+            Self::Eurocode8 { ground_acceleration_g } => format!("a_gR = {} g", number(*ground_acceleration_g, 4)),
+        }
+    }
+
+    /// The values of a row of the table.
+    fn parse(code: &str, values: &str) -> Option<Self> {
+        let values: Vec<f64> = values.split(',').map(|value| value.trim().parse()).collect::<Result<_, _>>().ok()?;
+        match (code, values.as_slice()) {
+            ("as1170.4", &[hazard_factor]) => Some(Self::As1170_4 { hazard_factor }),
+            ("nzs1170.5", &[hazard_factor]) => Some(Self::Nzs1170_5 { hazard_factor }),
+            ("asce7", &[ss_g, s1_g]) => Some(Self::Asce7 { ss_g, s1_g }),
+            ("eurocode8", &[ground_acceleration_g]) => Some(Self::Eurocode8 { ground_acceleration_g }),
+            _ => None,
+        }
+    }
+}
+
+/// How far the values of a place can be trusted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Confidence {
+    /// Read in a public source.
+    Read,
+    /// Recalled: every output asks the reader to confirm it.
+    Approximate,
+}
+
+impl Confidence {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Read => "read",
+            Self::Approximate => "approximate",
+        }
+    }
+}
+
+/// All places, in the order of the table: Australia, the United States, New Zealand, Europe.
+pub fn places() -> &'static [Place] {
+    static PLACES: LazyLock<Vec<Place>> = LazyLock::new(|| rows().filter_map(read).collect());
+    &PLACES
+}
+
+/// The rows of the table.
+fn rows() -> impl Iterator<Item = &'static str> {
+    include_str!("places.csv").lines().filter(|line| !line.starts_with('#') && !line.is_empty())
+}
+
+fn read(row: &'static str) -> Option<Place> {
+    let fields: Vec<&str> = row.split(';').map(str::trim).collect();
+    let &[name, other_names, region, country, code, values, source, confidence] = fields.as_slice() else {
+        return None;
+    };
+    let hazard = PlaceHazard::parse(code, values)?;
+    let confidence = [Confidence::Read, Confidence::Approximate].into_iter().find(|one| one.name() == confidence)?;
+    Some(Place { name, other_names, region, country, hazard, source, confidence })
+}
+
+impl Place {
+    /// The place with this name. Capitals, accents and punctuation do not matter; the state or the
+    /// country may follow: `Charleston, SC`, `Wellington New Zealand`.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand_study::places::{Place, PlaceHazard};
+    /// let place = Place::find("zürich").unwrap();
+    /// assert_eq!((place.name, place.country), ("Zurich", "Switzerland"));
+    /// assert_eq!(place.hazard, PlaceHazard::Eurocode8 { ground_acceleration_g: 0.06 });
+    /// assert_eq!(Place::find("Atlantis"), None);
+    /// ```
+    pub fn find(name: &str) -> Option<&'static Self> {
+        let wanted = plain(name);
+        places().iter().find(|place| {
+            place.names().any(|name| {
+                let name = plain(name);
+                wanted.strip_prefix(&name).is_some_and(|rest| {
+                    let rest = rest.trim_start();
+                    rest.is_empty() || rest == plain(place.region) || rest == plain(place.country)
+                })
+            })
+        })
+    }
+
+    fn names(&self) -> impl Iterator<Item = &'static str> {
+        std::iter::once(self.name).chain(self.other_names.split(',').filter(|name| !name.is_empty()))
+    }
+
+    /// The state, where it has one, and the country.
+    pub fn whereabouts(&self) -> String {
+        if self.region.is_empty() { self.country.to_owned() } else { format!("{}, {}", self.region, self.country) }
+    }
+
+    /// What the reader must know about its values.
+    pub fn doubt(&self) -> Option<String> {
+        (self.confidence == Confidence::Approximate).then(|| {
+            format!(
+                "the hazard of {} ({}) is approximate: confirm it in the national annex before you rely on it",
+                self.name,
+                self.hazard.words()
+            )
+        })
+    }
+
+    /// Its row of `freestand place list`; the values that its code does not have are null.
+    pub fn facts(&self) -> Facts<'static> {
+        let (mut z, mut ss_g, mut s1_g, mut a_g) = (None, None, None, None);
+        match self.hazard {
+            PlaceHazard::As1170_4 { hazard_factor } | PlaceHazard::Nzs1170_5 { hazard_factor } => {
+                z = Some(hazard_factor);
+            }
+            PlaceHazard::Asce7 { ss_g: short, s1_g: long } => (ss_g, s1_g) = (Some(short), Some(long)),
+            PlaceHazard::Eurocode8 { ground_acceleration_g } => a_g = Some(ground_acceleration_g),
+        }
+        Facts::default()
+            .key("name", self.name)
+            .key("region", Some(self.region).filter(|region| !region.is_empty()))
+            .key("country", self.country)
+            .key("code", self.hazard.code())
+            .key("ss_g", ss_g)
+            .key("s1_g", s1_g)
+            .key("hazard_factor", z)
+            .key("ground_acceleration_g", a_g)
+            .key("source", self.source)
+            .key("confidence", self.confidence.name())
+    }
+}
+
+/// Up to three places that a misspelt name may mean, the nearest first: at most a third of the
+/// letters differ, or the name begins with what was written.
+///
+/// # Example
+/// ```
+/// use freestand_study::places::near;
+/// assert_eq!(near("Melborne"), ["Melbourne"]);
+/// assert_eq!(near("san f"), ["San Francisco"]);
+/// ```
+pub fn near(name: &str) -> Vec<&'static str> {
+    let wanted = plain(name);
+    let length = wanted.chars().count();
+    let mut found: Vec<(usize, &'static str)> = Vec::new();
+    for place in places() {
+        let distance = place.names().filter_map(|name| {
+            let name = plain(name);
+            let distance = edit_distance(&wanted, &name);
+            let is_near = 3 * distance <= length.max(name.chars().count());
+            (is_near || length >= 3 && name.starts_with(&wanted)).then_some(distance)
+        });
+        found.extend(distance.min().map(|distance| (distance, place.name)));
+    }
+    found.sort_by_key(|(distance, _)| *distance);
+    found.into_iter().take(3).map(|(_, name)| name).collect()
+}
+
+/// A name in lower case, without accents, with one blank in place of punctuation.
+fn plain(name: &str) -> String {
+    let letters: String = name
+        .to_lowercase()
+        .chars()
+        .filter(|c| !matches!(c, '\u{300}'..='\u{36f}' | '.'))
+        .map(|c| match c {
+            'á' | 'à' | 'â' | 'ä' | 'ã' | 'å' | 'ā' | 'ă' => 'a',
+            'é' | 'è' | 'ê' | 'ë' | 'ē' => 'e',
+            'í' | 'ì' | 'î' | 'ï' | 'ī' => 'i',
+            'ó' | 'ò' | 'ô' | 'ö' | 'õ' | 'ō' => 'o',
+            'ú' | 'ù' | 'û' | 'ü' | 'ū' => 'u',
+            'ç' => 'c',
+            'ñ' => 'n',
+            'ș' | 'ş' | 'š' => 's',
+            'ț' | 'ţ' => 't',
+            'ž' => 'z',
+            c if c.is_alphanumeric() => c,
+            _ => ' ',
+        })
+        .collect();
+    letters.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_row_is_read_and_found_by_each_of_its_names() {
+        assert_eq!(places().len(), rows().count());
+        for place in places() {
+            for name in place.names() {
+                assert_eq!(Place::find(name).map(|found| found.name), Some(place.name), "{name}");
+            }
+            assert!(!place.country.is_empty() && !place.source.is_empty(), "{place:?}");
+            // No code has a larger value than Macquarie Island's 0.6 or Santa Rosa's 2.26 g.
+            let values = match place.hazard {
+                PlaceHazard::Asce7 { ss_g, s1_g } => {
+                    assert!(ss_g > s1_g, "{place:?}");
+                    [ss_g / 3.0, s1_g]
+                }
+                PlaceHazard::As1170_4 { hazard_factor: one }
+                | PlaceHazard::Nzs1170_5 { hazard_factor: one }
+                | PlaceHazard::Eurocode8 { ground_acceleration_g: one } => [one, one],
+            };
+            assert!(values.into_iter().all(|value| value > 0.0 && value < 0.9), "{place:?}");
+        }
+        let by_code = |code: &str| places().iter().filter(|place| place.hazard.code() == code).count();
+        assert_eq!(["as1170.4", "asce7", "nzs1170.5", "eurocode8"].map(by_code), [42, 23, 13, 21]);
+    }
+
+    #[test]
+    fn names_as_people_write_them() {
+        for (written, name) in [
+            ("melbourne", "Melbourne"),
+            (" port HEDLAND ", "Port Hedland"),
+            ("st louis", "St. Louis"),
+            ("Saint Louis, MO", "St. Louis"),
+            ("Charleston, SC", "Charleston"),
+            ("L’Aquila", "L'Aquila"),
+            ("Bâle", "Basel"),
+            ("Taupō", "Taupo"),
+            ("Kaiko\u{304}ura", "Kaikoura"),
+            ("Wellington, New Zealand", "Wellington"),
+            ("NYC", "New York"),
+        ] {
+            assert_eq!(Place::find(written).map(|place| place.name), Some(name), "{written}");
+        }
+        for written in ["", "Charleston, WV", "Melbourne, FL", "Wellingtonia", "Athens, Greece, Europe"] {
+            assert_eq!(Place::find(written), None, "{written}");
+        }
+    }
+
+    #[test]
+    fn misspelt_names() {
+        assert_eq!(near("Welington"), ["Wellington"]);
+        assert_eq!(near("los angelos"), ["Los Angeles"]);
+        assert!(near("qqqqq").is_empty() && near("").is_empty());
+    }
+}

@@ -1,0 +1,46 @@
+//! The hazard that flags put in place of that of `[ground]`.
+
+use super::{Overrides, Resolver};
+use crate::options::{GroundOptions, TARGET_KEYS};
+use crate::places::Place;
+use crate::rerun::with_hazard;
+use crate::target::code_name;
+
+impl Resolver<'_> {
+    /// Puts the hazard of `overrides` into the options, and returns the text of the study with it.
+    pub(super) fn with_hazard(&mut self, ground: &mut GroundOptions, text: &str, overrides: &Overrides) -> String {
+        let hazard = &overrides.hazard;
+        if hazard.is_empty() {
+            return text.to_owned();
+        }
+        let keys: Vec<&str> = hazard.entries().map(|(key, _)| key).collect();
+        let has_records = overrides.motions.is_some() || ground.motions.is_some() && ground.match_by.is_none();
+        if has_records {
+            let message = format!("{} does not apply: the ground motions are records", keys.join(", "));
+            self.note(None, message, "leave it out, or match the records to a spectrum with match = \"wavelet\"");
+            return text.to_owned();
+        }
+        let stays = |key: &str| match hazard.get("place").and_then(Place::find) {
+            None if hazard.get("place").is_some() => false,
+            None => !keys.contains(&key),
+            Some(_) if keys.contains(&key) => false,
+            Some(place) => {
+                let code = place.hazard.code();
+                key == "return_period_years" && ["as1170.4", "nzs1170.5"].contains(&code)
+                    || key == "site" && code_name(&ground.target) == Some(code)
+            }
+        };
+        let removed: Vec<&'static str> = TARGET_KEYS.iter().map(|(key, _)| *key).filter(|key| !stays(key)).collect();
+        for key in &removed {
+            ground.target.remove(key);
+        }
+        for (key, value) in hazard.entries() {
+            ground.target.set(key, value);
+        }
+        match with_hazard(text, &removed, hazard) {
+            Ok(text) => text,
+            // Text that is not TOML was noted when it was read.
+            Err(_) => text.to_owned(),
+        }
+    }
+}
