@@ -119,6 +119,7 @@ pub fn resolve_with(
         resolver.reading = resolver.reading(&ground);
     }
     let levels = resolver.levels(&building, &ground);
+    let (floors, first_floor) = (resolver.floors(&building), resolver.first_floor(&building));
     let (ground_input, building_input) = if has_measured_floors(&building) {
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
@@ -147,6 +148,8 @@ pub fn resolve_with(
             directions_deg,
             building,
             levels,
+            floors,
+            first_floor,
             objects,
             outputs,
             assessment,
