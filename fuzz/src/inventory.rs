@@ -1,7 +1,7 @@
 //! What must hold for all inventories: the check of the fuzz targets and of the mutation test of
 //! freestand-assess.
 
-use freestand_assess::inventory::{Target, convert_bytes, parse_inventory};
+use freestand_assess::inventory::{ReadOptions, Target, convert_bytes, parse_inventory};
 use freestand_assess::library::Lookup;
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use std::path::Path;
 /// differently.
 pub fn check_inventory(bytes: Vec<u8>) {
     let path = Path::new("/nowhere/objects");
-    match parse_inventory(bytes.clone(), path, None, &Lookup::NONE) {
+    match parse_inventory(bytes.clone(), path, &ReadOptions::new(&Lookup::NONE)) {
         Err(error) => {
             assert!(!error.problems.is_empty());
             for problem in &error.problems {
@@ -36,8 +36,8 @@ pub fn check_inventory(bytes: Vec<u8>) {
                 // What cannot be written is refused: text that is too long for a cell once it is
                 // guarded.
                 if let Ok(converted) = convert_bytes(bytes.clone(), path, None, target) {
-                    let again =
-                        parse_inventory(converted.bytes, path, None, &Lookup::NONE).expect("ours is read again");
+                    let again = parse_inventory(converted.bytes, path, &ReadOptions::new(&Lookup::NONE))
+                        .expect("ours is read again");
                     assert_eq!(again.inventory.items.len(), inventory.items.len());
                 }
             }

@@ -16,7 +16,7 @@ use freestand::cushion::{ContactLaw, Cushion};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
 use freestand::synthesis::{SynthesisOptions, synthesize};
-use freestand_assess::job::{Job, JobReport, assess_into, inventory_of};
+use freestand_assess::job::{Job, JobReport, ListRequest, assess_into, inventory_of};
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Stage, Step, no_progress};
@@ -54,7 +54,7 @@ fn inventory_file(folder: &Path, rows: &[String]) -> std::path::PathBuf {
 
 fn run(study: &Study, rows: &[String], out: &Path, job: &Job, progress: Progress) -> JobReport {
     let folder = tempfile::tempdir().unwrap();
-    let inventory = inventory_of(study, Some(&inventory_file(folder.path(), rows)), None).unwrap();
+    let inventory = inventory_of(study, Some(&inventory_file(folder.path(), rows)), &ListRequest::default()).unwrap();
     assess_into(study, &inventory, out, job, progress).unwrap()
 }
 

@@ -6,7 +6,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use freestand_assess::job::{Job, JobReport, assess_into, inventory_of};
+use freestand_assess::job::{Job, JobReport, ListRequest, assess_into, inventory_of};
 use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Stage, Step, no_progress};
 
@@ -27,7 +27,7 @@ fn run(folder: &Path, study: &str, out: &str, job: &Job, progress: Progress) -> 
     let study = resolve(study, None, folder).unwrap();
     let path = folder.join("objects-in.csv");
     fs::write(&path, INVENTORY).unwrap();
-    let inventory = inventory_of(&study, Some(&path), None).unwrap();
+    let inventory = inventory_of(&study, Some(&path), &ListRequest::default()).unwrap();
     assess_into(&study, &inventory, &folder.join(out), job, progress).unwrap()
 }
 

@@ -69,6 +69,15 @@ impl Printer {
         }
     }
 
+    /// Prints the problems of a list on standard error, one line for each.
+    pub(crate) fn said(&self, lines: &[String]) {
+        if !self.quiet {
+            for line in lines {
+                error_line(&one_line(&KeyStyle::Flag.shown(line)));
+            }
+        }
+    }
+
     /// Prints a detail if `-v` is given.
     pub(crate) fn detail(&self, text: &str) {
         if self.verbose {

@@ -47,7 +47,8 @@ fn a_template_is_written_checked_and_converted() {
     assert_eq!((&document["counts"]["rows"], &document["counts"]["objects"]), (&Value::from(3), &Value::from(9)));
     // Two pads of 2190 N/mm under an edge.
     assert_eq!(document["first_rows"][0]["stiffness_n_m"], 4.38e6);
-    assert_eq!(document["warnings"].as_array().unwrap().len(), 1);
+    assert_eq!(document["problems"].as_array().unwrap().len(), 1);
+    assert_eq!(document["problems"][0]["kind"], "example");
 }
 
 #[test]

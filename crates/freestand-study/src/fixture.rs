@@ -65,6 +65,8 @@ pub(crate) fn study() -> Study {
             tables: Vec::new(),
             warnings: Vec::new(),
         }),
+        floors: Vec::new(),
+        first_floor: None,
         levels: vec![
             Level { name: "mid-height".into(), level_ratio: Some(0.5), motions: Vec::new() },
             Level { name: "roof".into(), level_ratio: Some(1.0), motions: Vec::new() },

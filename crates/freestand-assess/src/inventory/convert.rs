@@ -3,14 +3,15 @@
 use std::path::Path;
 
 use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::shorten;
 
-use super::cell::{Cell, Flow, Row};
-use super::columns::{Heading, Holds, heading};
+use super::cell::{Cell, Row};
+use super::columns::{COLUMNS, Holds, letters};
 use super::encoding::is_unprintable;
-use super::findings::{At, Findings};
-use super::header::Header;
-use super::source::{Source, load};
-use super::values::pointed;
+use super::headings::{HeadingUnit, meaning};
+use super::layout::body;
+use super::source::{Sheet, load};
+use super::understood::{Evidence, understand};
 use super::write::{Table, Written, csv, xlsx};
 
 /// A format to convert to.
@@ -51,24 +52,17 @@ pub fn convert_inventory(path: &Path, sheet: Option<&str>, target: Target) -> Re
 /// As [`convert_inventory`].
 pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: Target) -> Result<Converted, Problems> {
     let in_file = |problem: Problem| problem.in_file(path);
-    let mut source = Source::open(bytes, sheet).map_err(in_file)?;
+    let mut source = Sheet::open(bytes, sheet, None).map_err(in_file)?;
     let mut warnings = std::mem::take(&mut source.warnings);
     warnings.extend(source.title_warning());
-    let mut findings = Findings::new(path, source.sheet.clone());
-    let has_decimal_comma = source.has_decimal_comma();
-    let headings = headings(&source.header);
+    warnings.extend(source.formulas.warning());
+    let headings = headings(&source);
     let kinds: Vec<Kind> = headings.iter().map(|text| kind(text)).collect();
-    let mut table = Table { headings, rows: Vec::new() };
-    let read = source.rows(&mut |row: Row| {
-        let written = written(&row, &kinds, has_decimal_comma, &table.headings, &mut findings);
-        table.rows.push(written);
-        Flow::More
-    });
-    match read {
-        Ok(formulas) => warnings.extend(formulas.warning()),
-        Err(problem) => findings.push(problem),
-    }
-    warnings.extend(findings.finish()?);
+    let below = source.rows.iter().filter(|row| row.number > source.header.last_row);
+    let mut problems = Problems::default();
+    let rows = below.map(|row| written(row, &kinds, &headings, &mut problems)).collect();
+    let mut table = Table { headings, rows };
+    problems.finish(Some(())).map_err(|error| error.into_iter().map(in_file).collect::<Problems>())?;
     let columns = table.rows.iter().map(Vec::len).fold(table.headings.len(), usize::max);
     table.headings.resize(columns, String::new());
     let bytes = match target {
@@ -78,13 +72,22 @@ pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: T
     Ok(Converted { bytes: bytes.map_err(in_file)?, rows: table.rows.len(), columns, warnings })
 }
 
-/// One row of headings: units from a row of their own are appended to the names.
-fn headings(header: &Header) -> Vec<String> {
+/// One row of headings: units that a row of their own or a sentence beside the table states are
+/// appended to the names.
+fn headings(source: &Sheet) -> Vec<String> {
+    let header = &source.header;
+    let body = body(&source.rows, header);
+    let evidence = Evidence { rows: &source.rows, header, body: &body, mapping: None, has_semicolons: false };
+    let understood = understand(&evidence);
     let width = header.headings.keys().last().map_or(0, |last| last + 1);
-    let one = |index: u32| match (header.headings.get(&index), header.units.get(&index)) {
-        (Some(text), Some(unit)) => format!("{text} [{}]", unit.symbol),
-        (Some(text), None) => text.clone(),
-        (None, _) => String::new(),
+    let one = |index: u32| {
+        let text = header.headings.get(&index).cloned().unwrap_or_default();
+        let is_bare = meaning(&text).is_some_and(|found| found.unit == HeadingUnit::None);
+        let found = understood.uses.iter().find(|one| one.index == index);
+        match found.and_then(|one| one.unit.filter(|_| is_bare && one.is_unit_stated_outside())) {
+            Some(unit) => format!("{text} [{}]", unit.symbol()),
+            None => text,
+        }
     };
     (0..width).map(one).collect()
 }
@@ -92,66 +95,56 @@ fn headings(header: &Header) -> Vec<String> {
 /// How the cells of a column are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// A column that freestand reads: text.
+    /// A column of words, which stay words in a workbook.
     Words,
-    /// A column that freestand reads: numbers; a decimal comma becomes a point.
+    /// Any other.
     Numbers,
-    /// Another column.
-    Carried,
 }
 
 fn kind(text: &str) -> Kind {
-    match heading(text) {
-        Heading::Other => Kind::Carried,
-        Heading::Ours(column, _) | Heading::BadUnit(column, _) => match column.spec().holds {
-            Holds::Quantity(_) | Holds::Count | Holds::Range => Kind::Numbers,
-            Holds::Text | Holds::Rating => Kind::Words,
-        },
+    let holds = meaning(text).and_then(|found| COLUMNS.get(found.column as usize)).map(|spec| spec.holds);
+    match holds {
+        Some(Holds::Text | Holds::Rating | Holds::Answer | Holds::Sizes) => Kind::Words,
+        _ => Kind::Numbers,
     }
 }
 
-fn written(
-    row: &Row,
-    kinds: &[Kind],
-    has_decimal_comma: bool,
-    headings: &[String],
-    findings: &mut Findings<'_>,
-) -> Vec<Written> {
+/// Largest number of cells that cannot be written that are listed.
+const MAX_PROBLEMS: usize = 20;
+
+fn written(row: &Row, kinds: &[Kind], headings: &[String], problems: &mut Problems) -> Vec<Written> {
     let width = row.cells.last().map_or(0, |(column, _)| *column as usize + 1);
     let mut cells = vec![Written::Empty; width];
+    let mut refused = |column: u32, what: String, hint: &str| {
+        if problems.len() < MAX_PROBLEMS {
+            let heading = headings.get(column as usize).map_or("", String::as_str);
+            let place = format!("row {}, column {} ({})", row.number, letters(column as usize), shorten(heading));
+            problems.push(Problem::value(format!("{place}: {what}"), hint));
+        }
+        Written::Empty
+    };
     for (column, cell) in &row.cells {
         let index = *column as usize;
-        let kind = kinds.get(index).copied().unwrap_or(Kind::Carried);
+        let kind = kinds.get(index).copied().unwrap_or(Kind::Numbers);
         let one = match cell {
             Cell::Number(value) if value.is_finite() => Written::Number(*value),
             Cell::Text(text) if text.chars().any(is_unprintable) => {
-                let at = At { row: row.number, line: row.line };
-                let heading = headings.get(index).map_or("", String::as_str);
-                let hint = "type the cell again".to_owned();
-                findings.of_cell(at, *column, heading, "contains a control character, which no CSV allows", Some(hint));
-                Written::Empty
+                refused(*column, "contains a control character, which no CSV allows".to_owned(), "type the cell again")
             }
             // In a workbook, line endings within a cell are LF.
             Cell::Text(text) => {
                 let text = text.replace("\r\n", "\n").replace('\r', "\n");
-                let text = if has_decimal_comma && kind == Kind::Numbers { pointed(&text) } else { text };
                 Written::of(&text, kind != Kind::Words)
             }
-            Cell::Unevaluated | Cell::TooLong(_) => {
-                let at = At { row: row.number, line: row.line };
-                let (message, hint) = match cell {
-                    Cell::TooLong(chars) => {
-                        (format!("has {chars} characters, more than a cell of a spreadsheet can hold"), "shorten it")
-                    }
-                    _ => (
-                        "is a formula without a value".to_owned(),
-                        "open the workbook in a spreadsheet program and save it again",
-                    ),
-                };
-                let heading = headings.get(index).map_or("", String::as_str);
-                findings.of_cell(at, *column, heading, &message, Some(hint.to_owned()));
-                Written::Empty
+            Cell::TooLong(chars) => {
+                let what = format!("has {chars} characters, more than a cell of a spreadsheet can hold");
+                refused(*column, what, "shorten it")
             }
+            Cell::Unevaluated => refused(
+                *column,
+                "is a formula without a value".to_owned(),
+                "open the workbook in a spreadsheet program and save it again",
+            ),
             other => Written::of(&other.shown(), false),
         };
         if let Some(slot) = cells.get_mut(index) {

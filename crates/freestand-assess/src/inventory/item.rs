@@ -12,58 +12,54 @@ use freestand_input::words::nearest;
 use freestand_study::cushion::{self, EdgeCushion};
 use freestand_study::shape::Shape;
 
-use super::cell::Cell;
-use super::columns::{COLUMNS, Column, canonical};
-use super::findings::Doubt;
-use super::layout::Role;
+use super::columns::{COLUMNS, Column};
+use super::floors::{FloorFinder, Found};
+use super::plausible;
+use super::problems::Kind;
 use super::template::EXAMPLE;
 use super::values::Values;
+use super::vocabulary::{canonical, names_wheels};
 use super::{Consequences, Item};
 use freestand_study::restitution::checked;
 
-/// Lower than any object that rocks: probably metres in a column of millimetres.
-const MIN_HEIGHT_M: f64 = 0.02;
-/// Thinner than any object that rocks.
-const MIN_SIDE_M: f64 = 0.005;
-/// Larger than any object in a building: probably millimetres in a column of metres.
-const MAX_LENGTH_M: f64 = 50.0;
-
-/// First words of rows that are totals of the rows above.
-const TOTALS: [&str; 9] = ["total", "totals", "grand_total", "subtotal", "sub_total", "sum", "sums", "summe", "gesamt"];
-
-/// Whether a row is a total of others: it begins with such a word and has no dimensions.
-pub(super) fn is_total(values: &Values<'_, '_, '_>) -> bool {
-    let size = [Column::Height, Column::Thickness, Column::LevelRatio];
-    let has_size = size.iter().any(|&column| {
-        values.layout.place(column).and_then(|place| values.row.get(place.index)).is_some_and(|cell| !cell.is_blank())
-    });
-    let first = values.row.cells.iter().find(|(_, cell)| !cell.is_blank());
-    !has_size && first.is_some_and(|(_, cell)| TOTALS.contains(&canonical(&cell.shown()).as_str()))
+/// What a row is read with besides its cells.
+pub(super) struct Reading<'a> {
+    pub(super) lookup: &'a Lookup<'a>,
+    /// Finds floors by their names; `None`: the list has shares of the height.
+    pub(super) floors: Option<&'a FloorFinder>,
+    pub(super) section: &'a str,
 }
 
 /// The object of a row.
-pub(super) fn item(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Item {
-    let carried = carried(values);
+pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<String>) -> Item {
     let size = size(values);
     let mass_kg = values.positive(Column::Mass);
-    let support = support(values, lookup, mass_kg);
-    let quantity = values.count(Column::Quantity).unwrap_or(1);
-    Item {
+    let support = support(values, reading.lookup, mass_kg);
+    let quantity = values.whole(Column::Quantity).unwrap_or(1);
+    let (floor, level_ratio) = floor(values, reading);
+    let rests_on = values.text(Column::RestsOn);
+    if names_wheels(&rests_on)
+        && !["braked", "locked", "gebremst", "frein"].iter().any(|word| canonical(&rests_on).contains(word))
+    {
+        values.report(Column::RestsOn, Kind::Casters, None);
+    }
+    let mut item = Item {
         row: values.row.number,
+        section: reading.section.to_owned(),
         id: id(values),
         item: values.text(Column::Item),
         quantity,
         priority: values.text(Column::Priority),
         location: values.text(Column::Location),
         building: values.text(Column::Building),
-        floor: values.text(Column::Floor),
+        floor,
         room: values.text(Column::Room),
         consequences: Consequences {
             life_safety: values.rating(Column::LifeSafety),
             property: values.rating(Column::Property),
             function: values.rating(Column::Function),
         },
-        level_ratio: level(values),
+        level_ratio,
         height_m: size.height_m,
         thickness_m: size.thickness_m,
         width_m: size.width_m,
@@ -74,74 +70,81 @@ pub(super) fn item(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Item
         cushion: support.cushion,
         cushion_log_sd: support.log_sd,
         cushion_source: support.source,
-        tolerance: tolerance(values, lookup),
+        tolerance: tolerance(values, reading.lookup),
         restitution: restitution(values, &size.blocks),
         friction_ratio: values.range(Column::Friction),
         accepted_ratio: values.share(Column::Accepted),
         questions: values.questions(Column::Questions),
+        anchored: values.answer(Column::Anchored),
+        rests_on,
         notes: values.text(Column::Notes),
+        doubts: Vec::new(),
         carried,
+    };
+    for (kind, column) in plausible::doubts(&item) {
+        // A side may be that of a column of all sizes, a stiffness that of one pad.
+        let columns = [column, Column::Dimensions, Column::PadStiffness, Column::Cushion];
+        let found = columns.into_iter().find(|column| values.columns.get(*column).is_some()).unwrap_or(column);
+        values.report(found, kind, None);
     }
+    item.doubts = values.doubts.clone();
+    item
 }
 
-fn id(values: &mut Values<'_, '_, '_>) -> String {
+fn id(values: &mut Values<'_>) -> String {
     let id = values.text(Column::Id);
     if !id.is_empty() {
         if id.starts_with(EXAMPLE) {
-            values.doubt(Doubt::Example);
+            values.report(Column::Id, Kind::Example, None);
         }
         return id;
     }
-    if values.layout.place(Column::Id).is_some() {
-        values.doubt(Doubt::NoId);
+    if values.columns.get(Column::Id).is_some() {
+        values.findings.note("no id: the row number is used, such as row-12", values.row.number);
     }
     format!("row-{}", values.row.number)
 }
 
-/// The cells of other columns, unchanged.
-fn carried(values: &mut Values<'_, '_, '_>) -> Vec<String> {
-    let mut carried = vec![String::new(); values.layout.carried.len()];
-    let row = values.row;
-    let mut too_many = None;
-    for (index, cell) in &row.cells {
-        match values.layout.role(*index) {
-            Role::Ours(_) => {}
-            Role::Unnamed if row.width.is_some() && *index >= values.layout.widest && !cell.is_blank() => {
-                too_many = Some(index + 1);
+/// The floor as it is named, and its height over that of the building.
+fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>) {
+    let name = values.text(Column::Floor);
+    let Some(finder) = reading.floors else { return (name, level(values)) };
+    let has_column = values.columns.get(Column::Floor).is_some();
+    // A section "Level 3" over rows without a floor of their own.
+    let is_section = name.is_empty() && !has_column;
+    let text = if is_section { reading.section } else { &name };
+    if text.is_empty() {
+        return (name, None);
+    }
+    match finder.find(text) {
+        Found::Ratio(ratio, is_assumed) => {
+            if is_section {
+                values.report(Column::Floor, Kind::FloorFromSection, None);
             }
-            Role::Unnamed if cell.is_blank() => {}
-            Role::Unnamed => values.doubt(Doubt::Unnamed),
-            Role::Carried(n) => {
-                match cell {
-                    Cell::Error(_) => values.doubt(Doubt::CarriedError),
-                    Cell::Unevaluated => values.doubt(Doubt::CarriedFormula),
-                    Cell::TooLong(chars) => {
-                        let message = format!("a cell has {chars} characters, more than a spreadsheet allows");
-                        let at = values.at();
-                        values.findings.of_row(at, &message, "shorten it, and check that every quote is closed");
-                    }
-                    _ => {}
-                }
-                if let Some(slot) = carried.get_mut(n) {
-                    *slot = cell.shown();
-                }
+            if is_assumed {
+                values.report(Column::Floor, Kind::FloorNumbering, None);
             }
+            (text.to_owned(), Some(ratio))
+        }
+        _ if is_section => (name, None),
+        Found::Unknown => {
+            values.report(Column::Floor, Kind::FloorUnknown, None);
+            (name, None)
+        }
+        Found::NoStoreys => {
+            let said = "cannot be placed: nothing says how many storeys the building has".to_owned();
+            values.wrong(
+                Column::Floor,
+                Kind::FloorUnknown,
+                &Problem::value(said, "give `storeys`, or a study with the building"),
+            );
+            (name, None)
         }
     }
-    if let Some(count) = too_many {
-        let message = format!("the row has {count} cells for {} headings", values.layout.widest);
-        let hint = "put cells that contain the separator in quotes, or give every column a heading";
-        let at = values.at();
-        values.findings.of_row(at, &message, hint);
-    }
-    if row.width.is_some_and(|width| width < values.layout.width) {
-        values.doubt(Doubt::FewCells);
-    }
-    carried
 }
 
-fn level(values: &mut Values<'_, '_, '_>) -> Option<f64> {
-    let level = values.quantity(Column::LevelRatio)?;
+fn level(values: &mut Values<'_>) -> Option<f64> {
+    let level = values.number(Column::LevelRatio)?;
     if (0.0..=1.0).contains(&level) {
         return Some(level);
     }
@@ -151,7 +154,7 @@ fn level(values: &mut Values<'_, '_, '_>) -> Option<f64> {
     } else {
         "0 is the ground, 1 the roof; a basement moves like the ground, so give 0"
     };
-    values.refuse(Column::LevelRatio, format!("the level must be from 0 to 1, not {level}"), hint);
+    values.wrong(Column::LevelRatio, Kind::OutOfRange, &Problem::value("the level must be from 0 to 1", hint));
     None
 }
 
@@ -167,57 +170,60 @@ struct Size {
     blocks: Vec<Block>,
 }
 
-fn size(values: &mut Values<'_, '_, '_>) -> Size {
+fn size(values: &mut Values<'_>) -> Size {
+    let all = values.sizes().unwrap_or_default();
     let mut size = Size {
-        height_m: values.positive(Column::Height),
-        thickness_m: values.positive(Column::Thickness),
-        width_m: values.positive(Column::Width),
+        height_m: values.positive(Column::Height).or(all.height),
+        thickness_m: values.positive(Column::Thickness).or(all.thickness),
+        width_m: values.positive(Column::Width).or(all.width),
         base_thickness_m: values.positive(Column::BaseThickness),
         base_width_m: values.positive(Column::BaseWidth),
         cg_height_m: values.positive(Column::CgHeight),
         blocks: Vec::new(),
     };
-    let sides = [size.thickness_m, size.width_m];
-    if size.height_m.is_some_and(|h| h < MIN_HEIGHT_M) || sides.iter().flatten().any(|&side| side < MIN_SIDE_M) {
-        values.doubt(Doubt::SmallLength);
-    }
-    if size.height_m.iter().chain(sides.iter().flatten()).any(|&length| length > MAX_LENGTH_M) {
-        values.doubt(Doubt::LargeLength);
-    }
     let Some(height_m) = size.height_m else { return size };
-    let planes = [
-        (size.thickness_m, size.base_thickness_m, Column::BaseThickness),
-        (size.width_m, size.base_width_m, Column::BaseWidth),
-    ];
-    let mut is_cg_refused = false;
-    for (side, base_width_m, column) in planes {
+    if size.cg_height_m.is_some_and(|cg_height_m| cg_height_m >= height_m) {
+        values.report(Column::CgHeight, Kind::OutOfRange, Some("is not below the top of the object".to_owned()));
+        size.cg_height_m = None;
+    }
+    let planes = [(size.thickness_m, Column::BaseThickness), (size.width_m, Column::BaseWidth)];
+    for (side, column) in planes {
         let Some(side_m) = side else { continue };
-        let feet = Shape { base_width_m, ..Shape::default() };
-        let whole = Shape { cg_height_m: size.cg_height_m, ..feet };
-        match (feet.block(height_m, side_m), whole.block(height_m, side_m)) {
-            (Err(error), _) => refuse_block(values, column, &error),
-            (Ok(_), Err(error)) if !is_cg_refused => {
-                is_cg_refused = true;
-                refuse_block(values, Column::CgHeight, &error);
+        let base = if column == Column::BaseThickness { &mut size.base_thickness_m } else { &mut size.base_width_m };
+        let feet = Shape { base_width_m: *base, ..Shape::default() };
+        if let Err(error) = feet.block(height_m, side_m) {
+            if base.take().is_some() {
+                refuse_block(values, column, &error);
+            } else {
+                refuse_block(values, Column::Height, &error);
             }
-            (Ok(_), Err(_)) => {}
-            (Ok(_), Ok(block)) => size.blocks.push(block),
+            continue;
+        }
+        let feet = Shape { base_width_m: *base, ..Shape::default() };
+        let whole = Shape { cg_height_m: size.cg_height_m, ..feet };
+        match whole.block(height_m, side_m) {
+            Ok(block) => size.blocks.push(block),
+            Err(error) => {
+                refuse_block(values, Column::CgHeight, &error);
+                size.cg_height_m = None;
+            }
         }
     }
     if size.blocks.iter().any(|block| block.landing_ratio() < 0.0) {
-        values.doubt(Doubt::Squat);
+        let squat = "squat (Housner's restitution is negative; h/t < 0.707 for a uniform block): landings are halted";
+        values.findings.note(squat, values.row.number);
     }
     size
 }
 
-fn refuse_block(values: &mut Values<'_, '_, '_>, column: Column, error: &BlockError) {
+fn refuse_block(values: &mut Values<'_>, column: Column, error: &BlockError) {
     let hint = match error {
         BlockError::OutOfObject { .. } => {
             "the feet must be under the object and its centre of gravity inside it: check the numbers and their units"
         }
         _ => "check the number and its unit",
     };
-    values.refuse(column, error.to_string(), hint);
+    values.wrong(column, Kind::OutOfRange, &Problem::value(error.to_string(), hint));
 }
 
 /// What is under one edge.
@@ -228,14 +234,14 @@ struct Support {
     source: Option<String>,
 }
 
-fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -> Support {
+fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -> Support {
     let mut words = Words::default();
     for column in [Column::Stiffness, Column::PadStiffness, Column::SeriesStiffness, Column::PadThickness] {
         if let Some((_, text)) = values.positive_text(column) {
             words.set(column.name(), text);
         }
     }
-    if let Some(pads) = values.count(Column::PadsPerEdge) {
+    if let Some(pads) = values.whole(Column::PadsPerEdge) {
         words.set(Column::PadsPerEdge.name(), pads.to_string());
     }
     let entry = values.text(Column::Cushion);
@@ -249,7 +255,7 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
         match joined(words, prior.words) {
             Ok(both) => words = both,
             Err(problem) => {
-                values.wrong(column_of(&problem), &problem);
+                values.wrong(column_of(&problem), Kind::Unreadable, &problem);
                 return support;
             }
         }
@@ -261,28 +267,31 @@ fn support(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>, mass_kg: Option
     }
     // Missing data cost the object its verdict, but do not stop the reading.
     if words.get("stiffness").is_none() && words.get("pad_stiffness").is_none() && words.get("law").is_none() {
-        values.doubt(Doubt::PadAlone);
+        let column = pad_column(values);
+        values.report(column, Kind::PadAlone, None);
         return Support::default();
     }
     if words.get("pad_stiffness").is_some() && words.get("pads_per_edge").is_none() {
-        values.doubt(Doubt::PadsMissing);
+        values.report(Column::PadStiffness, Kind::PadsMissing, None);
         return Support::default();
     }
     match cushion::resolve(&words, mass_kg) {
         Ok(edge) => {
             let doubts = mass_kg.map(|mass| stiffness_warnings(mass, &edge.cushion, edge.pad_thickness_m));
             if doubts.is_some_and(|doubts| !doubts.is_empty()) {
-                values.doubt(Doubt::Stiffness);
+                let column =
+                    if values.is_filled(Column::PadStiffness) { Column::PadStiffness } else { Column::Stiffness };
+                values.report(column, Kind::Stiffness, None);
             }
             support.cushion = Some(edge);
             support
         }
         Err(problems) => {
             if mass_kg.is_none() && problems.problems.iter().all(|problem| problem.keys == ["damping"]) {
-                values.doubt(Doubt::DampingMass);
+                values.report(Column::Cushion, Kind::DampingMass, None);
             } else {
                 for problem in &problems.problems {
-                    values.wrong(column_of(problem), problem);
+                    values.wrong(column_of(problem), Kind::Unreadable, problem);
                 }
             }
             Support::default()
@@ -313,7 +322,7 @@ fn column_of(problem: &Problem) -> Column {
     problem.keys.iter().find_map(column).unwrap_or(Column::Cushion)
 }
 
-fn refuse_entry(values: &mut Values<'_, '_, '_>, column: Column, entry: &str, names: &[String], library: &str) {
+fn refuse_entry(values: &mut Values<'_>, column: Column, entry: &str, names: &[String], library: &str) {
     let all: Vec<&str> = names.iter().map(String::as_str).collect();
     let entry = shorten(entry);
     let hint = match nearest(&entry, &all) {
@@ -326,13 +335,16 @@ fn refuse_entry(values: &mut Values<'_, '_, '_>, column: Column, entry: &str, na
             format!("known: {}{}", some.join(", "), if all.len() > 6 { " and more" } else { "" })
         }
     };
-    values.refuse(column, format!("\"{entry}\" is not an entry of the {library} library"), &hint);
+    let message = format!("is not an entry of the {library} library");
+    values.wrong(column, Kind::Unreadable, &Problem::value(message, hint));
 }
 
-fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tolerance> {
+fn tolerance(values: &mut Values<'_>, lookup: &Lookup<'_>) -> Option<Tolerance> {
+    let peak_m_s2 = values.positive(Column::Tolerance);
+    let pulse_s = peak_m_s2.and_then(|_| values.pulse());
     let stated = Tolerance {
-        peak_m_s2: values.positive(Column::Tolerance),
-        duration_s: values.positive(Column::ToleranceDuration),
+        peak_m_s2,
+        duration_s: values.positive(Column::ToleranceDuration).or(pulse_s),
         velocity_change_m_s: values.positive(Column::ToleranceVelocityChange),
         edge_lift_m: values.positive(Column::ToleranceEdgeLift),
         source: "the inventory".to_owned(),
@@ -341,7 +353,7 @@ fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tol
     let Tolerance { peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m, .. } = &stated;
     let is_stated = [peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m].into_iter().any(Option::is_some);
     if duration_s.is_some() && peak_m_s2.is_none() {
-        values.doubt(Doubt::PeakMissing);
+        values.report(Column::ToleranceDuration, Kind::PulseAlone, None);
     }
     let entry = values.text(Column::ToleranceEntry);
     if entry.is_empty() {
@@ -350,7 +362,7 @@ fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tol
     if is_stated {
         let hint = "keep either the entry or the values in the other tolerance columns";
         let message = "tolerance_entry and the other tolerance columns exclude each other";
-        values.refuse(Column::ToleranceEntry, message, hint);
+        values.wrong(Column::ToleranceEntry, Kind::Unreadable, &Problem::value(message, hint));
         return None;
     }
     let found = (lookup.tolerance)(&entry);
@@ -360,22 +372,29 @@ fn tolerance(values: &mut Values<'_, '_, '_>, lookup: &Lookup<'_>) -> Option<Tol
     found
 }
 
-fn restitution(values: &mut Values<'_, '_, '_>, blocks: &[Block]) -> Restitution {
-    let is_housner = values.cell(Column::Restitution).is_some_and(|(_, cell)| canonical(&cell.shown()) == "housner");
-    let value = if is_housner { None } else { values.positive(Column::Restitution) };
+fn restitution(values: &mut Values<'_>, blocks: &[Block]) -> Restitution {
+    // The word "Housner" has no digit and counts as missing, which means the same.
+    let value = values.positive(Column::Restitution);
     let factor = values.positive(Column::RestitutionFactor);
     let (column, restitution) = match (value, factor) {
         (None, None) => return Restitution::Housner,
         (Some(value), None) => (Column::Restitution, Restitution::Value(value)),
         (Some(_), Some(_)) => {
             let hint = "keep one of them; the factor multiplies Housner's restitution";
-            values.refuse(Column::RestitutionFactor, "restitution and restitution_factor exclude each other", hint);
+            let message = "restitution and restitution_factor exclude each other";
+            values.wrong(Column::RestitutionFactor, Kind::Unreadable, &Problem::value(message, hint));
             return Restitution::Housner;
         }
         (None, Some(factor)) => (Column::RestitutionFactor, Restitution::Factor(factor)),
     };
     checked(restitution, blocks).unwrap_or_else(|problem| {
-        values.wrong(column, &problem);
+        values.wrong(column, Kind::OutOfRange, &problem);
         Restitution::Housner
     })
+}
+
+/// The first column that describes a pad.
+fn pad_column(values: &mut Values<'_>) -> Column {
+    let columns = [Column::PadThickness, Column::PadsPerEdge, Column::SeriesStiffness];
+    columns.into_iter().find(|column| values.is_filled(*column)).unwrap_or(Column::PadThickness)
 }

@@ -1,197 +1,502 @@
-//! Which columns of the file freestand reads, and which are carried through.
+//! Where the headings are, and which rows below them are objects.
 
 use std::collections::BTreeMap;
 
-use freestand_input::quantity::{Dimension, Unit, shorten};
+use super::cell::{Cell, Row};
+use super::columns::Column;
+use super::headings::{HeadingUnit, Meaning, dimension, letter_meaning, meaning};
+use super::mapping::Mapping;
+use super::units::{CellUnit, find};
+use super::vocabulary::{begins_note, begins_total, canonical, is_missing};
 
-use super::columns::{COLUMNS, Column, Heading, Holds, heading, letters, meant};
-use super::findings::Findings;
-use super::header::Header;
+/// Number of rows, empty ones not counted, that are searched for headings.
+pub(super) const SEARCHED_ROWS: usize = 100;
 
-/// Largest number of columns that are carried through; an asset register has some dozens.
-pub(super) const MAX_CARRIED: usize = 256;
-/// Largest number of headings that are checked for typing mistakes.
-const MAX_MEANT: usize = 20;
-
-/// The place of a known column in the file.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Place {
-    /// Its column, from 0.
-    pub(super) index: u32,
-    /// Its heading in the file.
-    pub(super) heading: String,
-    /// The unit of numbers without one; `None`: each cell has its own unit.
-    pub(super) unit: Option<&'static Unit>,
-    /// Whether its cells can be read: `false` if the unit in the heading is wrong.
-    pub(super) is_readable: bool,
-}
-
-/// What a column of the file is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Role {
-    /// A column without a heading.
-    Unnamed,
-    Ours(Column),
-    /// The n-th column that is carried through.
-    Carried(usize),
-}
-
-/// The columns of a file.
+/// The headings as they are in the file.
 #[derive(Debug, Clone)]
-pub(super) struct Layout {
-    places: Vec<Option<Place>>,
-    roles: BTreeMap<u32, Role>,
-    /// Headings that are carried through, in the order of the file.
-    pub(super) carried: Vec<String>,
-    /// One more than the last column that has a heading.
-    pub(super) width: u32,
-    /// Largest number of cells in a row, where the file says so.
-    pub(super) widest: u32,
+pub(super) struct Header {
+    /// The row with the headings, counted from 1.
+    pub(super) row: u32,
+    /// The last row before the objects: a second row of headings, or a row of units.
+    pub(super) last_row: u32,
+    /// Every heading, by its column.
+    pub(super) headings: BTreeMap<u32, String>,
+    /// What the headings mean, where that is known.
+    pub(super) meanings: BTreeMap<u32, Meaning>,
+    /// Units of a row of their own, or of a heading above a group.
+    pub(super) units: BTreeMap<u32, CellUnit>,
+    /// Whether the units are from a row of their own.
+    pub(super) has_unit_row: bool,
+    /// Number of different known columns.
+    pub(super) known: usize,
+    /// Number of rows above that are not empty.
+    pub(super) above: usize,
+    /// Number of cells in the row of headings, where the file says so.
+    pub(super) width: Option<u32>,
 }
 
-impl Layout {
-    /// Interprets the headings; problems are added to `findings`, warnings to `warnings`.
-    pub(super) fn new(header: &Header, findings: &mut Findings<'_>, warnings: &mut Vec<String>) -> Self {
-        let width = header.headings.keys().last().map_or(0, |last| last + 1);
-        let mut layout = Self {
-            places: vec![None; COLUMNS.len()],
-            roles: BTreeMap::new(),
-            carried: Vec::new(),
-            width,
-            widest: header.width.map_or(width, |cells| cells.max(width)),
-        };
-        let mut looked_into = 0;
-        for (&index, text) in &header.headings {
-            match heading(text) {
-                Heading::Ours(column, unit) => {
-                    let unit = unit.or_else(|| header.units.get(&index).copied());
-                    layout.take(
-                        column,
-                        Place { index, heading: text.clone(), unit, is_readable: true },
-                        header,
-                        findings,
-                    );
-                }
-                Heading::BadUnit(column, unit) => {
-                    let place = format!("column {} ({})", letters(index as usize), shorten(text));
-                    let message = format!("{place}: \"{}\" is not a unit of {}", shorten(&unit), column.name());
-                    findings.of_file(header.line, message, unit_hint(column));
-                    layout.take(
-                        column,
-                        Place { index, heading: text.clone(), unit: None, is_readable: false },
-                        header,
-                        findings,
-                    );
-                }
-                Heading::Other => {
-                    layout.roles.insert(index, Role::Carried(layout.carried.len()));
-                    layout.carried.push(text.clone());
-                    looked_into += 1;
-                    if looked_into <= MAX_MEANT
-                        && let Some(hint) = meant(text)
-                    {
-                        let place = format!("column {} ({})", letters(index as usize), shorten(text));
-                        warnings.push(format!("{place} is not read, only carried through: {hint}"));
-                    }
+/// Smallest number of known headings; with a size one less.
+const MIN_HEADINGS: usize = 3;
+
+const SIZES: [Column; 4] = [Column::Height, Column::Thickness, Column::Width, Column::Dimensions];
+
+/// Finds the headings among the first rows of a sheet: the row with the most known names.
+pub(super) fn find_header(rows: &[Row], mapping: Option<&Mapping>) -> Option<Header> {
+    let searched = rows.get(..SEARCHED_ROWS.min(rows.len()))?;
+    let known: Vec<usize> = searched.iter().map(|row| score(&mapped(row, mapping))).collect();
+    let most = known.iter().copied().max().filter(|&most| most > 0)?;
+    let at = known.iter().position(|&count| count == most)?;
+    let main = searched.get(at)?;
+    let mut header = Header {
+        row: main.number,
+        last_row: main.number,
+        headings: texts(main),
+        meanings: mapped(main, mapping),
+        units: BTreeMap::new(),
+        has_unit_row: false,
+        known: most,
+        above: at,
+        width: main.width,
+    };
+    // Some forms have "Location" above "building, floor, room", and "Size (mm)" above "H, W, D".
+    if let Some(above) = at.checked_sub(1).and_then(|at| searched.get(at)).filter(|row| row.number + 1 == main.number) {
+        header.take_group(above);
+    }
+    let mut next = searched.get(at + 1).filter(|row| row.number == main.number + 1);
+    if let Some(below) = next.filter(|row| is_second_row(row, &header)) {
+        header.last_row = below.number;
+        header.headings.extend(texts(below));
+        header.meanings.extend(meanings_of(below));
+        next = searched.get(at + 2).filter(|row| row.number == below.number + 1);
+    }
+    if let Some((row, units)) = next.and_then(|row| Some((row, unit_row(row, &header.meanings)?))) {
+        header.last_row = row.number;
+        header.units.extend(units);
+        header.has_unit_row = true;
+    }
+    header.known = distinct(&header.meanings).len();
+    Some(header)
+}
+
+impl Header {
+    /// Fills gaps in the headings from a row of groups above, and takes the units of its groups.
+    fn take_group(&mut self, above: &Row) {
+        let groups = texts(above);
+        for (column, text) in &groups {
+            if !self.headings.contains_key(column)
+                && let Some(found) = meaning(text)
+            {
+                self.headings.insert(*column, text.clone());
+                self.meanings.insert(*column, found);
+            }
+        }
+        let lasts: Vec<u32> = groups.keys().copied().skip(1).chain([u32::MAX]).collect();
+        for ((first, text), last) in groups.iter().zip(lasts) {
+            for (column, found) in self.meanings.range(*first..last) {
+                let Some(dimension) = dimension(found.column).filter(|_| found.unit == HeadingUnit::None) else {
+                    continue;
+                };
+                let Some(inner) = text.split(['(', '[']).nth(1) else { continue };
+                if let Ok(unit) = find(inner.trim_end_matches([')', ']', ' ']), dimension) {
+                    self.units.insert(*column, unit);
                 }
             }
         }
-        layout.check(header, findings);
-        layout
     }
 
-    fn take(&mut self, column: Column, place: Place, header: &Header, findings: &mut Findings<'_>) {
-        if let Some(other) = self.place(column) {
-            let message = format!(
-                "columns {} ({}) and {} ({}) are both {}",
-                letters(other.index as usize),
-                shorten(&other.heading),
-                letters(place.index as usize),
-                shorten(&place.heading),
-                column.name()
+    /// The unit that the row of units or the group states.
+    pub(super) fn unit(&self, column: u32) -> Option<CellUnit> {
+        self.units.get(&column).copied()
+    }
+}
+
+fn texts(row: &Row) -> BTreeMap<u32, String> {
+    let cells = row.cells.iter().filter(|(_, cell)| !cell.is_blank());
+    cells.map(|(column, cell)| (*column, cell.shown().trim().to_owned())).filter(|(_, text)| !text.is_empty()).collect()
+}
+
+/// What the texts of a row mean as headings.
+fn meanings_of(row: &Row) -> BTreeMap<u32, Meaning> {
+    let mut found: BTreeMap<u32, Meaning> = BTreeMap::new();
+    for (index, cell) in &row.cells {
+        if let Cell::Text(text) = cell
+            && let Some(meaning) = meaning(text)
+        {
+            found.insert(*index, meaning);
+        }
+    }
+    // B, T and P are sizes beside other letters for sizes only.
+    let has = |column: Column| found.values().any(|meaning| meaning.column == column);
+    let is_letter = |index: &u32| matches!(row.get(*index), Some(Cell::Text(text)) if text.chars().take_while(|c| c.is_alphabetic()).count() == 1);
+    let sizes = found.iter().filter(|(index, meaning)| SIZES.contains(&meaning.column) && is_letter(index)).count();
+    let letters: Vec<(u32, Meaning)> = row
+        .cells
+        .iter()
+        .filter(|(index, _)| !found.contains_key(index))
+        .filter_map(|(index, cell)| match cell {
+            Cell::Text(text) => Some((*index, letter_meaning(text)?)),
+            _ => None,
+        })
+        .filter(|(_, meaning)| !has(meaning.column))
+        .collect();
+    if sizes + letters.len() >= 2 && sizes >= 1 {
+        found.extend(letters);
+    }
+    found
+}
+
+/// What the texts of a row mean with a mapping file: its headings are known, too.
+fn mapped(row: &Row, mapping: Option<&Mapping>) -> BTreeMap<u32, Meaning> {
+    let mut found = meanings_of(row);
+    let Some(mapping) = mapping else { return found };
+    for (index, text) in texts(row) {
+        let Some(one) = mapping.column(&text) else { continue };
+        found.remove(&index);
+        if let Some(column) = one.column {
+            found.insert(index, Meaning::mapped(column, one.unit));
+        }
+    }
+    found
+}
+
+fn distinct(meanings: &BTreeMap<u32, Meaning>) -> Vec<Column> {
+    let mut found: Vec<Column> = Vec::new();
+    for meaning in meanings.values() {
+        if !found.contains(&meaning.column) {
+            found.push(meaning.column);
+        }
+    }
+    found
+}
+
+/// The number of known columns of a row, 0 where there are too few for headings.
+fn score(meanings: &BTreeMap<u32, Meaning>) -> usize {
+    let found = distinct(meanings);
+    let has_size = found.iter().any(|column| SIZES.contains(column));
+    if found.len() + usize::from(has_size) >= MIN_HEADINGS { found.len() } else { 0 }
+}
+
+/// Whether a row below the headings contains only names of columns.
+fn is_second_row(row: &Row, header: &Header) -> bool {
+    let texts = texts(row);
+    let is_new = texts.keys().any(|column| !header.meanings.contains_key(column));
+    texts.len() >= 2 && is_new && texts.values().all(|text| meaning(text).is_some() && text.parse::<f64>().is_err())
+}
+
+/// The units of a row that contains nothing else, except for the word "units" and words under
+/// columns that are not known.
+fn unit_row(row: &Row, meanings: &BTreeMap<u32, Meaning>) -> Option<BTreeMap<u32, CellUnit>> {
+    let mut found = BTreeMap::new();
+    for (column, text) in texts(row) {
+        let words = canonical(&text);
+        let is_filler = is_missing(&text)
+            || matches!(
+                words.as_str(),
+                "unit"
+                    | "units"
+                    | "einheit"
+                    | "einheiten"
+                    | "unite"
+                    | "unites"
+                    | "unidad"
+                    | "unidades"
+                    | "unita"
+                    | "単位"
             );
-            findings.of_file(header.line, message, "keep one of them, or rename the other");
-            return;
-        }
-        self.roles.insert(place.index, Role::Ours(column));
-        if let Some(slot) = self.places.get_mut(column as usize) {
-            *slot = Some(place);
-        }
-    }
-
-    fn check(&self, header: &Header, findings: &mut Findings<'_>) {
-        for spec in COLUMNS.iter().filter(|spec| spec.is_required) {
-            if self.place(spec.column).is_none() {
-                let unit = if spec.unit.is_empty() { String::new() } else { format!(" [{}]", spec.unit) };
-                let near = self.carried.iter().take(MAX_MEANT);
-                let near = near.filter(|text| meant(text).is_some_and(|hint| hint.contains(spec.name)));
-                let hint = match near.map(|text| shorten(text)).next() {
-                    Some(near) => {
-                        format!("if \"{near}\" is that column, rename it \"{}{unit}\": {}", spec.name, spec.meaning)
-                    }
-                    None => format!(
-                        "add a column \"{}{unit}\" ({}); leave a cell empty if its value is not known",
-                        spec.name, spec.meaning
-                    ),
-                };
-                findings.of_file(header.line, format!("the column {} is missing", spec.name), hint);
-            }
-        }
-        if self.carried.len() > MAX_CARRIED {
-            let message =
-                format!("the file has {} other columns; at most {MAX_CARRIED} are carried through", self.carried.len());
-            findings.of_file(header.line, message, "remove columns that are not needed");
+        match meanings.get(&column) {
+            Some(meaning) => match dimension(meaning.column).map(|dimension| find(&text, dimension)) {
+                Some(Ok(unit)) => {
+                    found.insert(column, unit);
+                }
+                _ if is_filler => {}
+                // "pcs" under a quantity, "text" under a name.
+                _ if is_unit_like(&text) && dimension(meaning.column).is_none() => {}
+                _ => return None,
+            },
+            None if is_filler || is_unit_like(&text) => {}
+            None => return None,
         }
     }
+    (!found.is_empty()).then_some(found)
+}
 
-    /// The place of a column.
-    pub(super) fn place(&self, column: Column) -> Option<&Place> {
-        self.places.get(column as usize).and_then(Option::as_ref)
-    }
+/// Whether a text could be a unit of something: short, or in brackets, and without digits.
+fn is_unit_like(text: &str) -> bool {
+    let is_bracketed = text.starts_with(['(', '[']) && text.ends_with([')', ']']);
+    !text.chars().any(|c| c.is_ascii_digit()) && (is_bracketed || text.chars().count() <= 4)
+}
 
-    /// What a column of the file is.
-    pub(super) fn role(&self, index: u32) -> Role {
-        self.roles.get(&index).copied().unwrap_or(Role::Unnamed)
-    }
+/// What a row is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowKind {
+    /// The name of a section of the list.
+    Section,
+    /// A total of rows above.
+    Total,
+    /// A remark.
+    Note,
+    /// The headings again.
+    Header,
+    /// A row of units.
+    Units,
+}
 
-    /// The known columns, as they were interpreted.
-    pub(super) fn columns(&self) -> Vec<ColumnRead> {
-        let ours = self.places.iter().zip(&COLUMNS).filter_map(|(place, spec)| Some((place.as_ref()?, spec)));
-        let mut columns: Vec<(u32, ColumnRead)> = ours
-            .map(|(place, spec)| {
-                let unit = match (spec.holds, place.unit) {
-                    (_, Some(unit)) => Some(unit.symbol.to_owned()),
-                    (Holds::Quantity(dimension), None) if dimension != Dimension::Ratio => {
-                        Some("in each cell".to_owned())
-                    }
-                    _ => None,
-                };
-                let letter = letters(place.index as usize);
-                (place.index, ColumnRead { letter, heading: place.heading.clone(), name: spec.name, unit })
-            })
-            .collect();
-        columns.sort_by_key(|(index, _)| *index);
-        columns.into_iter().map(|(_, column)| column).collect()
+impl RowKind {
+    /// Its name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Section => "section",
+            Self::Total => "total",
+            Self::Note => "note",
+            Self::Header => "header",
+            Self::Units => "units",
+        }
     }
 }
 
-/// A known column, as it was interpreted.
+/// A row that is not an object.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ColumnRead {
-    /// Its letter in a spreadsheet: `F`.
-    pub letter: String,
-    /// Its heading in the file.
-    pub heading: String,
-    /// Its name in freestand.
-    pub name: &'static str,
-    /// The unit of its numbers; `None`: text or ratios.
-    pub unit: Option<String>,
+pub struct LeftOut {
+    /// Its number in the sheet.
+    pub row: u32,
+    /// What it is.
+    pub kind: RowKind,
+    /// Its texts.
+    pub text: String,
 }
 
-/// What to write in place of a wrong unit.
-pub(super) fn unit_hint(column: Column) -> String {
-    let spec = column.spec();
-    let Holds::Quantity(dimension) = spec.holds else { return "remove the brackets".to_owned() };
-    let units: Vec<&str> = dimension.units().map(|unit| unit.symbol).take(6).collect();
-    format!("write one of {}, such as \"{} [{}]\"", units.join(", "), spec.name, spec.unit)
+/// The rows below the headings.
+#[derive(Debug, Default)]
+pub(super) struct Body {
+    /// Places of the objects in the rows, each with its section.
+    pub(super) objects: Vec<(usize, Option<usize>)>,
+    /// Names of the sections.
+    pub(super) sections: Vec<String>,
+    pub(super) left_out: Vec<LeftOut>,
+    /// Units that apply to a column from a row on.
+    pub(super) units: Vec<(u32, u32, CellUnit)>,
+    /// The row of headings of another table, which is not read.
+    pub(super) other_table: Option<u32>,
+}
+
+/// Tells objects from sections, totals, remarks, and headings that are repeated.
+pub(super) fn body(rows: &[Row], header: &Header) -> Body {
+    let mut body = Body::default();
+    if header.has_unit_row
+        && let Some(row) = rows.iter().find(|row| row.number == header.last_row)
+    {
+        body.left_out.push(LeftOut { row: row.number, kind: RowKind::Units, text: text_of(row) });
+    }
+    // Whether there are objects below is known from the end.
+    let first = rows.partition_point(|row| row.number <= header.last_row);
+    let mut kinds: Vec<(usize, Sort)> = Vec::new();
+    for (place, row) in rows.iter().enumerate().skip(first) {
+        match sort(row, header) {
+            Sort::Other => {
+                body.other_table = Some(row.number);
+                kinds.push((place, Sort::Left(RowKind::Header)));
+                let rest = rows.iter().enumerate().skip(place + 1);
+                kinds.extend(rest.map(|(place, _)| (place, Sort::Left(RowKind::Note))));
+                break;
+            }
+            found => kinds.push((place, found)),
+        }
+    }
+    let last_object = kinds.iter().rfind(|(_, sort)| *sort == Sort::Object).map_or(0, |(place, _)| *place);
+    let mut section = None;
+    for (place, sort) in kinds {
+        let Some(row) = rows.get(place) else { continue };
+        let kind = match sort {
+            Sort::Object => {
+                body.objects.push((place, section));
+                continue;
+            }
+            Sort::Lone if place < last_object && !begins_note(&text_of(row)) => {
+                body.sections.push(text_of(row).trim_end_matches(':').trim().to_owned());
+                section = Some(body.sections.len() - 1);
+                RowKind::Section
+            }
+            Sort::Lone | Sort::Other => RowKind::Note,
+            Sort::Left(kind) => kind,
+        };
+        match kind {
+            RowKind::Units => {
+                let units = unit_row(row, &header.meanings).unwrap_or_default();
+                body.units.extend(units.into_iter().map(|(column, unit)| (row.number, column, unit)));
+            }
+            // The headings again may state other units.
+            RowKind::Header if body.other_table != Some(row.number) => {
+                for (column, found) in meanings_of(row) {
+                    if let HeadingUnit::Stated(unit) = found.unit {
+                        body.units.push((row.number, column, unit));
+                    }
+                }
+            }
+            _ => {}
+        }
+        body.left_out.push(LeftOut { row: row.number, kind, text: text_of(row) });
+    }
+    body.left_out.sort_by_key(|left| left.row);
+    body
+}
+
+/// What a row is, before it is known whether objects follow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sort {
+    Object,
+    /// A text alone in its row.
+    Lone,
+    Left(RowKind),
+    /// Headings of a table with other columns.
+    Other,
+}
+
+fn sort(row: &Row, header: &Header) -> Sort {
+    let mut filled = row.cells.iter().filter(|(_, cell)| !cell.is_blank());
+    let first = filled.next();
+    let count = usize::from(first.is_some()) + filled.clone().count();
+    if let (1, Some((_, cell))) = (count, first) {
+        return match cell {
+            Cell::Text(text) if begins_total(text) => Sort::Left(RowKind::Total),
+            Cell::Text(text) if text.chars().any(char::is_alphabetic) => Sort::Lone,
+            _ => Sort::Left(RowKind::Note),
+        };
+    }
+    // Most rows of a list have a number, and neither headings nor units do.
+    let is_word =
+        |cell: &Cell| matches!(cell, Cell::Text(text) if !text.trim_start().starts_with(|c: char| c.is_ascii_digit()));
+    if row.cells.iter().all(|(_, cell)| is_word(cell)) {
+        if let Some(kind) = header_again(row, header) {
+            return kind;
+        }
+        if unit_row(row, &header.meanings).is_some() {
+            return Sort::Left(RowKind::Units);
+        }
+    }
+    let cell = |column: Column| {
+        header
+            .meanings
+            .iter()
+            .filter(move |(_, meaning)| meaning.column == column)
+            .filter_map(|(index, _)| row.get(*index))
+    };
+    let has_size = SIZES.iter().any(|&column| cell(column).any(|cell| !cell.is_blank() && !is_missing(&cell.shown())));
+    if !has_size && first.is_some_and(|(_, cell)| matches!(cell, Cell::Text(text) if begins_total(text))) {
+        return Sort::Left(RowKind::Total);
+    }
+    let known =
+        row.cells.iter().filter(|(index, cell)| header.meanings.contains_key(index) && !cell.is_blank()).count();
+    if known >= 2 { Sort::Object } else { Sort::Left(RowKind::Note) }
+}
+
+/// Whether a row has the headings again, or those of another table.
+fn header_again(row: &Row, header: &Header) -> Option<Sort> {
+    let (mut same, mut other) = (0, 0);
+    for (index, cell) in &row.cells {
+        let Cell::Text(text) = cell else { return None };
+        if text.trim().is_empty() {
+            continue;
+        }
+        match header.headings.get(index) {
+            Some(heading) if canonical(heading) == canonical(text) => same += 1,
+            _ => match (meaning(text), header.meanings.get(index)) {
+                (Some(found), Some(known)) if found.column == known.column => same += 1,
+                _ => other += 1,
+            },
+        }
+    }
+    if same >= 2 && same > other {
+        return Some(Sort::Left(RowKind::Header));
+    }
+    let here = meanings_of(row);
+    let is_other = score(&here) >= 4 && here.len() > other / 2;
+    is_other.then_some(Sort::Other)
+}
+
+/// The texts of a row.
+fn text_of(row: &Row) -> String {
+    let texts: Vec<String> =
+        row.cells.iter().filter(|(_, cell)| !cell.is_blank()).map(|(_, cell)| cell.shown().trim().to_owned()).collect();
+    texts.join(" | ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(lines: &[&str]) -> Vec<Row> {
+        let row = |(number, line): (usize, &&str)| {
+            let cells = line.split(',').enumerate().filter(|(_, text)| !text.is_empty());
+            let cells = cells.map(|(column, text)| (column as u32, Cell::Text(text.to_owned()))).collect();
+            Row { number: number as u32 + 1, line: None, cells, width: None }
+        };
+        lines.iter().enumerate().map(row).filter(|row| !row.is_blank()).collect()
+    }
+
+    #[test]
+    fn headings_are_found_below_titles() {
+        let found = find_header(
+            &rows(&["Inventory of the item store", "", "Priority: 1 high", "id,item,height [mm],maker", "a,b,1"]),
+            None,
+        );
+        let found = found.unwrap();
+        assert_eq!((found.row, found.last_row, found.known, found.above), (4, 4, 3, 2));
+        assert_eq!(found.headings[&3], "maker");
+        assert!(find_header(&rows(&["a,b,c", "1,2,3"]), None).is_none());
+        assert!(find_header(&rows(&["id,item"]), None).is_none() && find_header(&rows(&["id,height"]), None).is_some());
+    }
+
+    #[test]
+    fn a_form_with_two_rows_of_headings() {
+        // As in FEMA E-74: groups above, their parts below.
+        for lines in [
+            [
+                "Priority,Nonstructural Item,Location,,,Quantity,Risk,,",
+                ",,building,floor,room,,LS,PL,FL",
+                "1,rack,A,2,3,1,H,M,L",
+            ],
+            ["Priority,Nonstructural Item,,,,Quantity,,,", ",,building,floor,room,,LS,PL,FL", "1,rack,A,2,3,1,H,M,L"],
+        ] {
+            let found = find_header(&rows(&lines), None).unwrap();
+            assert_eq!((found.last_row, found.known), (2, 9), "{found:?}");
+            assert_eq!((found.headings[&2].as_str(), found.headings[&1].as_str()), ("building", "Nonstructural Item"));
+        }
+    }
+
+    #[test]
+    fn units_may_have_a_row_of_their_own_or_stand_above() {
+        let found =
+            find_header(&rows(&["item,height,mass,level_ratio,x", "Units,mm,[kg],-,EUR", "rack,1800,140,1,2"]), None)
+                .unwrap();
+        assert_eq!((found.last_row, found.has_unit_row), (2, true));
+        assert_eq!([1, 2].map(|column| found.unit(column).map(CellUnit::symbol)), [Some("mm"), Some("kg")]);
+        let found = find_header(&rows(&["item,height,mass", "kg,mm,mm"]), None).unwrap();
+        assert!(found.units.is_empty());
+        let found =
+            find_header(&rows(&[",,Size (cm),,", "id,item,H,W,D,Weight (kg)", "1,rack,1,2,3,4"]), None).unwrap();
+        assert_eq!([2, 3, 4].map(|column| found.unit(column).map(CellUnit::symbol)), [Some("cm"); 3]);
+    }
+
+    #[test]
+    fn rows_that_are_no_objects() {
+        let all = rows(&[
+            "id,item,height,mass",
+            "Ward 3,,,",
+            "1,rack,1800,85",
+            "id,item,height,mass",
+            ",Total,,85",
+            "Ward 4:,,,",
+            "2,cabinet,900,40",
+            ",,in,lb",
+            "3,shelf,30,40",
+            "Measured in May,,,",
+        ]);
+        let header = find_header(&all, None).unwrap();
+        let body = body(&all, &header);
+        let kinds: Vec<(u32, &str)> = body.left_out.iter().map(|left| (left.row, left.kind.name())).collect();
+        assert_eq!(kinds, [(2, "section"), (4, "header"), (5, "total"), (6, "section"), (8, "units"), (10, "note")]);
+        assert_eq!(body.sections, ["Ward 3", "Ward 4"]);
+        assert_eq!(body.objects, [(2, Some(0)), (6, Some(1)), (8, Some(1))]);
+        assert_eq!(body.units.len(), 2);
+    }
 }

@@ -1,22 +1,39 @@
-//! Inventories: the objects of a building, read from a spreadsheet into SI, with all problems
-//! reported at once.
+//! Inventories: the objects of a building, read from a list as people keep it.
+//!
+//! A file becomes a sheet of cells with their places (`source`); its headings are found, and the
+//! rows that are objects (`layout`); each column gets a name, a unit and a decimal sign, each with
+//! its evidence (`understood`); each cell becomes a value in SI or a problem (`cells`, `values`),
+//! each row an object (`item`). Problems are collected by kind and column (`problems`): a bad cell
+//! costs its value, never its row or the file.
+//!
+//! What a person would read without hesitating is read; where a person would hesitate, nothing is
+//! used and the list says so once.
 
 mod archive;
 mod cell;
+mod cells;
 mod columns;
 mod convert;
 mod csv_file;
 mod encoding;
-mod findings;
-mod header;
+mod floors;
+mod headings;
 mod item;
 mod layout;
+mod mapping;
+mod marked;
+mod numbers;
+mod plausible;
+mod problems;
 mod read;
 mod source;
 mod template;
 #[cfg(test)]
 mod tests;
+mod understood;
+mod units;
 mod values;
+mod vocabulary;
 mod workbook;
 mod write;
 
@@ -26,8 +43,13 @@ use freestand::rocking::Restitution;
 
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
-pub use layout::ColumnRead;
-pub use read::{Reading, inspect_inventory, parse_inventory, read_inventory};
+pub use floors::Floors;
+pub use layout::{LeftOut, RowKind};
+pub use mapping::Mapping;
+pub use marked::marked_copy;
+pub use numbers::Decimal;
+pub use problems::{Finding, Kind, Severity, console_lines};
+pub use read::{ColumnRead, ReadOptions, Reading, inspect_inventory, parse_inventory, read_inventory};
 pub use template::{template_csv, template_xlsx};
 
 use crate::library::Tolerance;
@@ -56,12 +78,25 @@ pub enum Rating {
     High,
 }
 
+impl Rating {
+    /// Its name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Low => "low",
+            Self::Medium => "medium",
+            Self::High => "high",
+        }
+    }
+}
+
 /// One row of an inventory. `None` is an empty cell: missing data cost the object its verdict, but
 /// do not stop the reading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Item {
     /// Its row in the sheet or file, counted from 1 as in a spreadsheet.
     pub row: u32,
+    /// The section of the list that it is in; empty: none.
+    pub section: String,
     /// Its identifier, unique in the inventory.
     pub id: String,
     /// What it is.
@@ -113,8 +148,14 @@ pub struct Item {
     pub accepted_ratio: Option<f64>,
     /// What is asked of it; `None`: what the study and its ratings ask.
     pub questions: Option<Questions>,
+    /// Whether it is anchored; `None`: the list does not say.
+    pub anchored: Option<bool>,
+    /// What it stands on, in words.
+    pub rests_on: String,
     /// Notes.
     pub notes: String,
+    /// What is doubtful about the values of its row.
+    pub doubts: Vec<Kind>,
     /// Cells of the other columns, in the order of [`Inventory::carried`].
     pub carried: Vec<String>,
 }
@@ -134,6 +175,17 @@ pub struct Inventory {
     pub items: Vec<Item>,
     /// The user's libraries in which its entries were looked up.
     pub libraries: Vec<freestand_input::file::InputFile>,
+    /// What beside the file and the study decided how it was read, for the key of a run.
+    pub read_with: String,
+    /// What is wrong or doubtful, one for each kind and column.
+    pub findings: Vec<Finding>,
     /// Warnings about how the file was read.
     pub warnings: Vec<String>,
+}
+
+impl Inventory {
+    /// Whether a cell has no value that should have one.
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(|finding| finding.severity == Severity::Error)
+    }
 }

@@ -7,32 +7,34 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
 use super::cell::{Flow, Row};
-use super::header::{self, Header, SEARCHED_ROWS, required_names};
+use super::layout::{Header, SEARCHED_ROWS, find_header};
+use super::mapping::Mapping;
 use super::workbook::{Formulas, Merges, Workbook};
 use super::{csv_file, encoding};
 
 /// Largest file \[bytes\].
 const MAX_BYTES: u64 = 512 << 20;
+/// Largest number of cells of a sheet that are held in memory.
+const MAX_CELLS: usize = 25_000_000;
 
 /// What separates the cells of a CSV.
-const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
+const SEPARATORS: [u8; 4] = [b',', b';', b'\t', b'|'];
 
 const TEMPLATE: &str = "freestand inventory template writes one to fill in";
 
-/// An open file.
-pub(super) struct Source {
-    content: Content,
-    /// The sheet, of a workbook.
-    pub(super) sheet: Option<String>,
-    /// The headings.
+/// A sheet as the file has it, and its headings.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    /// Its name, in a workbook.
+    pub(super) name: Option<String>,
+    /// The rows that are not empty, in order.
+    pub(super) rows: Vec<Row>,
+    pub(super) merges: Merges,
     pub(super) header: Header,
-    /// Warnings.
+    /// What separates the cells, in a CSV.
+    pub(super) separator: Option<u8>,
+    pub(super) formulas: Formulas,
     pub(super) warnings: Vec<String>,
-}
-
-enum Content {
-    Csv { text: String, separator: u8 },
-    Workbook(Box<Workbook>),
 }
 
 /// The bytes of an inventory.
@@ -48,14 +50,15 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     )
 }
 
-impl Source {
-    /// Recognises the format by the content, and finds the sheet and its headings.
+impl Sheet {
+    /// Recognises the format by the content, finds the sheet and its headings, and reads it.
     ///
     /// # Errors
-    /// A file that is neither CSV nor XLSX, or a sheet or headings that are not found.
-    pub(super) fn open(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Self, Problem> {
+    /// A file that is neither CSV nor XLSX, a sheet or headings that are not found, or more cells
+    /// than a list has.
+    pub(super) fn open(bytes: Vec<u8>, sheet: Option<&str>, mapping: Option<&Mapping>) -> Result<Self, Problem> {
         if bytes.starts_with(b"PK") {
-            return Self::open_workbook(bytes, sheet);
+            return Self::open_workbook(bytes, sheet, mapping);
         }
         if bytes.starts_with(b"\xD0\xCF\x11\xE0") {
             return Err(Problem::new(ProblemKind::Format, "is an old workbook (.xls), or one with a password")
@@ -65,17 +68,17 @@ impl Source {
             return Err(Problem::new(ProblemKind::Value, format!("a CSV has no sheet \"{}\"", shorten(sheet)))
                 .hint("remove `sheet`, or give a workbook (.xlsx)"));
         }
-        Self::open_csv(bytes)
+        Self::open_csv(bytes, mapping)
     }
 
-    fn open_csv(bytes: Vec<u8>) -> Result<Self, Problem> {
+    fn open_csv(bytes: Vec<u8>, mapping: Option<&Mapping>) -> Result<Self, Problem> {
         let (text, warning) = encoding::decode(bytes)?;
         let mut failure = None;
         let mut best: Option<(Header, u8)> = None;
         for separator in SEPARATORS {
             let mut rows = Vec::new();
             let read = csv_file::rows(&text, separator, &mut |row| keep(&mut rows, row));
-            let found = header::find(&rows);
+            let found = find_header(&rows, mapping);
             if let (Err(problem), None) = (read, &failure) {
                 failure = Some(problem);
             }
@@ -87,10 +90,21 @@ impl Source {
         }
         // A quote that is not closed hides the headings and everything else.
         let (header, separator) = best.ok_or_else(|| failure.unwrap_or_else(no_headings))?;
-        Ok(Self { content: Content::Csv { text, separator }, sheet: None, header, warnings: Vec::from_iter(warning) })
+        let mut all = Collected::default();
+        csv_file::rows(&text, separator, &mut |row| all.take(row))?;
+        let rows = all.finish()?;
+        Ok(Self {
+            name: None,
+            rows,
+            merges: Merges::default(),
+            header,
+            separator: Some(separator),
+            formulas: Formulas::default(),
+            warnings: Vec::from_iter(warning),
+        })
     }
 
-    fn open_workbook(bytes: Vec<u8>, wanted: Option<&str>) -> Result<Self, Problem> {
+    fn open_workbook(bytes: Vec<u8>, wanted: Option<&str>, mapping: Option<&Mapping>) -> Result<Self, Problem> {
         let mut workbook = Workbook::open(bytes)?;
         let sheets = workbook.sheets();
         let listed = || {
@@ -103,31 +117,34 @@ impl Source {
                 let message = format!("the workbook has no sheet \"{}\"", shorten(wanted));
                 return Err(Problem::value(message, format!("its sheets: {}", listed())));
             };
-            let header = find_in(&mut workbook, name)?.ok_or_else(|| {
+            let header = find_in(&mut workbook, name, mapping)?.ok_or_else(|| {
                 let mut problem = no_headings();
                 problem.message = format!("sheet \"{}\": {}", shorten(name), problem.message);
                 problem
             })?;
-            return Ok(Self::of(workbook, name, header, Vec::new()));
+            return Self::of(&mut workbook, name, header, Vec::new());
         }
-        let mut found: Option<(String, Header)> = None;
-        let mut others = Vec::new();
+        let mut found: Vec<(String, Header)> = Vec::new();
         let mut hidden = Vec::new();
         for (name, is_visible) in &sheets {
-            let Some(header) = find_in(&mut workbook, name)? else { continue };
-            match &found {
-                _ if !is_visible => hidden.push(format!("\"{}\"", shorten(name))),
-                None => found = Some((name.clone(), header)),
-                Some(_) => others.push(format!("\"{}\"", shorten(name))),
+            let Some(header) = find_in(&mut workbook, name, mapping)? else { continue };
+            if *is_visible {
+                found.push((name.clone(), header));
+            } else {
+                hidden.push(format!("\"{}\"", shorten(name)));
             }
         }
-        let Some((name, header)) = found else {
+        let most = found.iter().map(|(_, header)| header.known).max();
+        let best = most.and_then(|most| found.iter().position(|(_, header)| header.known == most));
+        let Some(best) = best else {
             if let Some(name) = hidden.first() {
                 let message = format!("only the hidden sheet {name} has the headings of an inventory");
                 return Err(Problem::new(ProblemKind::Format, message).hint("name it with `sheet`, or unhide it"));
             }
             return Err(no_headings().hint(format!("sheets: {}; {TEMPLATE}", listed())));
         };
+        let (name, header) = found.swap_remove(best);
+        let others: Vec<String> = found.iter().map(|(name, _)| format!("\"{}\"", shorten(name))).collect();
         let mut warnings = Vec::new();
         if !others.is_empty() {
             warnings.push(format!(
@@ -137,54 +154,52 @@ impl Source {
                 others.join(", ")
             ));
         }
-        Ok(Self::of(workbook, &name, header, warnings))
+        Self::of(&mut workbook, &name, header, warnings)
     }
 
-    fn of(workbook: Workbook, sheet: &str, header: Header, warnings: Vec<String>) -> Self {
-        Self { content: Content::Workbook(Box::new(workbook)), sheet: Some(sheet.to_owned()), header, warnings }
+    fn of(workbook: &mut Workbook, name: &str, header: Header, warnings: Vec<String>) -> Result<Self, Problem> {
+        let mut all = Collected::default();
+        let formulas = workbook.rows(name, &mut |row| all.take(row))?;
+        let rows = all.finish()?;
+        let merges = workbook.merges(name)?;
+        Ok(Self { name: Some(name.to_owned()), rows, merges, header, separator: None, formulas, warnings })
     }
 
     /// A warning about rows above the headings.
     pub(super) fn title_warning(&self) -> Option<String> {
-        let sheet = self.sheet.as_ref().map(|sheet| format!("sheet \"{}\", ", shorten(sheet))).unwrap_or_default();
+        let sheet = self.name.as_ref().map(|sheet| format!("sheet \"{}\", ", shorten(sheet))).unwrap_or_default();
         let rows = match self.header.above {
             0 => return None,
             1 => "the row above them is".to_owned(),
             count => format!("the {count} rows above them are"),
         };
-        Some(format!("{sheet}the headings are in row {}; {rows} ignored", self.header.row))
+        Some(format!("{sheet}the headings are in row {}; {rows} not part of the list", self.header.row))
     }
+}
 
-    /// Whether a comma may be the decimal sign, because it does not separate cells.
-    pub(super) fn has_decimal_comma(&self) -> bool {
-        matches!(self.content, Content::Csv { separator, .. } if separator != b',')
-    }
+/// Rows that are not empty, up to a number of cells.
+#[derive(Default)]
+struct Collected {
+    rows: Vec<Row>,
+    cells: usize,
+}
 
-    /// Passes the rows below the headings to `on_row`.
-    ///
-    /// # Errors
-    /// A file that is damaged further down.
-    pub(super) fn rows(&mut self, on_row: &mut dyn FnMut(Row) -> Flow) -> Result<Formulas, Problem> {
-        let last = self.header.last_row;
-        let mut below = |row: Row| if row.number > last && !row.is_blank() { on_row(row) } else { Flow::More };
-        match (&mut self.content, &self.sheet) {
-            (Content::Csv { text, separator }, _) => {
-                csv_file::rows(text, *separator, &mut below).map(|()| Formulas::default())
-            }
-            (Content::Workbook(workbook), Some(sheet)) => workbook.rows(sheet, &mut below),
-            (Content::Workbook(_), None) => Ok(Formulas::default()),
+impl Collected {
+    fn take(&mut self, row: Row) -> Flow {
+        if row.is_blank() {
+            return Flow::More;
         }
+        self.cells += row.cells.len();
+        self.rows.push(row);
+        if self.cells > MAX_CELLS { Flow::Enough } else { Flow::More }
     }
 
-    /// The merged cells of the sheet; a CSV has none.
-    ///
-    /// # Errors
-    /// A sheet that cannot be read.
-    pub(super) fn merges(&mut self) -> Result<Merges, Problem> {
-        match (&mut self.content, &self.sheet) {
-            (Content::Workbook(workbook), Some(sheet)) => workbook.merges(sheet),
-            _ => Ok(Merges::default()),
+    fn finish(self) -> Result<Vec<Row>, Problem> {
+        if self.cells > MAX_CELLS {
+            let message = format!("the sheet has more than {MAX_CELLS} cells, too many for an inventory");
+            return Err(Problem::new(ProblemKind::Format, message).hint("split it into one file for each building"));
         }
+        Ok(self.rows)
     }
 }
 
@@ -192,17 +207,20 @@ fn keep(rows: &mut Vec<Row>, row: Row) -> Flow {
     if !row.is_blank() {
         rows.push(row);
     }
-    if rows.len() < SEARCHED_ROWS { Flow::More } else { Flow::Enough }
+    if rows.len() < SEARCHED_ROWS + 2 { Flow::More } else { Flow::Enough }
 }
 
-fn find_in(workbook: &mut Workbook, sheet: &str) -> Result<Option<Header>, Problem> {
+fn find_in(workbook: &mut Workbook, sheet: &str, mapping: Option<&Mapping>) -> Result<Option<Header>, Problem> {
     let mut rows = Vec::new();
     workbook.rows(sheet, &mut |row| keep(&mut rows, row))?;
-    Ok(header::find(&rows))
+    Ok(find_header(&rows, mapping))
 }
 
 fn no_headings() -> Problem {
     let message = format!("the first {SEARCHED_ROWS} rows contain no row of headings");
-    let hint = format!("an inventory needs at least the columns {}; {TEMPLATE}", required_names());
+    let hint = format!(
+        "a list needs at least three headings that are known, such as id, item, height; {TEMPLATE}; a mapping file \
+         (`columns`) says what other headings mean"
+    );
     Problem::new(ProblemKind::Format, message).hint(hint)
 }

@@ -83,15 +83,20 @@ fn heading(spec: &ColumnSpec) -> String {
     if spec.unit.is_empty() { spec.name.to_owned() } else { format!("{} [{}]", spec.name, spec.unit) }
 }
 
+/// The columns of the template.
+fn columns() -> impl Iterator<Item = &'static ColumnSpec> {
+    COLUMNS.iter().filter(|spec| spec.is_in_template)
+}
+
 fn table() -> Table {
     let row = |example: &&[(Column, &str)]| {
         let cell = |spec: &ColumnSpec| {
             let text = example.iter().find(|(column, _)| *column == spec.column).map_or("", |(_, text)| text);
-            Written::of(text, !matches!(spec.holds, Holds::Text | Holds::Rating | Holds::Range))
+            Written::of(text, !matches!(spec.holds, Holds::Text | Holds::Rating | Holds::Range | Holds::Answer))
         };
-        COLUMNS.iter().map(cell).collect()
+        columns().map(cell).collect()
     };
-    Table { headings: COLUMNS.iter().map(heading).collect(), rows: EXAMPLES.iter().map(row).collect() }
+    Table { headings: columns().map(heading).collect(), rows: EXAMPLES.iter().map(row).collect() }
 }
 
 /// The template as CSV.
@@ -122,7 +127,7 @@ fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
         sheet.write_string_with_format(0, column, title, &bold)?;
         sheet.set_column_width(column, width)?;
     }
-    for (row, spec) in (1u32..).zip(&COLUMNS) {
+    for (row, spec) in (1u32..).zip(columns()) {
         let cells =
             [spec.name, spec.unit, if spec.is_required { "yes" } else { "" }, cells(spec), spec.meaning, spec.example];
         for (column, text) in (0u16..).zip(cells) {
@@ -137,7 +142,7 @@ fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
         "Leave a cell empty if its value is not known. The object may then have no verdict, but the file is still \
          read.",
     ];
-    let first = COLUMNS.len() as u32 + 2;
+    let first = columns().count() as u32 + 2;
     for (row, text) in (first..).zip(notes) {
         sheet.write_string(row, 0, text)?;
     }
@@ -151,6 +156,8 @@ fn cells(spec: &ColumnSpec) -> &'static str {
         (_, Holds::Text) => "text",
         (_, Holds::Count) => "a whole number, at least 1",
         (_, Holds::Rating) => "H, M or L",
+        (_, Holds::Answer) => "yes or no",
+        (_, Holds::Sizes) => "height, width and depth",
         (_, Holds::Range) => "one value, or a range such as 0.3-0.5",
         (Column::Accepted, _) => "between 0 and 1, or 10 %",
         (Column::LevelRatio, _) => "from 0 to 1, or 50 %",

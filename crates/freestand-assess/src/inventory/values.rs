@@ -1,152 +1,273 @@
-//! The cells of one row as values; each that cannot be read is a problem with its place.
+//! The cells of one row as values; each that cannot be read is added to the problems.
 
 use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, Unit, parse, parse_in_unit, shorten};
+use freestand_input::quantity::{Dimension, shorten};
 
 use freestand_study::study::assessment::Questions;
 
 use super::Rating;
 use super::cell::{Cell, Row};
-use super::columns::{Column, Holds, canonical};
-use super::findings::{At, Doubt, Findings};
-use super::layout::{Layout, Place};
+use super::cells::{Choice, Measured, Sizes, Wrong, number_text, quantity, sizes, with_pulse};
+use super::columns::Column;
+use super::headings::dimension;
+use super::numbers::Decimal;
+use super::problems::{Findings, Kind, Place};
+use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
+use super::vocabulary::{canonical, is_missing, rating};
 use super::workbook::Merges;
 
 /// A row with everything that is needed to read its cells.
-pub(super) struct Values<'r, 'f, 'p> {
-    pub(super) row: &'r Row,
-    pub(super) layout: &'r Layout,
-    pub(super) merges: &'r Merges,
-    pub(super) has_decimal_comma: bool,
-    /// The decimal signs so far, to detect files that mix them.
-    pub(super) signs: &'r mut Signs,
-    pub(super) findings: &'f mut Findings<'p>,
+pub(super) struct Values<'a> {
+    pub(super) row: &'a Row,
+    /// All rows of the sheet, for cells that are merged with one above.
+    pub(super) rows: &'a [Row],
+    pub(super) columns: &'a Understood,
+    pub(super) merges: &'a Merges,
+    pub(super) findings: &'a mut Findings,
+    /// What is doubtful about this object.
+    pub(super) doubts: Vec<Kind>,
+    /// Its cells have shifted: no number is taken.
+    pub(super) is_shifted: bool,
+    /// For each column in use: cells with a value, and cells without any.
+    pub(super) counts: &'a mut [(usize, usize)],
 }
 
-/// Decimal signs that were found, where both are allowed.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Signs {
-    comma: bool,
-    point: Option<u32>,
-}
-
-impl Signs {
-    /// The first row with a point, if others have a comma.
-    pub(super) fn mixed(self) -> Option<u32> {
-        self.point.filter(|_| self.comma)
-    }
-}
-
-/// Words that people write for a value that is not known.
-const UNKNOWN: [&str; 10] = ["n_a", "na", "none", "unknown", "tbd", "tbc", "nil", "null", "nan", ""];
-
-impl Values<'_, '_, '_> {
-    /// The place of the row.
-    pub(super) fn at(&self) -> At {
-        At { row: self.row.number, line: self.row.line }
+impl<'a> Values<'a> {
+    fn place(one: &Use) -> Place<'_> {
+        Place { column: Some(one.column), index: Some(one.index), heading: Some(&one.heading) }
     }
 
-    /// Reports a problem of a cell.
-    pub(super) fn wrong(&mut self, column: Column, problem: &Problem) {
-        let at = self.at();
-        if let Some(place) = self.layout.place(column) {
-            self.findings.of_cell(at, place.index, &place.heading, &problem.message, problem.hint.clone());
+    /// Adds a problem of a cell.
+    fn problem(&mut self, one: &Use, kind: Kind, example: &str, detail: Option<String>) {
+        self.findings.add(kind, Self::place(one), Some(self.row.number), example, detail);
+        if kind.severity() == super::problems::Severity::Doubt {
+            self.doubt_of_object(kind);
         }
     }
 
-    /// Reports a wrong value, with what to write instead.
-    pub(super) fn refuse(&mut self, column: Column, message: impl Into<String>, hint: &str) {
-        self.wrong(column, &Problem::value(message, hint));
+    fn doubt_of_object(&mut self, kind: Kind) {
+        if !self.doubts.contains(&kind) {
+            self.doubts.push(kind);
+        }
     }
 
-    /// A cell that is not empty. A cell that is empty because it is merged with another is a
-    /// problem.
-    pub(super) fn cell(&mut self, column: Column) -> Option<(&Place, &Cell)> {
-        let layout = self.layout;
-        let place = layout.place(column).filter(|place| place.is_readable)?;
-        if let Some(cell) = self.row.get(place.index).filter(|cell| !cell.is_blank()) {
-            return Some((place, cell));
+    /// Adds a problem of a column; of the row where the list does not have that column.
+    pub(super) fn report(&mut self, column: Column, kind: Kind, detail: Option<String>) {
+        let columns = self.columns;
+        match columns.get(column) {
+            Some(one) => {
+                let example = self.row.get(one.index).map(Cell::shown).unwrap_or_default();
+                self.problem(one, kind, &example, detail);
+            }
+            None => {
+                self.findings.add(
+                    kind,
+                    Place { column: Some(column), index: None, heading: None },
+                    Some(self.row.number),
+                    "",
+                    detail,
+                );
+                if kind.severity() == super::problems::Severity::Doubt {
+                    self.doubt_of_object(kind);
+                }
+            }
         }
-        if let Some(other) = self.merges.value_of(self.row.number, place.index) {
-            let message = format!("is empty because it is merged with {other}");
-            self.refuse(column, message, "unmerge the cells, and put the value into each row");
+    }
+
+    /// Adds a wrong value with a message of another reader.
+    pub(super) fn wrong(&mut self, column: Column, kind: Kind, problem: &Problem) {
+        self.report(column, kind, Some(problem.message.clone()));
+        let columns = self.columns;
+        if let (Some(hint), Some(one)) = (&problem.hint, columns.get(column)) {
+            self.findings.hint(kind, Self::place(one), hint.clone());
         }
-        None
+    }
+
+    /// A cell that is not blank; a cell that is merged with one above has its value.
+    fn cell(&mut self, one: &Use) -> Option<&'a Cell> {
+        let row = self.row;
+        if let Some(cell) = row.get(one.index).filter(|cell| !cell.is_blank()) {
+            return Some(cell);
+        }
+        let (top, left) = self.merges.top_left(row.number, one.index)?;
+        if left != one.index {
+            return None;
+        }
+        let rows = self.rows;
+        let at = rows.binary_search_by_key(&top, |other| other.number).ok()?;
+        let cell = rows.get(at)?.get(left).filter(|cell| !cell.is_blank())?;
+        // A mass over three rows may be that of all three.
+        if matches!(one.column, Column::Mass | Column::Quantity | Column::Id) {
+            if one.column != Column::Id {
+                self.problem(one, Kind::Merged, &cell.shown(), None);
+            }
+            return None;
+        }
+        Some(cell)
+    }
+
+    /// Whether a column has a text in this row that is not a word for a missing value.
+    pub(super) fn is_filled(&mut self, column: Column) -> bool {
+        self.columns.get(column).and_then(|one| self.row.get(one.index)).is_some_and(|cell| !is_missing(&cell.shown()))
+    }
+
+    fn count(&mut self, one: &Use, has_value: Option<bool>) {
+        let columns = self.columns;
+        let Some(at) = columns.uses.iter().position(|other| other.index == one.index) else { return };
+        if let (Some((values, missing)), Some(has_value)) = (self.counts.get_mut(at), has_value) {
+            *(if has_value { values } else { missing }) += 1;
+        }
     }
 
     /// Text without the blanks around it; empty where there is none.
     pub(super) fn text(&mut self, column: Column) -> String {
-        let Some((_, cell)) = self.cell(column) else { return String::new() };
-        let (shown, wrong) = match cell {
-            Cell::Error(_) | Cell::Unevaluated | Cell::TooLong(_) => (String::new(), not_a_value(cell)),
-            _ => (cell.shown().trim().to_owned(), None),
+        let columns = self.columns;
+        let Some(one) = columns.get(column) else { return String::new() };
+        let text = match self.cell(one) {
+            None => String::new(),
+            Some(Cell::Error(text)) if text == "#N/A" => String::new(),
+            Some(cell @ (Cell::Error(_) | Cell::Unevaluated)) => {
+                self.problem(one, Kind::Formula, &cell.shown(), None);
+                self.count(one, None);
+                return String::new();
+            }
+            Some(Cell::TooLong(chars)) => {
+                let detail = format!("has {chars} characters, more than a cell of a spreadsheet can hold");
+                self.problem(one, Kind::Unreadable, "", Some(detail));
+                self.count(one, None);
+                return String::new();
+            }
+            Some(cell) => cell.shown().trim().to_owned(),
         };
-        if let Some(problem) = wrong {
-            self.wrong(column, &problem);
-        }
-        shown
+        let text = if column != Column::Notes && is_missing(&text) { String::new() } else { text };
+        self.count(one, Some(!text.is_empty()));
+        text
     }
 
-    /// A number as it is written, but with a decimal point.
-    fn plain(&mut self, column: Column) -> Option<String> {
-        let has_decimal_comma = self.has_decimal_comma;
-        let number = self.row.number;
-        let (_, cell) = self.cell(column)?;
-        let read = match cell {
-            Cell::Text(text) => plain_text(text.trim(), has_decimal_comma),
-            Cell::Number(value) if value.is_finite() => Ok((format!("{value}"), false)),
-            other => Err(not_a_value(other)
-                .unwrap_or_else(|| Problem::value("is not a number", "write a number, or leave the cell empty"))),
-        };
-        match read {
-            Ok((text, had_comma)) => {
-                if has_decimal_comma {
-                    self.signs.comma |= had_comma;
-                    if !had_comma && text.contains('.') {
-                        self.signs.point.get_or_insert(number);
+    /// A quantity; the other columns of the same name are used where the first has none.
+    fn quantity(&mut self, column: Column) -> Option<Measured> {
+        let columns = self.columns;
+        let mut found: Option<Measured> = None;
+        for one in columns.all(column) {
+            let Some(other) = self.one_quantity(one) else { continue };
+            match &found {
+                None => found = Some(other),
+                // Rounding of inches to millimetres is no difference.
+                Some(first) if (first.si - other.si).abs() > 0.02 * first.si.abs() => {
+                    if let Some(first) = columns.get(column) {
+                        let example = self.row.get(first.index).map(Cell::shown).unwrap_or_default();
+                        self.problem(first, Kind::TwoColumns, &example, None);
                     }
                 }
-                Some(text)
+                Some(_) => {}
             }
-            Err(problem) => {
-                self.wrong(column, &problem);
-                None
+        }
+        found
+    }
+
+    fn one_quantity(&mut self, one: &Use) -> Option<Measured> {
+        let dimension = dimension(one.column).unwrap_or(Dimension::Ratio);
+        let cell = self.cell(one);
+        let text = match cell.map(number_text) {
+            None | Some(Ok(None)) => {
+                self.count(one, Some(false));
+                return None;
             }
+            Some(Ok(Some(text))) => text,
+            Some(Err(wrong)) => return self.refused(one, cell, wrong),
+        };
+        if self.is_shifted {
+            self.count(one, None);
+            return None;
+        }
+        let unit = one.unit_at(self.row.number);
+        let cell = cell?;
+        let text = if one.column == Column::Tolerance {
+            with_pulse(&text).map_or(text.as_str(), |(peak, _)| peak)
+        } else {
+            &text
+        };
+        let read = |choice| quantity(text, dimension, unit, choice);
+        match self.chosen(one, cell, text, read) {
+            Ok(found) if !found.si.is_finite() => self.refused(one, Some(cell), Wrong::new(Kind::Unreadable)),
+            Ok(found) => {
+                self.doubts_of(one, cell, found.is_approximate, found.is_bare);
+                self.count(one, Some(true));
+                Some(found)
+            }
+            Err(wrong) => self.refused(one, Some(cell), wrong),
         }
     }
 
-    /// A quantity in SI, and as text with its unit.
-    fn quantity_text(&mut self, column: Column) -> Option<(f64, String)> {
-        let Holds::Quantity(dimension) = column.spec().holds else { return None };
-        let text = self.plain(column)?;
-        let unit = self.layout.place(column)?.unit;
-        let read = match unit {
-            Some(unit) => parse_in_unit(&text, unit).map(|value| (value, format!("{text} {}", unit.symbol))),
-            None => parse(&text, dimension).map(|value| (value, text.clone())),
+    fn doubts_of(&mut self, one: &Use, cell: &Cell, is_approximate: bool, is_bare: bool) {
+        if is_approximate {
+            self.problem(one, Kind::Approximate, &cell.shown(), None);
+        }
+        if is_bare && one.is_unit_assumed(self.row.number) {
+            let unit = one.unit.map_or("", |unit| unit.symbol());
+            let detail = format!("states no unit; {unit} was taken, which fits the list");
+            self.problem(one, Kind::UnitAssumed, &cell.shown(), Some(detail));
+        }
+    }
+
+    fn refused<T>(&mut self, one: &Use, cell: Option<&Cell>, wrong: Wrong) -> Option<T> {
+        let example = cell.map(Cell::shown).unwrap_or_default();
+        let (kind, detail) = match (wrong.kind, &one.wrong_unit) {
+            (Kind::UnitMissing, Some(text)) => (
+                Kind::UnitWrong,
+                Some(format!("its heading has \"{}\", which is not a unit of {}", shorten(text), one.column.name())),
+            ),
+            _ => (wrong.kind, wrong.detail),
         };
-        match read {
-            Ok(read) => Some(read),
-            Err(problem) => {
-                let problem = explained(problem, &text, column, unit);
-                self.wrong(column, &problem);
-                None
+        self.problem(one, kind, &example, detail);
+        self.count(one, None);
+        None
+    }
+
+    /// The reading that the column's decimal sign and plausibility agree on.
+    fn chosen<T>(
+        &self,
+        one: &Use,
+        cell: &Cell,
+        text: &str,
+        read: impl Fn(Choice) -> Result<T, Wrong>,
+    ) -> Result<T, Wrong> {
+        let is_open = matches!(cell, Cell::Text(_)) && super::cells::is_open(text);
+        if !is_open {
+            return read(choice_of(cell, text, one.dialect).unwrap_or(Choice::Decimal));
+        }
+        let fits = |choice| is_plausible_reading(self.columns, one, self.row, text, choice);
+        let ambiguous = || Err(Wrong::new(Kind::NumberAmbiguous));
+        match one.dialect {
+            Dialect::One(sign) => {
+                let other = if sign == Decimal::Comma { Decimal::Point } else { Decimal::Comma };
+                let (own, other) = (Choice::Sign(sign), Choice::Sign(other));
+                if !fits(own) && fits(other) { ambiguous() } else { read(own) }
             }
+            Dialect::Mixed | Dialect::Open => match (fits(Choice::Decimal), fits(Choice::Thousands)) {
+                (true, false) => read(Choice::Decimal),
+                (false, true) => read(Choice::Thousands),
+                _ => match (read(Choice::Decimal), read(Choice::Thousands)) {
+                    // Without a unit, that is what is wrong first.
+                    (Err(wrong), Err(_)) if wrong.kind != Kind::Unreadable => Err(wrong),
+                    _ => ambiguous(),
+                },
+            },
         }
     }
 
     /// A quantity in SI.
-    pub(super) fn quantity(&mut self, column: Column) -> Option<f64> {
-        self.quantity_text(column).map(|(value, _)| value)
+    pub(super) fn number(&mut self, column: Column) -> Option<f64> {
+        self.quantity(column).map(|found| found.si)
     }
 
     /// A positive quantity in SI, and as text with its unit.
     pub(super) fn positive_text(&mut self, column: Column) -> Option<(f64, String)> {
-        let (value, text) = self.quantity_text(column)?;
-        if value > 0.0 {
-            return Some((value, text));
+        let found = self.quantity(column)?;
+        if found.si > 0.0 {
+            return Some((found.si, found.text));
         }
-        let message = format!("must be positive, not {}", shorten(&text));
-        self.refuse(column, message, "leave the cell empty if the value is not known");
+        self.report(column, Kind::OutOfRange, Some("must be above 0".to_owned()));
         None
     }
 
@@ -155,45 +276,132 @@ impl Values<'_, '_, '_> {
         self.positive_text(column).map(|(value, _)| value)
     }
 
+    /// The duration in a tolerance such as `15g 11ms` \[s\].
+    pub(super) fn pulse(&mut self) -> Option<f64> {
+        let columns = self.columns;
+        let one = columns.get(Column::Tolerance)?;
+        let text = number_text(self.cell(one)?).ok().flatten()?;
+        let (_, duration) = with_pulse(&text)?;
+        let sign = if let Dialect::One(sign) = one.dialect { sign } else { Decimal::Point };
+        quantity(duration, Dimension::Time, None, Choice::Sign(sign)).ok().map(|found| found.si).filter(|s| *s > 0.0)
+    }
+
+    /// The sizes in one cell.
+    pub(super) fn sizes(&mut self) -> Option<Sizes> {
+        let columns = self.columns;
+        let one = columns.get(Column::Dimensions)?;
+        let cell = self.cell(one);
+        let text = match cell.map(number_text) {
+            None | Some(Ok(None)) => {
+                self.count(one, Some(false));
+                return None;
+            }
+            Some(Ok(Some(text))) => text,
+            Some(Err(wrong)) => return self.refused(one, cell, wrong),
+        };
+        if self.is_shifted {
+            return None;
+        }
+        let cell = cell?;
+        let unit = one.unit_at(self.row.number);
+        let read = |choice| sizes(&text, unit, one.order.as_deref(), choice);
+        match self.chosen(one, cell, &text, read) {
+            Ok(found) => {
+                let all = [found.height, found.width, found.thickness];
+                if all.iter().flatten().any(|size| *size <= 0.0) {
+                    return self.refused(
+                        one,
+                        Some(cell),
+                        Wrong { kind: Kind::OutOfRange, detail: Some("must be above 0".to_owned()) },
+                    );
+                }
+                if found.is_order_guessed {
+                    self.problem(one, Kind::DimensionOrder, &cell.shown(), None);
+                }
+                self.doubts_of(one, cell, found.is_approximate, found.is_bare);
+                self.count(one, Some(true));
+                Some(found)
+            }
+            Err(wrong) => self.refused(one, Some(cell), wrong),
+        }
+    }
+
     /// A ratio above 0 and below 1.
     pub(super) fn share(&mut self, column: Column) -> Option<f64> {
         let value = self.positive(column)?;
         if value < 1.0 {
             return Some(value);
         }
-        self.refuse(column, format!("must be above 0 and below 1, not {value}"), "write a ratio such as 0.1, or 10 %");
+        self.report(column, Kind::OutOfRange, Some("must be above 0 and below 1".to_owned()));
         None
     }
 
     /// A whole number, at least 1.
-    pub(super) fn count(&mut self, column: Column) -> Option<u32> {
-        let text = self.plain(column)?;
-        // Workbooks have no whole numbers, and some programs write 2 as 2.0.
-        let whole = text.strip_suffix(".0").unwrap_or(&text);
-        match whole.parse::<u32>() {
-            Ok(count) if count > 0 => Some(count),
-            _ => {
-                let message = format!("must be a whole number, at least 1, not \"{}\"", shorten(&text));
-                self.refuse(column, message, "write a count, or leave the cell empty if it is not known");
-                None
+    pub(super) fn whole(&mut self, column: Column) -> Option<u32> {
+        let columns = self.columns;
+        let one = columns.get(column)?;
+        // "2 pcs" and "3x" are counts.
+        let cell = self.cell(one);
+        let text = match cell.map(number_text) {
+            None | Some(Ok(None)) => {
+                self.count(one, Some(false));
+                return None;
             }
+            Some(Ok(Some(text))) => text,
+            Some(Err(wrong)) => return self.refused(one, cell, wrong),
+        };
+        if self.is_shifted {
+            return None;
+        }
+        let cell = cell?;
+        const WORDS: [&str; 14] =
+            ["pcs", "pc", "off", "x", "ea", "each", "units", "nos", "no", "stk", "stuck", "st", "台", "個"];
+        let bare = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim();
+        let rest = canonical(text.get(bare.len()..).unwrap_or_default());
+        let text = if WORDS.contains(&rest.as_str()) { bare } else { &text };
+        let text = text.strip_prefix(['x', 'X', '×']).map_or(text, str::trim);
+        let read = |choice| quantity(text, Dimension::Ratio, None, choice);
+        match self.chosen(one, cell, text, read) {
+            Ok(found) if found.si >= 1.0 && found.si <= 1e6 && found.si.fract() == 0.0 => {
+                self.doubts_of(one, cell, found.is_approximate, false);
+                self.count(one, Some(true));
+                Some(found.si as u32)
+            }
+            Ok(_) => {
+                let detail = "must be a whole number, at least 1".to_owned();
+                self.refused(one, Some(cell), Wrong { kind: Kind::OutOfRange, detail: Some(detail) })
+            }
+            Err(wrong) => self.refused(one, Some(cell), wrong),
         }
     }
 
     /// High, medium or low.
     pub(super) fn rating(&mut self, column: Column) -> Option<Rating> {
         let text = self.text(column);
-        match canonical(&text).as_str() {
-            "" if text.is_empty() => None,
-            "h" | "high" => Some(Rating::High),
-            "m" | "medium" | "med" => Some(Rating::Medium),
-            "l" | "low" => Some(Rating::Low),
-            _ => {
-                let message = format!("\"{}\" is not a rating", shorten(&text));
-                self.refuse(column, message, "write H, M or L (high, medium, low), or leave the cell empty");
+        if text.is_empty() {
+            return None;
+        }
+        match rating(&text) {
+            Some(2) => Some(Rating::High),
+            Some(1) => Some(Rating::Medium),
+            Some(_) => Some(Rating::Low),
+            None => {
+                self.report(column, Kind::Unreadable, Some("is not a rating: write H, M or L".to_owned()));
                 None
             }
         }
+    }
+
+    /// Yes or no.
+    pub(super) fn answer(&mut self, column: Column) -> Option<bool> {
+        let columns = self.columns;
+        let one = columns.get(column)?;
+        let found = self.cell(one).and_then(|cell| match cell {
+            Cell::Bool(value) => Some(*value),
+            other => super::vocabulary::yes_or_no(&other.shown()),
+        });
+        self.count(one, Some(found.is_some()));
+        found
     }
 
     /// What is asked of the object.
@@ -205,119 +413,48 @@ impl Values<'_, '_, '_> {
         let plain: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace()).collect();
         let found = Questions::ALL.iter().find(|(name, _)| *name == plain).map(|(_, questions)| *questions);
         if found.is_none() {
-            let message = format!("\"{}\" is not a question", shorten(&text));
-            self.refuse(column, message, "write falls or falls+shock, or leave the cell empty");
+            self.report(column, Kind::Unreadable, Some("is not a question: write falls or falls+shock".to_owned()));
         }
         found
     }
 
     /// Two positive ratios in rising order, `0.3-0.5` or `0.3 to 0.5`, or one for both.
     pub(super) fn range(&mut self, column: Column) -> Option<(f64, f64)> {
-        let (_, cell) = self.cell(column)?;
-        let whole = cell.shown();
-        let is_text = matches!(cell, Cell::Text(_));
-        let unit = self.layout.place(column)?.unit;
-        let read = |text: &str| unit.map_or_else(|| parse(text, Dimension::Ratio), |unit| parse_in_unit(text, unit));
-        let Some((low, high)) = split_range(&whole).filter(|_| is_text) else {
-            let text = self.plain(column)?;
-            return self.ratios(column, &text, read(&text).map(|value| (value, value)));
-        };
-        let has_decimal_comma = self.has_decimal_comma;
-        let part = |text: &str| plain_text(text, has_decimal_comma).and_then(|(text, _)| read(&text));
-        let both = part(low).and_then(|low| Ok((low, part(high)?)));
-        self.ratios(column, &whole, both)
-    }
-
-    fn ratios(&mut self, column: Column, text: &str, both: Result<(f64, f64), Problem>) -> Option<(f64, f64)> {
-        match both {
-            Ok((low, high)) if low > 0.0 && low <= high => return Some((low, high)),
-            Ok(_) => {
-                let message = format!("\"{}\" is not a positive value or a rising range", shorten(text));
-                self.refuse(column, message, "write 0.4, or the lowest and the highest value, such as 0.3-0.5");
+        let columns = self.columns;
+        let one = columns.get(column)?;
+        let cell = self.cell(one);
+        let text = match cell.map(number_text) {
+            None | Some(Ok(None)) => {
+                self.count(one, Some(false));
+                return None;
             }
-            Err(problem) => self.wrong(column, &explained(problem, text, column, None)),
+            Some(Ok(Some(text))) => text,
+            Some(Err(wrong)) => return self.refused(one, cell, wrong),
+        };
+        if self.is_shifted {
+            return None;
         }
-        None
-    }
-
-    /// Adds a warning about this row.
-    pub(super) fn doubt(&mut self, doubt: Doubt) {
-        self.findings.doubt(doubt, self.row.number);
-    }
-}
-
-/// A number with a decimal point, and whether it had a comma.
-fn plain_text(text: &str, has_decimal_comma: bool) -> Result<(String, bool), Problem> {
-    let commas = text.matches(',').count();
-    if commas == 0 {
-        return Ok((text.to_owned(), false));
-    }
-    if has_decimal_comma && commas == 1 && !text.contains('.') {
-        return Ok((text.replace(',', "."), true));
-    }
-    Err(Problem::value(
-        format!("\"{}\" has a comma in the number", shorten(text)),
-        "write a decimal point, and nothing between the thousands, such as 1500.5",
-    ))
-}
-
-/// A number or a range with decimal commas, with points in their place; any other text is
-/// unchanged.
-pub(super) fn pointed(text: &str) -> String {
-    let is_plain = |part: &str| plain_text(part, true).is_ok();
-    let is_number = match split_range(text) {
-        Some((low, high)) => is_plain(low) && is_plain(high),
-        None => is_plain(text),
-    };
-    if is_number { text.replace(',', ".") } else { text.to_owned() }
-}
-
-/// The problem of a cell that has no value.
-fn not_a_value(cell: &Cell) -> Option<Problem> {
-    let (message, hint) = match cell {
-        Cell::Text(_) => return None,
-        Cell::Number(value) if value.is_finite() => return None,
-        Cell::Number(_) => ("is not a finite number".to_owned(), "type the number again"),
-        Cell::Bool(value) => (
-            format!("{} is not a number", if *value { "TRUE" } else { "FALSE" }),
-            "write the number, or leave the cell empty",
-        ),
-        Cell::Date(date) => (
-            format!("is a date ({}), not a number", shorten(date)),
-            "format the cell as a number and type the value again: spreadsheets turn 1-2 and 3/4 into dates",
-        ),
-        Cell::Error(error) => (format!("is the error {}", shorten(error)), "correct the formula, or type the value"),
-        Cell::Unevaluated => (
-            "is a formula that was saved without a value".to_owned(),
-            "open the workbook in a spreadsheet program, which computes it, and save it again",
-        ),
-        Cell::TooLong(chars) => (
-            format!("has {chars} characters, more than a cell of a spreadsheet can hold"),
-            "shorten it, and check that every quote is closed",
-        ),
-    };
-    Some(Problem::value(message, hint))
-}
-
-/// The problem of a quantity, with a hint for a table; `unit` is that of the heading.
-fn explained(problem: Problem, text: &str, column: Column, unit: Option<&Unit>) -> Problem {
-    if UNKNOWN.contains(&canonical(text).as_str()) {
-        let message = format!("\"{}\" is not a value", shorten(text));
-        return Problem::value(message, "leave the cell empty if the value is not known");
-    }
-    let is_number = text.contains(|c: char| c.is_ascii_digit()) && text.trim().parse::<f64>().is_ok();
-    let spec = column.spec();
-    match unit {
-        Some(unit) if !is_number => problem.hint(format!(
-            "write the number alone, because the heading has the unit ({}), or leave the cell empty",
-            unit.symbol
-        )),
-        None if is_number && !spec.unit.is_empty() => {
-            let heading = format!("or put the unit into the heading, such as \"{} [{}]\"", spec.name, spec.unit);
-            let hint = problem.hint.as_ref().map_or_else(|| heading.clone(), |hint| format!("{hint}, {heading}"));
-            problem.hint(hint)
+        let cell = cell?;
+        let unit = one.unit_at(self.row.number);
+        let ratio = |text: &str| {
+            let read = |choice| quantity(text, Dimension::Ratio, unit, choice);
+            self.chosen(one, cell, text, read).map(|found| found.si)
+        };
+        let both = match split_range(&text) {
+            Some((low, high)) => ratio(low).and_then(|low| Ok((low, ratio(high)?))),
+            None => ratio(&text).map(|value| (value, value)),
+        };
+        match both {
+            Ok((low, high)) if low > 0.0 && low <= high => {
+                self.count(one, Some(true));
+                Some((low, high))
+            }
+            Ok(_) => {
+                let detail = "is not a positive value or a rising range, such as 0.3-0.5".to_owned();
+                self.refused(one, Some(cell), Wrong { kind: Kind::OutOfRange, detail: Some(detail) })
+            }
+            Err(wrong) => self.refused(one, Some(cell), wrong),
         }
-        _ => problem,
     }
 }
 
@@ -355,20 +492,5 @@ mod tests {
         ] {
             assert_eq!(split_range(text), ends, "{text}");
         }
-    }
-
-    #[test]
-    fn a_decimal_comma_stands_alone() {
-        assert_eq!(plain_text("0,35", true).unwrap(), ("0.35".to_owned(), true));
-        assert_eq!(plain_text("0.35", true).unwrap(), ("0.35".to_owned(), false));
-        for text in ["1.500,5", "1,500,000"] {
-            assert!(plain_text(text, true).is_err());
-        }
-        for (text, with_points) in
-            [("0,3-0,5", "0.3-0.5"), ("0.3-0,5", "0.3-0.5"), ("2,3 m", "2.3 m"), ("1.500,5", "1.500,5"), ("0.5", "0.5")]
-        {
-            assert_eq!(pointed(text), with_points);
-        }
-        assert!(plain_text("0,35", false).unwrap_err().hint.is_some());
     }
 }

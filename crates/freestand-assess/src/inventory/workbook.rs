@@ -155,13 +155,22 @@ fn date(value: &ExcelDateTime) -> String {
     if (hour, minute, second) == (0, 0, 0) { date } else { format!("{date}T{hour:02}:{minute:02}:{second:02}") }
 }
 
-/// First row, last row (from 1), and the cell with the value (from 0).
+/// First row, last row (from 1), and the cell with the value (row from 1, column from 0).
 type Merged = (u32, u32, (u32, u32));
+
+/// A range of merged cells: first and last row (from 1), first and last column (from 0).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct MergedRange {
+    pub(super) rows: (u32, u32),
+    pub(super) columns: (u32, u32),
+}
 
 /// Merged cells by column: their first and last row, and the cell with the value.
 #[derive(Debug, Default)]
 pub(super) struct Merges {
     by_column: BTreeMap<u32, Vec<Merged>>,
+    /// All of them.
+    pub(super) all: Vec<MergedRange>,
 }
 
 /// Largest number of columns of merged cells that are examined in one sheet.
@@ -170,30 +179,40 @@ const MAX_MERGED_COLUMNS: usize = 1_000_000;
 impl Merges {
     fn new(all: &[Dimensions]) -> Self {
         let mut by_column: BTreeMap<u32, Vec<Merged>> = BTreeMap::new();
+        let mut ranges = Vec::new();
         let mut count = 0;
         for one in all {
-            for column in one.start.1..=one.end.1.min(MAX_COLUMNS - 1) {
+            if count > MAX_MERGED_COLUMNS {
+                break;
+            }
+            let columns = (one.start.1, one.end.1.min(MAX_COLUMNS - 1));
+            ranges.push(MergedRange { rows: (one.start.0 + 1, one.end.0 + 1), columns });
+            for column in columns.0..=columns.1 {
                 count += 1;
                 if count > MAX_MERGED_COLUMNS {
                     break;
                 }
-                by_column.entry(column).or_default().push((one.start.0 + 1, one.end.0 + 1, one.start));
+                by_column.entry(column).or_default().push((
+                    one.start.0 + 1,
+                    one.end.0 + 1,
+                    (one.start.0 + 1, one.start.1),
+                ));
             }
         }
         for column in by_column.values_mut() {
             column.sort_unstable();
         }
-        Self { by_column }
+        Self { by_column, all: ranges }
     }
 
-    /// The cell with the value of this one, where it is merged with another; `row` counts from 1.
-    pub(super) fn value_of(&self, row: u32, column: u32) -> Option<String> {
+    /// The cell with the value of this one, where it is merged with another; rows count from 1,
+    /// columns from 0.
+    pub(super) fn top_left(&self, row: u32, column: u32) -> Option<(u32, u32)> {
         let rows = self.by_column.get(&column)?;
         // Merged cells do not overlap: only the last that begins above can include this one.
         let before = rows.partition_point(|(first, ..)| *first <= row).checked_sub(1)?;
-        let (_, last, (top, left)) = rows.get(before)?;
-        let is_other = (*top + 1, *left) != (row, column);
-        (row <= *last && is_other).then(|| format!("{}{}", letters(*left as usize), top + 1))
+        let (_, last, place) = rows.get(before)?;
+        (row <= *last && *place != (row, column)).then_some(*place)
     }
 }
 
@@ -206,11 +225,11 @@ mod tests {
         // B2:B4 and D5:F5, counted from 0 in the file.
         let merges =
             Merges::new(&[Dimensions { start: (4, 3), end: (4, 5) }, Dimensions { start: (1, 1), end: (3, 1) }]);
-        assert_eq!(merges.value_of(2, 1), None);
-        assert_eq!(merges.value_of(3, 1).as_deref(), Some("B2"));
-        assert_eq!(merges.value_of(4, 1).as_deref(), Some("B2"));
-        assert_eq!(merges.value_of(5, 1), None);
-        assert_eq!(merges.value_of(5, 5).as_deref(), Some("D5"));
-        assert_eq!(merges.value_of(5, 6), None);
+        assert_eq!(merges.top_left(2, 1), None);
+        assert_eq!(merges.top_left(3, 1), Some((2, 1)));
+        assert_eq!(merges.top_left(4, 1), Some((2, 1)));
+        assert_eq!(merges.top_left(5, 1), None);
+        assert_eq!(merges.top_left(5, 5), Some((5, 3)));
+        assert_eq!(merges.top_left(5, 6), None);
     }
 }

@@ -8,7 +8,8 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 
 use super::cell::{MAX_CELL_CHARS, MAX_ROWS, guarded};
-use super::columns::{Column, Heading, Holds, heading};
+use super::columns::{Column, Holds};
+use super::headings::{HeadingUnit, meaning};
 
 /// Name of the sheet with the objects.
 pub(super) const SHEET: &str = "Inventory";
@@ -76,7 +77,7 @@ impl Written {
 }
 
 /// An error of rust_xlsxwriter as a problem.
-fn failed(error: &XlsxError) -> Problem {
+pub(super) fn failed(error: &XlsxError) -> Problem {
     Problem::new(ProblemKind::Computation, format!("cannot write the workbook: {error}"))
         .hint("write a CSV instead, and please report this defect")
 }
@@ -120,12 +121,14 @@ fn check(table: &Table) -> Result<(), Problem> {
 
 /// The format of the cells of a column.
 fn number_format(heading_text: &str) -> Option<Format> {
-    let Heading::Ours(column, unit) = heading(heading_text) else { return None };
-    match (column, column.spec().holds) {
-        (Column::Accepted, _) if unit.is_none() => Some(Format::new().set_num_format("0.##%")),
+    let found = meaning(heading_text)?;
+    match (found.column, found.column.spec().holds) {
+        (Column::Accepted, _) if found.unit == HeadingUnit::None => Some(Format::new().set_num_format("0.##%")),
         (_, Holds::Quantity(Dimension::Ratio)) => Some(Format::new().set_num_format("0.00##")),
         (_, Holds::Quantity(_)) => Some(Format::new().set_num_format("0.######")),
-        (_, Holds::Text | Holds::Rating | Holds::Range) => Some(Format::new().set_num_format("@")),
+        (_, Holds::Text | Holds::Rating | Holds::Range | Holds::Answer | Holds::Sizes) => {
+            Some(Format::new().set_num_format("@"))
+        }
         (_, Holds::Count) => Some(Format::new().set_num_format("0")),
     }
 }
@@ -144,7 +147,7 @@ fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
             sheet.set_column_format(column, &format)?;
         }
         sheet.set_column_width(column, width(table, column))?;
-        if let Heading::Ours(ours, _) = heading(text)
+        if let Some(ours) = meaning(text).map(|found| found.column)
             && ours.spec().holds == Holds::Rating
         {
             let list = DataValidation::new()

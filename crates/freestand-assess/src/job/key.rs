@@ -38,7 +38,7 @@ pub(super) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> S
         }).collect::<Vec<_>>(),
         "directions_deg": study.directions_deg,
         "settings": settings(&study.assessment),
-        "inventory": {"sha256": inventory.sha256, "sheet": inventory.sheet},
+        "inventory": {"sha256": inventory.sha256, "sheet": inventory.sheet, "reading": inventory.read_with},
         "libraries": hashes(&inventory.libraries),
     });
     sha256_hex(text.to_string().as_bytes())
@@ -168,6 +168,8 @@ mod tests {
             carried: Vec::new(),
             items: Vec::new(),
             libraries: Vec::new(),
+            read_with: String::new(),
+            findings: Vec::new(),
             warnings: Vec::new(),
         };
         change(&mut study, &mut inventory);

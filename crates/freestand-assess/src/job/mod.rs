@@ -14,7 +14,7 @@ use serde::Serialize;
 use serde_json::json;
 use store::PROGRESS;
 
-use crate::inventory::{Inventory, read_inventory};
+use crate::inventory::{Floors, Inventory, Mapping, ReadOptions, console_lines, read_inventory};
 use crate::library::{Libraries, Lookup};
 use crate::output::{Head, OUTCOMES_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all, write_worlds};
 use crate::result::Decision;
@@ -82,7 +82,7 @@ pub struct JobReport {
 ///
 /// # Errors
 /// No inventory, or all problems of a library or an inventory.
-pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> Result<Inventory, Problems> {
+pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -> Result<Inventory, Problems> {
     let settings = &study.assessment;
     let Some(path) = path.or(settings.inventory.as_deref()) else {
         let hint = "give `inventory = \"objects.csv\"`, or put it into the table [assessment] of the study; \
@@ -90,12 +90,59 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, sheet: Option<&str>) -> 
         return Err(Problem::value("there is no inventory to assess", hint).into());
     };
     let libraries = Libraries::with_files(settings.library.as_deref(), settings.cushion_library.as_deref())?;
-    let read = |lookup: &Lookup| read_inventory(path, sheet.or(settings.sheet.as_deref()), lookup);
+    let mapping = request.columns.as_deref().map(Mapping::load).transpose()?;
+    let read = |lookup: &Lookup| {
+        let options = ReadOptions {
+            sheet: request.sheet.as_deref().or(settings.sheet.as_deref()),
+            mapping: mapping.as_ref(),
+            floors: floors_of(study, request.storeys),
+            is_strict: request.is_strict,
+            lookup,
+        };
+        read_inventory(path, &options)
+    };
     let mut inventory = libraries.looked_up(read)?;
+    inventory.warnings.splice(0..0, console_lines(&inventory.findings));
+    let mapped = mapping.as_ref().map_or("", |mapping| mapping.sha256.as_str());
+    let storeys = request.storeys.map_or_else(String::new, |storeys| storeys.to_string());
+    inventory.read_with = format!("mapping {mapped}; storeys {storeys}; anchored {}", request.assess_anchored);
+    if request.assess_anchored {
+        inventory.items.iter_mut().for_each(|item| item.anchored = None);
+    }
     let Libraries { tolerances, cushions } = libraries;
     inventory.libraries = tolerances.inputs.into_iter().chain(cushions.inputs).collect();
     inventory.warnings.extend(tolerances.warnings.into_iter().chain(cushions.warnings));
     Ok(inventory)
+}
+
+/// How the list of an assessment is read, beside what the study says.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ListRequest {
+    /// A sheet of a workbook.
+    pub sheet: Option<String>,
+    /// A mapping file.
+    pub columns: Option<PathBuf>,
+    /// Number of storeys, in place of the study's.
+    pub storeys: Option<usize>,
+    /// Every doubt is an error.
+    pub is_strict: bool,
+    /// Objects that are reported as anchored are assessed as if they were free.
+    pub assess_anchored: bool,
+}
+
+/// What a study says about the floors of its building.
+pub fn floors_of(study: &Study, storeys: Option<usize>) -> Floors {
+    let building = study.building.as_ref();
+    // Levels whose motions are given are floors by their names.
+    let measured = study.levels.iter().filter(|level| !level.motions.is_empty());
+    let named = measured.filter_map(|level| Some((level.name.clone(), level.level_ratio?)));
+    let table = study.floors.iter().flat_map(|floor| floor.names.iter().map(|name| (name.clone(), floor.level_ratio)));
+    Floors {
+        named: table.chain(named).collect(),
+        storeys: storeys.or(building.map(|building| building.storeys)),
+        height_m: building.map(|building| building.height_m),
+        first_floor: study.first_floor,
+    }
 }
 
 /// Assesses `inventory` on the floors of `study` and writes all outputs into `target`, on the

@@ -153,6 +153,10 @@ fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>
     let (mut places, mut members) = (Vec::new(), Vec::new());
     for (place, item) in items.iter().enumerate() {
         let nothing = |why| Some(Assessment { why, ..blank(item, settings) });
+        if item.anchored == Some(true) {
+            found[place] = nothing("Reported as anchored; its anchors were not checked.".to_owned());
+            continue;
+        }
         match Subject::new(item) {
             Ok(subject) if context.worlds.has_floor(subject.level_ratio) => {
                 places.push(place);

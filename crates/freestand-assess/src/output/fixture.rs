@@ -53,6 +53,7 @@ pub(super) fn item(index: usize) -> Item {
     let slender = 1.0 + 0.1 * (index % 13) as f64;
     Item {
         row: 2 + index as u32,
+        section: String::new(),
         id: format!("O-{index:04}"),
         item: ["cabinet", "server rack", "bust on a pedestal", "shelf"][index % 4].to_owned(),
         quantity: 1 + (index % 3) as u32,
@@ -89,7 +90,10 @@ pub(super) fn item(index: usize) -> Item {
         friction_ratio: None,
         accepted_ratio: None,
         questions: None,
+        anchored: None,
+        rests_on: String::new(),
         notes: String::new(),
+        doubts: Vec::new(),
         carried: vec![format!("A{index}"), "-12".to_owned()],
     }
 }
@@ -102,6 +106,8 @@ pub(super) fn inventory(items: Vec<Item>) -> Inventory {
         sheet: Some("Objects".to_owned()),
         carried: vec!["Asset".to_owned(), "rank".to_owned()],
         items,
+        read_with: String::new(),
+        findings: vec![],
         warnings: vec![],
     }
 }

@@ -183,6 +183,7 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
 fn notes(item: &Item) -> Vec<String> {
     let mut notes: Vec<String> = item.cushion.iter().flat_map(|edge| edge.notes.clone()).collect();
     notes.extend(item.cushion_source.iter().map(|source| format!("Cushion: {source}.")));
+    notes.extend(item.doubts.iter().map(|doubt| format!("Check the input: {} ({}).", doubt.words(), doubt.name())));
     if item.width_m.is_none() {
         notes.push("No width is given, so rocking was computed about one axis only.".to_owned());
     }

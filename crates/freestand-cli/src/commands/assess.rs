@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use freestand_assess::job::{Job, JobReport, SCHEMA, assess_into, inventory_of};
+use freestand_assess::job::{Job, JobReport, ListRequest, SCHEMA, assess_into, inventory_of};
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
 use freestand_input::words::counted;
@@ -47,6 +47,18 @@ pub(crate) struct AssessArgs {
     /// Sheet of the workbook [default: the first with headings of an inventory]
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,
+    /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
+    #[arg(long, value_name = "MAP.toml")]
+    columns: Option<PathBuf>,
+    /// Number of storeys, to place floors by their numbers [default: the study's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=500))]
+    storeys: Option<u16>,
+    /// Count every doubt about the list as an error
+    #[arg(long)]
+    strict: bool,
+    /// Also assess objects that are reported as anchored, as if they were free
+    #[arg(long)]
+    assess_anchored: bool,
     /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
     #[arg(long, value_name = "FILE")]
     library: Option<PathBuf>,
@@ -95,7 +107,14 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     settings.pages = args.pages.unwrap_or(settings.pages);
     settings.library = args.library.clone().or(settings.library.take());
     settings.cushion_library = args.cushion_library.clone().or(settings.cushion_library.take());
-    let inventory = inventory_of(&study, args.inventory.as_deref(), args.sheet.as_deref())?;
+    let request = ListRequest {
+        sheet: args.sheet.clone(),
+        columns: args.columns.clone(),
+        storeys: args.storeys.map(usize::from),
+        is_strict: args.strict,
+        assess_anchored: args.assess_anchored,
+    };
+    let inventory = inventory_of(&study, args.inventory.as_deref(), &request)?;
     let out = global.folder();
     let parquet = args.format.contains(&Format::Parquet);
     let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes };
@@ -120,7 +139,7 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     if report.interrupted {
         return Err(Failure::StoppedAfterWriting);
     }
-    Ok(Done { criterion_met: report.failed == 0 })
+    Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() })
 }
 
 fn text(report: &JobReport) -> String {

@@ -15,6 +15,19 @@ pub(crate) struct BuildingOptions {
     pub(crate) words: Words,
     pub(crate) levels: Option<Written<Vec<LevelOptions>>>,
     pub(crate) period_measured: Option<Written<bool>>,
+    /// Floors by the names that lists of objects use.
+    pub(crate) floors: Option<Written<Vec<FloorOptions>>>,
+    pub(crate) first_floor: Option<Written<String>>,
+}
+
+/// One entry of `floors`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FloorOptions {
+    pub(crate) line: usize,
+    pub(crate) name: Option<Written<String>>,
+    pub(crate) aliases: Vec<String>,
+    /// \[m\]
+    pub(crate) elevation: Option<Written<f64>>,
 }
 
 /// One entry of `levels`.
@@ -58,8 +71,42 @@ pub(super) fn building(reader: &mut Reader, table: &mut Section) -> BuildingOpti
         }
         across.finish(reader);
     }
+    let first_floor = table.string(reader, "first_floor");
     let period_measured = table.boolean(reader, "period_measured");
-    BuildingOptions { words, levels: levels(reader, table), period_measured }
+    BuildingOptions {
+        words,
+        levels: levels(reader, table),
+        period_measured,
+        floors: floors(reader, table),
+        first_floor,
+    }
+}
+
+fn floors(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<FloorOptions>>> {
+    let (value, line) = table.take(reader, "floors")?;
+    let hint = "write floors = [{ name = \"Lobby\", aliases = [\"G\"], elevation = \"0 m\" }, …]";
+    let DeValue::Array(items) = value else {
+        reader.wrong_type(line, "floors", "a list", value, hint);
+        return None;
+    };
+    let mut floors = Vec::new();
+    for item in items {
+        let line = reader.line_of(item.span().start);
+        let DeValue::Table(entries) = item.get_ref() else {
+            reader.wrong_type(line, "floors", "a list of tables", item.get_ref(), hint);
+            continue;
+        };
+        let mut entry = Section::new(Place::Table("floors"), entries, line);
+        let aliases = entry.strings(reader, "aliases").map(|aliases| aliases.value).unwrap_or_default();
+        floors.push(FloorOptions {
+            line,
+            name: entry.string(reader, "name"),
+            aliases: aliases.into_iter().map(|alias| alias.value).collect(),
+            elevation: entry.quantity(reader, "elevation", Dimension::Length),
+        });
+        entry.finish(reader);
+    }
+    Some(Written { value: floors, line })
 }
 
 fn levels(reader: &mut Reader, table: &mut Section) -> Option<Written<Vec<LevelOptions>>> {

@@ -7,7 +7,7 @@ use freestand::code_spectrum::PeriodCode;
 use super::{MAX_LEVELS, Resolver};
 use crate::building::{self, BuildingInput};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
-use crate::study::Level;
+use crate::study::{FirstFloor, Level, NamedFloor};
 use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
@@ -60,6 +60,53 @@ impl Resolver<'_> {
             }
         }
         levels
+    }
+
+    /// Floors by their names; the top one is the roof.
+    pub(super) fn floors(&mut self, written: &BuildingOptions) -> Vec<NamedFloor> {
+        let Some(Written { value: entries, line }) = &written.floors else { return Vec::new() };
+        let mut floors = Vec::new();
+        for entry in entries {
+            match (&entry.name, &entry.elevation) {
+                (Some(name), Some(elevation)) => floors.push(NamedFloor {
+                    names: std::iter::once(name.value.clone()).chain(entry.aliases.iter().cloned()).collect(),
+                    level_ratio: elevation.value,
+                }),
+                _ => self.note(
+                    Some(entry.line),
+                    "a floor must have a name and an elevation".to_owned(),
+                    "write { name = \"Lobby\", aliases = [\"G\"], elevation = \"0 m\" }",
+                ),
+            }
+        }
+        let roof_m = floors.iter().map(|floor| floor.level_ratio).fold(0.0, f64::max);
+        if roof_m <= 0.0 {
+            self.note(
+                Some(*line),
+                "the floors must have a top one above the ground".to_owned(),
+                "give the elevation of every floor above the ground, and of the roof as the last one",
+            );
+            return Vec::new();
+        }
+        for floor in &mut floors {
+            floor.level_ratio = (floor.level_ratio / roof_m).max(0.0);
+        }
+        floors
+    }
+
+    /// Whether floor 1 is the ground.
+    pub(super) fn first_floor(&mut self, written: &BuildingOptions) -> Option<FirstFloor> {
+        let Written { value, line } = written.first_floor.as_ref()?;
+        let found = FirstFloor::ALL.iter().find(|(name, _)| name == value).map(|(_, first)| *first);
+        if found.is_none() {
+            let message = format!("first_floor must be \"ground\" or \"above\", not \"{}\"", shorten(value));
+            self.note(
+                Some(*line),
+                message,
+                "\"ground\": floor 1 is the ground; \"above\": floor 1 is the one above it",
+            );
+        }
+        found
     }
 
     fn level(&mut self, entry: &LevelOptions, ground: &GroundOptions) -> Option<Level> {

@@ -42,6 +42,10 @@ pub struct Study {
     pub building: Option<BuildingInput>,
     /// The floors of interest, in the order given.
     pub levels: Vec<Level>,
+    /// Floors by the names that lists of objects use, with those of `levels` beside them.
+    pub floors: Vec<NamedFloor>,
+    /// Whether floor 1 of a list is the ground; `None`: the list decides.
+    pub first_floor: Option<FirstFloor>,
     /// The objects on these floors.
     pub objects: Objects,
     /// What is written to files.
@@ -50,6 +54,29 @@ pub struct Study {
     pub assessment: crate::study::assessment::Settings,
     /// What the reader of the result must know: assumptions and warnings, one sentence each.
     pub warnings: Vec<String>,
+}
+
+/// A floor by its names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedFloor {
+    /// Its name and its aliases.
+    pub names: Vec<String>,
+    /// Its elevation over that of the top one, at least 0.
+    pub level_ratio: f64,
+}
+
+/// Whether floor 1 is the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FirstFloor {
+    /// Floor 1 is the ground.
+    Ground,
+    /// Floor 1 is the first above the ground.
+    Above,
+}
+
+impl FirstFloor {
+    /// The values with their names in files.
+    pub const ALL: [(&'static str, Self); 2] = [("ground", Self::Ground), ("above", Self::Above)];
 }
 
 /// Where the ground motions come from.

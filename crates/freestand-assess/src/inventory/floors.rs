@@ -1,0 +1,348 @@
+//! The name of a floor as the height of the floor over the height of the building.
+
+use std::collections::HashMap;
+
+use freestand_study::study::FirstFloor;
+
+use super::vocabulary::canonical;
+
+/// What is known about the floors of the building.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Floors {
+    /// Names of floors, and their heights over that of the building.
+    pub named: Vec<(String, f64)>,
+    /// Number of storeys.
+    pub storeys: Option<usize>,
+    /// Height of the roof \[m\], for floors that are given by their elevation.
+    pub height_m: Option<f64>,
+    /// Whether floor 1 is the ground; `None`: the list decides.
+    pub first_floor: Option<FirstFloor>,
+}
+
+/// What the name of a floor says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Storey {
+    /// At or below the ground.
+    Ground,
+    /// A basement: like the ground, but it does not name the floor at street level.
+    Below,
+    Roof,
+    /// The last storey, under the roof.
+    Top,
+    /// Half a storey above the ground.
+    Mezzanine,
+    /// This many storeys above the ground, for certain.
+    Above(u32),
+    /// A number of which the list must say whether 1 is the ground.
+    Numbered(u32),
+    /// A number where 1 is the ground.
+    FromOne(u32),
+}
+
+const GROUND: [&str; 30] = [
+    "g",
+    "gf",
+    "gr",
+    "ground",
+    "ground floor",
+    "ground level",
+    "lobby",
+    "0",
+    "00",
+    "l0",
+    "eg",
+    "erdgeschoss",
+    "parterre",
+    "rdc",
+    "rez de chaussee",
+    "rez",
+    "r 0",
+    "pb",
+    "planta baja",
+    "baja",
+    "pt",
+    "piano terra",
+    "terra",
+    "terreno",
+    "p 0",
+    "street level",
+    "main floor",
+    "地上",
+    "bajos",
+    "planta 0",
+];
+const BELOW: [&str; 22] = [
+    "lg",
+    "basement",
+    "lower ground",
+    "garage",
+    "cellar",
+    "ug",
+    "kg",
+    "kellergeschoss",
+    "keller",
+    "untergeschoss",
+    "tiefgarage",
+    "sous sol",
+    "ss",
+    "sotano",
+    "seminterrato",
+    "interrato",
+    "地下",
+    "lower ground floor",
+    "parking",
+    "semisotano",
+    "cantina",
+    "地下室",
+];
+const ROOF: [&str; 11] =
+    ["roof", "rf", "dach", "toiture", "toit", "azotea", "cubierta", "copertura", "tetto", "屋上", "terraza"];
+const TOP: [&str; 8] = ["dg", "dachgeschoss", "attic", "penthouse", "ph", "combles", "atico", "attico"];
+const MEZZANINE: [&str; 8] =
+    ["mezzanine", "mezz", "m", "zwischengeschoss", "entresol", "entresuelo", "mezzanino", "ammezzato"];
+
+/// What the name of a floor says; `None`: nothing known.
+pub(super) fn storey(text: &str) -> Option<Storey> {
+    let text = text.trim();
+    let words = canonical(text);
+    if let Some(depth) = text.strip_prefix(['-', '\u{2212}']).map(str::trim) {
+        return depth.chars().next().is_some_and(|c| c.is_ascii_digit()).then_some(Storey::Below);
+    }
+    if words.is_empty() {
+        return None;
+    }
+    let w = words.as_str();
+    if GROUND.contains(&w) {
+        return Some(Storey::Ground);
+    }
+    if TOP.contains(&w) {
+        return Some(Storey::Top);
+    }
+    if MEZZANINE.contains(&w) {
+        return Some(Storey::Mezzanine);
+    }
+    if BELOW.contains(&w)
+        || w.split(' ').any(|word| matches!(word, "basement" | "garage" | "sotano" | "seminterrato" | "untergeschoss"))
+        || w.starts_with("地下")
+        || w.starts_with("sous sol")
+    {
+        return Some(Storey::Below);
+    }
+    // "any text with roof": the roof, not the storey under it.
+    if ROOF.iter().any(|word| w.split(' ').any(|part| part == *word))
+        || ["屋上", "roof"].iter().any(|word| w.contains(word))
+    {
+        return Some(Storey::Roof);
+    }
+    numbered(text, w)
+}
+
+/// `3`, `L3`, `Level 3`, `3rd`, `2nd floor`, `3. OG`, `R+3`, `3e étage`, `planta 3`, `3° piano`,
+/// `3F`, `3階`, `B1`.
+fn numbered(text: &str, words: &str) -> Option<Storey> {
+    let start = words.find(|c: char| c.is_ascii_digit())?;
+    let rest = words.get(start..)?;
+    let length = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let number: u32 = rest.get(..length)?.parse().ok().filter(|number| *number <= 300)?;
+    let (before, after) = (words.get(..start)?.trim(), rest.get(length..)?.trim());
+    // A second number: "3 or 4", "3.12", a date.
+    if after.chars().any(|c| c.is_ascii_digit()) || text.contains("½") {
+        return None;
+    }
+    let is_zero = number == 0;
+    let pick = |found: Storey| if is_zero { Some(Storey::Ground) } else { Some(found) };
+    match (before, after) {
+        ("b" | "ug" | "basement" | "sotano" | "sous sol" | "s" | "p" | "u" | "sub", "")
+            if before != "p" && before != "s" =>
+        {
+            Some(Storey::Below)
+        }
+        ("", "ug" | "untergeschoss" | "u g" | "sous sol" | "sotano") => Some(Storey::Below),
+        ("", "og" | "o g" | "obergeschoss" | "ober") | ("og" | "obergeschoss" | "r", "") => pick(Storey::Above(number)),
+        ("", "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock" | "stockwerk")
+        | ("etage", "") => pick(Storey::Above(number)),
+        ("piano" | "planta", "") | ("", "o piano" | "piano" | "a planta" | "planta") => pick(Storey::Above(number)),
+        ("", "階" | "f階") => pick(Storey::FromOne(number)),
+        (
+            "",
+            "" | "st" | "nd" | "rd" | "th" | "o" | "a" | "f" | "fl" | "flr" | "floor" | "level" | "storey" | "story"
+            | "st floor" | "nd floor" | "rd floor" | "th floor",
+        )
+        | (
+            "",
+            "st fl" | "nd fl" | "rd fl" | "th fl" | "st level" | "nd level" | "rd level" | "th level" | "geschoss"
+            | "piso" | "o piso" | "livello" | "niveau" | "st storey" | "nd storey" | "rd storey" | "th storey",
+        )
+        | (
+            "l" | "lv" | "lvl" | "level" | "floor" | "fl" | "flr" | "f" | "storey" | "story" | "no" | "geschoss"
+            | "stock" | "niveau" | "niv" | "n" | "piso" | "nivel" | "livello" | "floor no",
+            "",
+        ) => pick(Storey::Numbered(number)),
+        _ => None,
+    }
+}
+
+/// The form in which names of floors are compared: without case, blanks, and the words for a floor.
+fn bare(text: &str) -> String {
+    let words = canonical(text);
+    let kept: Vec<&str> =
+        words.split(' ').filter(|word| !matches!(*word, "floor" | "level" | "storey" | "story" | "l" | "f")).collect();
+    let joined = kept.concat();
+    // L3 and 3F are 3.
+    let rest = joined.strip_prefix('l').or_else(|| joined.strip_suffix('f'));
+    match rest {
+        Some(rest) if !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit()) => rest.to_owned(),
+        _ if joined.is_empty() => words,
+        _ => joined,
+    }
+}
+
+/// Finds the height of floors by their names.
+#[derive(Debug)]
+pub(super) struct FloorFinder {
+    names: HashMap<String, f64>,
+    storeys: Option<usize>,
+    first: FirstFloor,
+    /// Whether nothing in the list or the study says that floor 1 is above the ground.
+    is_assumed: bool,
+}
+
+/// The height of a floor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Found {
+    /// Over the height of the building; with a doubt whether floor 1 is the ground.
+    Ratio(f64, bool),
+    /// Neither named nor understood, or above the roof.
+    Unknown,
+    /// Nothing says how many storeys there are.
+    NoStoreys,
+}
+
+impl FloorFinder {
+    /// `named` are the floors of the list; `is_imperial`: it is in feet or inches; `is_japanese`:
+    /// its headings are.
+    pub(super) fn new(floors: &Floors, list: &[String], is_imperial: bool, is_japanese: bool) -> Self {
+        let names_ground = list.iter().any(|text| storey(text) == Some(Storey::Ground));
+        let (first, is_assumed) = match floors.first_floor {
+            Some(first) => (first, false),
+            None if is_japanese => (FirstFloor::Ground, false),
+            None if names_ground => (FirstFloor::Above, false),
+            None if is_imperial => (FirstFloor::Ground, false),
+            None => (FirstFloor::Above, true),
+        };
+        let names = floors.named.iter().map(|(name, ratio)| (bare(name), *ratio)).collect();
+        Self { names, storeys: floors.storeys.filter(|storeys| *storeys > 0), first, is_assumed }
+    }
+
+    /// The height of a floor over that of the building.
+    pub(super) fn find(&self, text: &str) -> Found {
+        if let Some(ratio) = self.names.get(&bare(text)) {
+            return Found::Ratio(*ratio, false);
+        }
+        let Some(storey) = storey(text) else { return Found::Unknown };
+        // A building that is known by name has no other floors.
+        let Some(storeys) = self.storeys else {
+            return match storey {
+                Storey::Ground | Storey::Below => Found::Ratio(0.0, false),
+                Storey::Roof => Found::Ratio(1.0, false),
+                _ if self.names.is_empty() => Found::NoStoreys,
+                _ => Found::Unknown,
+            };
+        };
+        let above = |number: u32, is_assumed: bool| {
+            if number as usize > storeys {
+                Found::Unknown
+            } else {
+                Found::Ratio(f64::from(number) / storeys as f64, is_assumed)
+            }
+        };
+        match storey {
+            Storey::Ground | Storey::Below => Found::Ratio(0.0, false),
+            Storey::Roof => Found::Ratio(1.0, false),
+            Storey::Top => Found::Ratio((storeys - 1) as f64 / storeys as f64, false),
+            Storey::Mezzanine => Found::Ratio(0.5 / storeys as f64, false),
+            Storey::Above(number) => above(number, false),
+            Storey::FromOne(number) => above(number.saturating_sub(1), false),
+            Storey::Numbered(number) => match self.first {
+                FirstFloor::Ground => above(number.saturating_sub(1), false),
+                FirstFloor::Above => above(number, self.is_assumed),
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_floors() {
+        use Storey::{Above, Below, FromOne, Ground, Mezzanine, Numbered, Roof, Top};
+        for (text, expected) in [
+            ("G", Some(Ground)),
+            ("Ground floor", Some(Ground)),
+            ("EG", Some(Ground)),
+            ("RDC", Some(Ground)),
+            ("Rez-de-chaussée", Some(Ground)),
+            ("Planta baja", Some(Ground)),
+            ("Piano terra", Some(Ground)),
+            ("0", Some(Ground)),
+            ("B1", Some(Below)),
+            ("-1", Some(Below)),
+            ("1. UG", Some(Below)),
+            ("Sous-sol", Some(Below)),
+            ("地下1階", Some(Below)),
+            ("Basement 2", Some(Below)),
+            ("Roof", Some(Roof)),
+            ("Roof level", Some(Roof)),
+            ("屋上", Some(Roof)),
+            ("DG", Some(Top)),
+            ("Mezzanine", Some(Mezzanine)),
+            ("3", Some(Numbered(3))),
+            ("03", Some(Numbered(3))),
+            ("L3", Some(Numbered(3))),
+            ("Lvl 3", Some(Numbered(3))),
+            ("Level 3", Some(Numbered(3))),
+            ("3rd", Some(Numbered(3))),
+            ("2nd floor", Some(Numbered(2))),
+            ("3F", Some(Numbered(3))),
+            ("3. OG", Some(Above(3))),
+            ("3. Obergeschoss", Some(Above(3))),
+            ("R+3", Some(Above(3))),
+            ("3e étage", Some(Above(3))),
+            ("1er étage", Some(Above(1))),
+            ("planta 3", Some(Above(3))),
+            ("3ª planta", Some(Above(3))),
+            ("piano 3", Some(Above(3))),
+            ("3° piano", Some(Above(3))),
+            ("3階", Some(FromOne(3))),
+            ("north wing", None),
+            ("3.12", None),
+            ("3 or 4", None),
+            ("Annex upper", None),
+        ] {
+            assert_eq!(storey(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn floors_are_shares_of_the_height() {
+        let six = Floors { storeys: Some(6), ..Floors::default() };
+        let found = |floors: &Floors, list: &[&str], imperial, text: &str| {
+            let list: Vec<String> = list.iter().map(|&text| text.to_owned()).collect();
+            FloorFinder::new(floors, &list, imperial, false).find(text)
+        };
+        assert_eq!(found(&six, &["G", "3"], false, "3"), Found::Ratio(0.5, false));
+        assert_eq!(found(&six, &["3"], false, "3"), Found::Ratio(0.5, true));
+        assert_eq!(found(&six, &["1", "4"], true, "4"), Found::Ratio(0.5, false));
+        assert_eq!(found(&six, &[], false, "7"), Found::Unknown);
+        assert_eq!(found(&six, &[], false, "DG"), Found::Ratio(5.0 / 6.0, false));
+        let settled = Floors { first_floor: Some(FirstFloor::Ground), ..six };
+        assert_eq!(found(&settled, &["3"], false, "4"), Found::Ratio(0.5, false));
+        let table = Floors { named: vec![("Lobby".to_owned(), 0.0), ("L2".to_owned(), 0.4)], ..Floors::default() };
+        assert_eq!(found(&table, &[], false, "level 2"), Found::Ratio(0.4, false));
+        assert_eq!(found(&table, &[], false, "LOBBY"), Found::Ratio(0.0, false));
+        assert_eq!(found(&table, &[], false, "5"), Found::Unknown);
+        assert_eq!(found(&Floors::default(), &[], false, "5"), Found::NoStoreys);
+    }
+}

@@ -1,0 +1,174 @@
+//! A copy of the list with a note in every cell that is wrong or doubtful, and a sheet of problems.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::shorten;
+use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, FormatAlign, Note, Workbook, Worksheet, XlsxError};
+
+use super::cell::{Cell, MAX_CELL_CHARS};
+use super::problems::{Finding, Severity};
+use super::read::ReadOptions;
+use super::source::{Sheet, load};
+use super::write::failed;
+
+/// Most cells that are marked; a list with more has the same mistake in every row.
+const MAX_MARKED: usize = 50_000;
+/// Most cells of a list that is copied.
+const MAX_COPIED: usize = 4_000_000;
+
+/// The list at `path` as a workbook, as it was, with a note in every cell that `findings` name, red
+/// for an error and yellow for a doubt, and a sheet of the problems.
+///
+/// # Errors
+/// A list that cannot be read, or is too large to copy.
+pub fn marked_copy(path: &Path, options: &ReadOptions<'_>, findings: &[Finding]) -> Result<Vec<u8>, Problems> {
+    let in_file = |problem: Problem| problem.in_file(path);
+    let sheet = Sheet::open(load(path)?, options.sheet, options.mapping).map_err(in_file)?;
+    let cells: usize = sheet.rows.iter().map(|row| row.cells.len()).sum();
+    if cells > MAX_COPIED {
+        let message = format!("{cells} cells are too many for a marked copy");
+        return Err(in_file(Problem::value(message, "leave `out` away, and see the problems with `json`")).into());
+    }
+    Ok(copy(&sheet, findings).map_err(|error| in_file(failed(&error)))?)
+}
+
+/// The marks of a cell: the most serious, and all texts.
+type Marks = HashMap<(u32, u32), (Severity, String)>;
+
+fn copy(sheet: &Sheet, findings: &[Finding]) -> Result<Vec<u8>, XlsxError> {
+    let mut marks: Marks = HashMap::new();
+    for finding in findings {
+        let Some(index) = finding.index else { continue };
+        let text = format!(
+            "{}: {}. {}",
+            word(finding),
+            KeyStyle::Flag.shown(&finding.message()),
+            KeyStyle::Flag.shown(&finding.hint)
+        );
+        for row in &finding.rows {
+            if marks.len() >= MAX_MARKED {
+                break;
+            }
+            marks
+                .entry((*row, index))
+                .and_modify(|(severity, texts)| {
+                    *severity = (*severity).min(finding.severity);
+                    texts.push('\n');
+                    texts.push_str(&text);
+                })
+                .or_insert((finding.severity, text.clone()));
+        }
+    }
+    let mut workbook = Workbook::new();
+    // With the current date, the bytes would differ from run to run.
+    let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
+    workbook.set_properties(&DocProperties::new().set_title("Checked inventory").set_creation_datetime(&created));
+    let name = sheet.name.clone().unwrap_or_else(|| "List".to_owned());
+    fill(workbook.add_worksheet().set_name(&name)?, sheet, &marks)?;
+    let second = if name.eq_ignore_ascii_case("problems") { "Problems found" } else { "Problems" };
+    problems(workbook.add_worksheet().set_name(second)?, findings)?;
+    workbook.save_to_buffer()
+}
+
+/// `Error: unreadable`.
+fn word(finding: &Finding) -> String {
+    let severity = match finding.severity {
+        Severity::Error => "Error",
+        Severity::Doubt => "Doubt",
+    };
+    format!("{severity} ({})", finding.kind.name())
+}
+
+fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxError> {
+    let bold = Format::new().set_bold().set_text_wrap().set_align(FormatAlign::Top);
+    let red = Format::new().set_background_color("#F8B4B4");
+    let yellow = Format::new().set_background_color("#FFF2A8");
+    let plain = Format::new();
+    for merged in &sheet.merges.all {
+        let (first, last) = (merged.rows.0.saturating_sub(1), merged.rows.1.saturating_sub(1));
+        let (left, right) = (u16::try_from(merged.columns.0), u16::try_from(merged.columns.1));
+        if let (Ok(left), Ok(right)) = (left, right) {
+            // Overlaps are refused; the copy then has the cells without that merge.
+            let _ = to.merge_range(first, left, last, right, "", &plain);
+        }
+    }
+    for row in &sheet.rows {
+        let at = row.number.saturating_sub(1);
+        for (column, cell) in &row.cells {
+            let Ok(index) = u16::try_from(*column) else { continue };
+            let mark = marks.get(&(row.number, *column)).map(|(severity, _)| *severity);
+            let format = match mark {
+                Some(Severity::Error) => &red,
+                Some(Severity::Doubt) => &yellow,
+                None if row.number == sheet.header.row => &bold,
+                None => &plain,
+            };
+            match cell {
+                Cell::Number(value) => to.write_number_with_format(at, index, *value, format)?,
+                Cell::Bool(value) => to.write_boolean_with_format(at, index, *value, format)?,
+                Cell::Unevaluated | Cell::TooLong(_) => to.write_blank(at, index, format)?,
+                Cell::Text(text) | Cell::Date(text) | Cell::Error(text) => {
+                    let text: String = text.chars().take(MAX_CELL_CHARS).collect();
+                    to.write_string_with_format(at, index, text, format)?
+                }
+            };
+        }
+    }
+    // In the order of the sheet: the same list gives the same bytes.
+    let mut order: Vec<(&(u32, u32), &(Severity, String))> = marks.iter().collect();
+    order.sort_unstable_by_key(|(place, _)| **place);
+    for ((row, column), (severity, text)) in order {
+        let Ok(index) = u16::try_from(*column) else { continue };
+        let color = if *severity == Severity::Error { "#F8B4B4" } else { "#FFF2A8" };
+        let note =
+            Note::new(text.chars().take(2000).collect::<String>()).set_author("freestand").set_background_color(color);
+        to.insert_note(row.saturating_sub(1), index, &note)?;
+    }
+    to.set_freeze_panes(sheet.header.last_row, 0)?;
+    Ok(())
+}
+
+fn problems(to: &mut Worksheet, findings: &[Finding]) -> Result<(), XlsxError> {
+    let bold = Format::new().set_bold().set_background_color("#DDE7F0");
+    let wrap = Format::new().set_text_wrap().set_align(FormatAlign::Top);
+    let headings = [
+        ("Severity", 10),
+        ("Kind", 18),
+        ("Column", 24),
+        ("Cells", 8),
+        ("Where", 30),
+        ("Such as", 24),
+        ("What", 50),
+        ("What to do", 60),
+    ];
+    for (column, (text, width)) in (0u16..).zip(headings) {
+        to.write_string_with_format(0, column, text, &bold)?;
+        to.set_column_width(column, width)?;
+    }
+    for (row, finding) in (1u32..).zip(findings) {
+        let cells = finding.cells();
+        let places: Vec<String> =
+            if cells.is_empty() { finding.rows.iter().map(|row| format!("row {row}")).collect() } else { cells };
+        let more = if places.len() > 20 { " …" } else { "" };
+        let places = format!("{}{more}", places.iter().take(20).cloned().collect::<Vec<_>>().join(", "));
+        let texts = [
+            finding.severity.name().to_owned(),
+            finding.kind.name().to_owned(),
+            finding.heading.as_deref().map(shorten).unwrap_or_default(),
+            String::new(),
+            places,
+            finding.examples.join(" | "),
+            KeyStyle::Flag.shown(&finding.message()),
+            KeyStyle::Flag.shown(&finding.hint),
+        ];
+        for (column, text) in (0u16..).zip(texts) {
+            to.write_string_with_format(row, column, text, &wrap)?;
+        }
+        to.write_number_with_format(row, 3, finding.rows.len() as f64, &wrap)?;
+    }
+    to.set_freeze_panes(1, 0)?;
+    Ok(())
+}

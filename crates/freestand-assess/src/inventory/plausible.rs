@@ -1,0 +1,71 @@
+//! Values that an object can hardly have: used, and said.
+
+use freestand::G0_M_S2;
+
+use super::Item;
+use super::columns::Column;
+use super::problems::Kind;
+
+/// Density of the box around an object \[kg/m³\]: an empty cardboard box to solid stone.
+const DENSITY: std::ops::RangeInclusive<f64> = 20.0..=3000.0;
+/// Height \[m\].
+const HEIGHT_M: std::ops::RangeInclusive<f64> = 0.1..=6.0;
+/// Either side \[m\].
+const SIDE_M: std::ops::RangeInclusive<f64> = 0.05..=6.0;
+/// Height over the shorter side.
+const MAX_SLENDERNESS: f64 = 15.0;
+/// Mass \[kg\].
+const MASS_KG: std::ops::RangeInclusive<f64> = 0.5..=100e3;
+/// Tolerance \[g\].
+const TOLERANCE_G: std::ops::RangeInclusive<f64> = 0.3..=1000.0;
+/// Stiffness under one edge \[N/m\]: 10 to 10⁶ N/mm.
+const STIFFNESS_N_M: std::ops::RangeInclusive<f64> = 1e4..=1e9;
+/// Largest compression of the pads by the weight alone, m g/(2k) \[m\].
+const MAX_SINK_M: f64 = 0.02;
+
+/// Whether a mass fits a volume.
+pub(super) fn is_density_plausible(mass_kg: f64, volume_m3: f64) -> bool {
+    DENSITY.contains(&(mass_kg / volume_m3))
+}
+
+/// What is doubtful about the values of an object, with the column that it is said of.
+pub(super) fn doubts(item: &Item) -> Vec<(Kind, Column)> {
+    let mut found = Vec::new();
+    let is_outside =
+        |value: Option<f64>, range: &std::ops::RangeInclusive<f64>| value.is_some_and(|value| !range.contains(&value));
+    if is_outside(item.height_m, &HEIGHT_M) {
+        found.push((Kind::Height, Column::Height));
+    }
+    if is_outside(item.thickness_m, &SIDE_M) {
+        found.push((Kind::Side, Column::Thickness));
+    }
+    if is_outside(item.width_m, &SIDE_M) {
+        found.push((Kind::Side, Column::Width));
+    }
+    if is_outside(item.mass_kg, &MASS_KG) {
+        found.push((Kind::Mass, Column::Mass));
+    }
+    if let (Some(height), Some(thickness)) = (item.height_m, item.thickness_m) {
+        let shorter = item.width_m.map_or(thickness, |width| width.min(thickness));
+        if height > MAX_SLENDERNESS * shorter {
+            found.push((Kind::Slenderness, Column::Height));
+        }
+        // Without a width, the thickness stands for it.
+        let volume = height * thickness * item.width_m.unwrap_or(thickness);
+        if item.mass_kg.is_some_and(|mass| !is_density_plausible(mass, volume)) {
+            found.push((Kind::Density, Column::Mass));
+        }
+    }
+    let peak = item.tolerance.as_ref().and_then(|tolerance| tolerance.peak_m_s2);
+    if is_outside(peak.map(|peak| peak / G0_M_S2), &TOLERANCE_G) {
+        found.push((Kind::Tolerance, Column::Tolerance));
+    }
+    let stiffness = item.cushion.as_ref().and_then(|edge| edge.cushion.linear_stiffness_n_m());
+    if let Some(stiffness) = stiffness {
+        let sink = item.mass_kg.map(|mass| mass * G0_M_S2 / (2.0 * stiffness));
+        if !STIFFNESS_N_M.contains(&stiffness) || sink.is_some_and(|sink| sink > MAX_SINK_M) {
+            found.push((Kind::Stiffness, Column::Stiffness));
+        }
+    }
+    found
+}

@@ -1,0 +1,352 @@
+//! What is wrong or doubtful in a list: one problem for each kind and column, however many cells.
+
+use std::collections::HashMap;
+
+use freestand_input::quantity::shorten;
+use freestand_input::words::counted;
+
+use super::columns::{Column, letters};
+
+/// How serious a problem is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// The cell has no value.
+    Error,
+    /// The value is used; a person should look at it.
+    Doubt,
+}
+
+impl Severity {
+    /// Its name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Error => "error",
+            Self::Doubt => "doubt",
+        }
+    }
+}
+
+macro_rules! kinds {
+    ($($kind:ident $severity:ident $name:literal $what:literal $hint:literal;)*) => {
+        /// The kind of a problem.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Kind {
+            $(#[doc = $what] $kind,)*
+        }
+
+        impl Kind {
+            /// Its name in outputs.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$kind => $name,)* }
+            }
+
+            /// How serious it is.
+            pub fn severity(self) -> Severity {
+                match self { $(Self::$kind => Severity::$severity,)* }
+            }
+
+            /// What is wrong, in words.
+            pub fn words(self) -> &'static str {
+                match self { $(Self::$kind => $what,)* }
+            }
+
+            /// What to do about it.
+            fn hint(self) -> &'static str {
+                match self { $(Self::$kind => $hint,)* }
+            }
+        }
+    };
+}
+
+kinds! {
+    Unreadable Error "unreadable" "cannot be read"
+        "correct the cell, or leave it empty if the value is not known";
+    UnitMissing Error "unit-missing" "has no unit"
+        "put the unit into the heading, such as \"Height (mm)\", or give it in a mapping file (`columns`)";
+    UnitWrong Error "unit-wrong" "has a unit that does not fit or is not known"
+        "write a unit that is known, such as mm, in, kg, lb";
+    NumberAmbiguous Error "number-ambiguous" "can be read in two ways"
+        "write the number without thousands, or give `decimal = \"comma\"` or \"point\" under [numbers] of a mapping file";
+    OutOfRange Error "out-of-range" "is not possible"
+        "check the number and its unit";
+    FloorUnknown Error "floor-unknown" "is not a floor that is known"
+        "name it under [floors] of a mapping file, or in `floors` under [building] of the study";
+    Formula Error "formula" "is a formula without a value"
+        "open the workbook in a spreadsheet program, correct the formula and save it again";
+    DimensionOrder Doubt "dimension-order" "does not say which size is which; the largest was taken as the height"
+        "write the order into the heading, such as \"Size (H x W x D)\"";
+    UnitAssumed Doubt "unit-assumed" "states no unit; the one that fits the list was taken"
+        "put the unit into the heading";
+    Approximate Doubt "approximate" "is a rough value or a range; its middle was taken"
+        "measure it if the verdict depends on it";
+    DuplicateId Doubt "duplicate-id" "occurs more than once; a number was added to the later ones"
+        "give every row its own id";
+    FloorNumbering Doubt "floor-numbering" "does not say whether floor 1 is the ground; it was taken as the one above"
+        "give `first_floor = \"ground\"` or \"above\" under [building] of the study or [floors] of a mapping file";
+    FloorFromSection Doubt "floor-from-section" "was taken from the heading of the section"
+        "add a column with the floor";
+    Density Doubt "density" "does not fit the size: the density is outside 20 to 3000 kg/m³"
+        "check the mass, the sizes and their units";
+    Height Doubt "height" "is outside 0.1 to 6 m"
+        "check the number and its unit";
+    Side Doubt "side" "is outside 0.05 to 6 m"
+        "check the number and its unit";
+    Slenderness Doubt "slenderness" "is more than 15 times the shorter side"
+        "check the height and the sides";
+    Mass Doubt "mass" "is outside 0.5 kg to 100 t"
+        "check the number and its unit";
+    Tolerance Doubt "tolerance" "is outside 0.3 to 1000 g"
+        "check the number and its unit";
+    Stiffness Doubt "stiffness" "is outside 10 to 1000000 N/mm, or the object alone would press its pads by more than 20 mm"
+        "check that N/m was not typed for N/mm";
+    TwoColumns Doubt "two-columns" "differs from another column with the same meaning; this one was used"
+        "correct one of the columns, or set it to \"ignore\" in a mapping file";
+    Merged Doubt "merged" "is merged over several objects; only the first has the value"
+        "unmerge the cells and put the value into each row";
+    Casters Doubt "casters" "names wheels: taken as free to roll, which the model does not follow"
+        "say in the cell if they are braked or locked";
+    PadsMissing Doubt "pads-missing" "is the stiffness of one pad without pads_per_edge; no shock is computed"
+        "add a column pads_per_edge";
+    DampingMass Doubt "damping-mass" "is a cushion with a damping ratio but no mass; no shock is computed"
+        "give the mass";
+    PadAlone Doubt "pad-alone" "describes a pad without its stiffness; it is ignored"
+        "give the stiffness of the pad";
+    PulseAlone Doubt "pulse-alone" "is the duration of a pulse without its peak"
+        "give the peak of that pulse as the tolerance";
+    Example Doubt "example" "is an example of the template"
+        "delete the row";
+}
+
+/// A problem: one kind in one column.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// How serious it is.
+    pub severity: Severity,
+    /// The kind.
+    pub kind: Kind,
+    /// The column, if it belongs to one.
+    pub column: Option<Column>,
+    /// Its heading in the file.
+    pub heading: Option<String>,
+    /// The place of the column in the sheet, counted from 0.
+    pub index: Option<u32>,
+    /// The rows.
+    pub rows: Vec<u32>,
+    /// Up to three different texts of these cells.
+    pub examples: Vec<String>,
+    /// What to do about it.
+    pub hint: String,
+    /// What is wrong in the first of them, in words.
+    pub detail: Option<String>,
+}
+
+impl Finding {
+    /// The cells, such as `D2`; empty where no column is known.
+    pub fn cells(&self) -> Vec<String> {
+        let Some(index) = self.index else { return Vec::new() };
+        let letters = letters(index as usize);
+        self.rows.iter().map(|row| format!("{letters}{row}")).collect()
+    }
+
+    /// What is wrong, in a sentence without the cells.
+    pub fn message(&self) -> String {
+        match &self.detail {
+            Some(detail) => detail.clone(),
+            None => format!("{} {}", self.name(), self.kind.words()),
+        }
+    }
+
+    /// How the column is called: its heading, or its name.
+    fn name(&self) -> String {
+        match (&self.heading, self.column) {
+            (Some(heading), _) => shorten(heading),
+            (None, Some(column)) => column.name().to_owned(),
+            (None, None) => "the row".to_owned(),
+        }
+    }
+
+    /// `error: unreadable: Height: 60 cells (D2, D3, D4 …), such as "tall0x"; hint: …`.
+    pub fn line(&self) -> String {
+        let cells = self.cells();
+        let places: Vec<String> =
+            if cells.is_empty() { self.rows.iter().map(|row| format!("row {row}")).collect() } else { cells };
+        let more = if places.len() > 3 { " …" } else { "" };
+        let noun = if self.index.is_some() { "cell" } else { "row" };
+        let first: Vec<String> = places.iter().take(3).cloned().collect();
+        let shown = if first.is_empty() { String::new() } else { format!(" ({}{more})", first.join(", ")) };
+        let count =
+            if self.rows.is_empty() { String::new() } else { format!("{}{shown}", counted(self.rows.len(), noun)) };
+        let such = self.examples.first().map_or_else(String::new, |text| format!(", such as \"{}\"", shorten(text)));
+        let said = match (&self.detail, self.kind) {
+            (Some(detail), _) => format!("; {detail}"),
+            (None, Kind::Unreadable) => String::new(),
+            (None, kind) => format!("; {}", kind.words()),
+        };
+        let name = self.name();
+        format!("{}: {}: {name}: {count}{such}{said}; hint: {}", self.severity.name(), self.kind.name(), self.hint)
+    }
+}
+
+/// At most this many lines on the console.
+const MAX_LINES: usize = 12;
+
+/// The problems as lines for the console, most cells first.
+pub fn console_lines(findings: &[Finding]) -> Vec<String> {
+    let mut order: Vec<&Finding> = findings.iter().collect();
+    order.sort_by_key(|finding| (std::cmp::Reverse(finding.rows.len()), finding.severity));
+    let mut lines: Vec<String> = order.iter().take(MAX_LINES).map(|finding| finding.line()).collect();
+    if order.len() > MAX_LINES {
+        lines.push(format!("and {}: --json", more_kinds(order.len() - MAX_LINES)));
+    }
+    lines
+}
+
+fn more_kinds(count: usize) -> String {
+    if count == 1 { "1 more kind".to_owned() } else { format!("{count} more kinds") }
+}
+
+/// The problems so far.
+#[derive(Debug, Default)]
+pub(super) struct Findings {
+    all: Vec<Finding>,
+    places: HashMap<(Kind, Option<Column>, Option<u32>), usize>,
+    /// Every doubt is an error.
+    is_strict: bool,
+    notes: Vec<Noted>,
+}
+
+/// Something about rows that is no problem of a cell.
+#[derive(Debug)]
+struct Noted {
+    words: &'static str,
+    rows: Vec<u32>,
+    count: usize,
+}
+
+/// Where a problem is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place<'h> {
+    pub(super) column: Option<Column>,
+    pub(super) index: Option<u32>,
+    pub(super) heading: Option<&'h str>,
+}
+
+impl Place<'_> {
+    /// A problem of whole rows.
+    pub(super) const ROW: Place<'static> = Place { column: None, index: None, heading: None };
+}
+
+impl Findings {
+    /// None so far; `is_strict`: every doubt is an error.
+    pub(super) fn new(is_strict: bool) -> Self {
+        Self { is_strict, ..Self::default() }
+    }
+
+    /// Adds a cell to the problem of its kind and column.
+    pub(super) fn add(
+        &mut self,
+        kind: Kind,
+        place: Place<'_>,
+        row: Option<u32>,
+        example: &str,
+        detail: Option<String>,
+    ) {
+        let severity = if self.is_strict { Severity::Error } else { kind.severity() };
+        let key = (kind, place.column, place.index);
+        let at = *self.places.entry(key).or_insert_with(|| {
+            self.all.push(Finding {
+                severity,
+                kind,
+                column: place.column,
+                heading: place.heading.map(str::to_owned),
+                index: place.index,
+                rows: Vec::new(),
+                examples: Vec::new(),
+                hint: kind.hint().to_owned(),
+                detail,
+            });
+            self.all.len() - 1
+        });
+        let Some(finding) = self.all.get_mut(at) else { return };
+        if let Some(row) = row
+            && finding.rows.last() != Some(&row)
+        {
+            finding.rows.push(row);
+        }
+        if finding.examples.len() < 3 && !example.is_empty() && !finding.examples.iter().any(|other| other == example) {
+            finding.examples.push(shorten(example));
+        }
+    }
+
+    /// Replaces the hint of a problem.
+    pub(super) fn hint(&mut self, kind: Kind, place: Place<'_>, hint: String) {
+        if let Some(finding) = self.places.get(&(kind, place.column, place.index)).and_then(|at| self.all.get_mut(*at))
+        {
+            finding.hint = hint;
+        }
+    }
+
+    /// Adds a warning about a row.
+    pub(super) fn note(&mut self, words: &'static str, row: u32) {
+        let noted = match self.notes.iter_mut().position(|noted| noted.words == words) {
+            Some(at) => self.notes.get_mut(at),
+            None => {
+                self.notes.push(Noted { words, rows: Vec::new(), count: 0 });
+                self.notes.last_mut()
+            }
+        };
+        let Some(noted) = noted else { return };
+        noted.count += 1;
+        if noted.rows.len() < 5 {
+            noted.rows.push(row);
+        }
+    }
+
+    /// The problems, and the warnings about rows.
+    pub(super) fn finish(self) -> (Vec<Finding>, Vec<String>) {
+        let said = |noted: &Noted| {
+            let rows: Vec<String> = noted.rows.iter().map(u32::to_string).collect();
+            let more = noted.count - noted.rows.len();
+            let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+            let noun = if noted.count == 1 { "row" } else { "rows" };
+            format!("{noun} {}{more}: {}", rows.join(", "), noted.words)
+        };
+        let notes = self.notes.iter().map(said).collect();
+        (self.all, notes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn problems_are_one_for_each_kind_and_column() {
+        let mut findings = Findings::default();
+        let place = Place { column: Some(Column::Height), index: Some(3), heading: Some("Height") };
+        for row in 2..62 {
+            findings.add(Kind::Unreadable, place, Some(row), &format!("tall{}x", row % 2), None);
+        }
+        let (all, _) = findings.finish();
+        assert_eq!(
+            all[0].line(),
+            "error: unreadable: Height: 60 cells (D2, D3, D4 …), such as \"tall0x\"; hint: correct the cell, \
+             or leave it empty if the value is not known"
+        );
+        assert_eq!((all.len(), all[0].examples.len(), all[0].rows.len()), (1, 2, 60));
+    }
+
+    #[test]
+    fn the_console_has_a_dozen_lines() {
+        let mut findings = Findings::default();
+        for index in 0..15 {
+            let place = Place { column: None, index: Some(index), heading: Some("x") };
+            for row in 0..=index {
+                findings.add(Kind::Unreadable, place, Some(row), "", None);
+            }
+        }
+        let lines = console_lines(&findings.finish().0);
+        assert_eq!((lines.len(), lines[12].as_str()), (13, "and 3 more kinds: --json"));
+        assert!(lines[0].contains("15 cells"), "{}", lines[0]);
+    }
+}

@@ -1,0 +1,846 @@
+//! What each column of a list is: its name, its unit and its decimal sign, each with its evidence.
+
+use std::collections::BTreeMap;
+
+use freestand_input::quantity::Dimension;
+
+use super::cell::{Cell, Row};
+use super::cells::{Choice, evidence, is_bare, is_open, number_text, quantity, sizes, stated_unit};
+use super::columns::{COLUMNS, Column, Holds, letters};
+use super::headings::{HeadingUnit, Language, dimension};
+use super::layout::{Body, Header};
+use super::mapping::Mapping;
+use super::numbers::{Decimal, is_plausible};
+use super::units::{CellUnit, find, is_metric};
+use super::vocabulary::{canonical, is_missing, rating};
+
+/// Where the unit of a column comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum UnitSource {
+    Mapping,
+    Heading,
+    UnitRow,
+    Sentence,
+    Cells,
+    Plausibility,
+}
+
+impl UnitSource {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Mapping => "mapping",
+            Self::Heading => "heading",
+            Self::UnitRow => "unit-row",
+            Self::Sentence => "sentence",
+            Self::Cells => "cells",
+            Self::Plausibility => "plausibility",
+        }
+    }
+
+    /// Whether a person might have chosen another.
+    pub(super) fn is_assumed(self) -> bool {
+        matches!(self, Self::Cells | Self::Plausibility)
+    }
+}
+
+/// The decimal sign of a column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Dialect {
+    /// Nothing needs one, or nothing says which.
+    Open,
+    One(Decimal),
+    /// Some cells have a comma, some a point.
+    Mixed,
+}
+
+impl Dialect {
+    pub(super) fn name(self) -> Option<&'static str> {
+        match self {
+            Self::Open => None,
+            Self::One(sign) => Some(sign.name()),
+            Self::Mixed => Some("mixed"),
+        }
+    }
+}
+
+/// A column that is read.
+#[derive(Debug, Clone)]
+pub(super) struct Use {
+    /// Its place in the sheet, counted from 0.
+    pub(super) index: u32,
+    pub(super) column: Column,
+    pub(super) heading: String,
+    pub(super) unit: Option<CellUnit>,
+    pub(super) unit_source: Option<UnitSource>,
+    /// What the heading states, where that is not a unit of it.
+    pub(super) wrong_unit: Option<String>,
+    pub(super) dialect: Dialect,
+    pub(super) order: Option<Vec<char>>,
+    /// Units from a row on.
+    later_units: Vec<(u32, CellUnit)>,
+}
+
+impl Use {
+    /// The unit of bare numbers in a row.
+    pub(super) fn unit_at(&self, row: u32) -> Option<CellUnit> {
+        self.later_units.iter().rev().find(|(from, _)| *from < row).map(|(_, unit)| *unit).or(self.unit)
+    }
+
+    /// Whether the unit is neither in the heading nor in the cells.
+    pub(super) fn is_unit_stated_outside(&self) -> bool {
+        matches!(self.unit_source, Some(UnitSource::UnitRow | UnitSource::Sentence))
+    }
+
+    /// Whether the unit of a bare number of a row was assumed.
+    pub(super) fn is_unit_assumed(&self, row: u32) -> bool {
+        self.unit_source.is_some_and(UnitSource::is_assumed) && !self.later_units.iter().any(|(from, _)| *from < row)
+    }
+}
+
+/// The columns of a list.
+#[derive(Debug)]
+pub(super) struct Understood {
+    /// In the order of the sheet; of two with one name the one that is read comes first in `firsts`.
+    pub(super) uses: Vec<Use>,
+    /// For each known column the places in `uses`, the one that is read first.
+    firsts: Vec<Vec<usize>>,
+    /// Columns that are carried through, with their headings.
+    pub(super) carried: Vec<(u32, String)>,
+    pub(super) is_imperial: bool,
+    pub(super) is_japanese: bool,
+    pub(super) warnings: Vec<String>,
+}
+
+/// What the columns are decided from.
+pub(super) struct Evidence<'a> {
+    pub(super) rows: &'a [Row],
+    pub(super) header: &'a Header,
+    pub(super) body: &'a Body,
+    pub(super) mapping: Option<&'a Mapping>,
+    /// Whether `;` separates the cells, as where commas are decimal signs.
+    pub(super) has_semicolons: bool,
+}
+
+impl Evidence<'_> {
+    fn objects(&self) -> impl Iterator<Item = &Row> {
+        self.body.objects.iter().filter_map(|(place, _)| self.rows.get(*place))
+    }
+
+    fn cells(&self, index: u32) -> impl Iterator<Item = (&Row, &Cell)> {
+        self.objects().filter_map(move |row| Some((row, row.get(index)?)))
+    }
+
+    /// The texts of a column that may hold numbers.
+    fn texts(&self, index: u32) -> impl Iterator<Item = (&Row, String)> {
+        self.cells(index).filter_map(|(row, cell)| match cell {
+            Cell::Text(_) => Some((row, number_text(cell).ok().flatten()?)),
+            _ => None,
+        })
+    }
+}
+
+/// Decides what every column is.
+pub(super) fn understand(evidence: &Evidence<'_>) -> Understood {
+    let mut all = roles(evidence);
+    stated_units(&mut all, evidence);
+    dialects(&mut all, evidence);
+    assumed_units(&mut all, evidence);
+    plausible_dialects(&mut all, evidence);
+    all.is_imperial = {
+        let systems: Vec<bool> = all.uses.iter().filter_map(|one| is_metric(one.unit?)).collect();
+        let metric = systems.iter().filter(|&&metric| metric).count();
+        !systems.is_empty() && 2 * metric < systems.len() || systems.is_empty() && cells_are_imperial(&all, evidence)
+    };
+    all
+}
+
+fn cells_are_imperial(all: &Understood, evidence: &Evidence<'_>) -> bool {
+    let (mut metric, mut imperial) = (0, 0);
+    for one in &all.uses {
+        let Some(dimension) = dimension(one.column) else { continue };
+        for (_, text) in evidence.texts(one.index).take(50) {
+            match stated_unit(&text, dimension).and_then(is_metric) {
+                Some(true) => metric += 1,
+                Some(false) => imperial += 1,
+                None => {}
+            }
+        }
+    }
+    imperial > metric
+}
+
+impl Understood {
+    /// The columns with one name, the one that is read first.
+    pub(super) fn all(&self, column: Column) -> impl Iterator<Item = &Use> {
+        self.firsts.get(column as usize).into_iter().flatten().filter_map(|place| self.uses.get(*place))
+    }
+
+    /// The column with this name.
+    pub(super) fn get(&self, column: Column) -> Option<&Use> {
+        self.all(column).next()
+    }
+
+    /// The columns that are read, as a mapping file has them.
+    pub(super) fn mapping_file(&self, header: &Header, mapping: Option<&Mapping>) -> String {
+        let columns: Vec<(String, Option<Column>, Option<CellUnit>)> = header
+            .headings
+            .iter()
+            .map(|(index, heading)| {
+                let found = self.uses.iter().find(|one| one.index == *index);
+                (heading.clone(), found.map(|one| one.column), found.and_then(|one| one.unit))
+            })
+            .collect();
+        super::mapping::written(&columns, mapping.and_then(|mapping| mapping.decimal))
+    }
+}
+
+/// Which column each heading is.
+fn roles(evidence: &Evidence<'_>) -> Understood {
+    let Evidence { header, mapping, .. } = evidence;
+    let mut candidates: BTreeMap<u32, Candidate> = BTreeMap::new();
+    let mut carried: Vec<(u32, String)> = Vec::new();
+    for (index, heading) in &header.headings {
+        let mapped = mapping.and_then(|mapping| mapping.column(heading));
+        let found = header.meanings.get(index);
+        let one = match (mapped, found) {
+            (Some(mapped), _) => mapped.column.map(|column| {
+                let own = found.filter(|found| found.column == column);
+                let unit = mapped.unit.map(|unit| (unit, UnitSource::Mapping));
+                Candidate {
+                    column,
+                    rank: 0,
+                    unit: unit.map_or_else(
+                        || own.map_or(HeadingUnit::None, |own| own.unit.clone()),
+                        |(unit, _)| HeadingUnit::Stated(unit),
+                    ),
+                    is_mapped: mapped.unit.is_some(),
+                    is_long_side: false,
+                    order: own.and_then(|own| own.order.clone()),
+                    language: None,
+                }
+            }),
+            (None, Some(found)) => Some(Candidate {
+                column: found.column,
+                rank: found.rank,
+                unit: found.unit.clone(),
+                is_mapped: false,
+                is_long_side: found.is_long_side,
+                order: found.order.clone(),
+                language: Some(found.language),
+            }),
+            (None, None) => None,
+        };
+        match one {
+            Some(one) => {
+                candidates.insert(*index, one);
+            }
+            None => carried.push((*index, heading.clone())),
+        }
+    }
+    let mut warnings = Vec::new();
+    if let Some(mapping) = mapping {
+        for heading in mapping.unused(header.headings.values().cloned()) {
+            warnings.push(format!("the mapping file names the heading \"{heading}\", which the list does not have"));
+        }
+    }
+    by_content(&mut candidates, evidence, &mut carried);
+    sides(&mut candidates, header, &mut carried, &mut warnings);
+    let is_japanese = {
+        let of = |language| candidates.values().filter(|one| one.language == Some(language)).count();
+        of(Language::Japanese) > of(Language::English) + of(Language::Comma)
+    };
+    let mut uses = Vec::new();
+    let mut firsts: Vec<Vec<usize>> = vec![Vec::new(); COLUMNS.len()];
+    let mut ranks = Vec::new();
+    for (index, one) in candidates {
+        let heading = header.headings.get(&index).cloned().unwrap_or_default();
+        let (unit, wrong_unit) = match one.unit {
+            HeadingUnit::Stated(unit) => (Some(unit), None),
+            HeadingUnit::Wrong(text) => (None, Some(text)),
+            HeadingUnit::None => (None, None),
+        };
+        let source = if one.is_mapped { UnitSource::Mapping } else { UnitSource::Heading };
+        let later = evidence.body.units.iter().filter(|(_, column, _)| *column == index);
+        ranks.push(one.rank);
+        if let Some(places) = firsts.get_mut(one.column as usize) {
+            places.push(uses.len());
+        }
+        uses.push(Use {
+            index,
+            column: one.column,
+            heading,
+            unit,
+            unit_source: unit.map(|_| source),
+            wrong_unit,
+            dialect: Dialect::Open,
+            order: one.order,
+            later_units: later.map(|(row, _, unit)| (*row, *unit)).collect(),
+        });
+    }
+    for places in &mut firsts {
+        places.sort_by_key(|place| ranks.get(*place).copied());
+    }
+    // A second text is carried through; a second number is compared with the first.
+    for (places, spec) in firsts.iter_mut().zip(&COLUMNS) {
+        if dimension(spec.column).is_none_or(|dimension| dimension == Dimension::Ratio) {
+            for place in places.drain(1.min(places.len())..) {
+                if let Some(one) = uses.get(place) {
+                    carried.push((one.index, one.heading.clone()));
+                }
+            }
+        }
+    }
+    let kept: Vec<u32> = carried.iter().map(|(index, _)| *index).collect();
+    carried.sort_by_key(|(index, _)| *index);
+    let mut all =
+        Understood { uses: Vec::new(), firsts: Vec::new(), carried, is_imperial: false, is_japanese, warnings };
+    let mut moved = vec![None; uses.len()];
+    for (place, one) in uses.into_iter().enumerate() {
+        if !kept.contains(&one.index) {
+            if let Some(slot) = moved.get_mut(place) {
+                *slot = Some(all.uses.len());
+            }
+            all.uses.push(one);
+        }
+    }
+    let renumbered =
+        |places: &Vec<usize>| places.iter().filter_map(|place| moved.get(*place).copied().flatten()).collect();
+    all.firsts = firsts.iter().map(renumbered).collect();
+    all
+}
+
+struct Candidate {
+    column: Column,
+    rank: u16,
+    unit: HeadingUnit,
+    is_mapped: bool,
+    is_long_side: bool,
+    order: Option<Vec<char>>,
+    language: Option<Language>,
+}
+
+/// Corrects what a heading alone cannot say: an "Item" of running numbers is an id, a column of
+/// ratings without ratings is another one.
+fn by_content(candidates: &mut BTreeMap<u32, Candidate>, evidence: &Evidence<'_>, carried: &mut Vec<(u32, String)>) {
+    let sample = |index: u32| -> Vec<String> {
+        let texts = evidence.cells(index).map(|(_, cell)| cell.shown().trim().to_owned());
+        texts.filter(|text| !is_missing(text)).take(200).collect()
+    };
+    let is_number = |text: &String| text.chars().all(|c| c.is_ascii_digit() || c == '.') && !text.is_empty();
+    let items: Vec<u32> =
+        candidates.iter().filter(|(_, one)| one.column == Column::Item).map(|(index, _)| *index).collect();
+    let has_id = candidates.values().any(|one| one.column == Column::Id);
+    if items.len() > 1 {
+        for index in items {
+            let texts = sample(index);
+            if !texts.is_empty()
+                && texts.iter().all(is_number)
+                && let Some(one) = candidates.get_mut(&index)
+            {
+                one.column = Column::Id;
+                one.rank = if has_id { 95 } else { 1 };
+            }
+        }
+    }
+    let mut dropped = Vec::new();
+    for (index, one) in candidates.iter_mut() {
+        if COLUMNS.get(one.column as usize).is_none_or(|spec| spec.holds != Holds::Rating) {
+            continue;
+        }
+        let texts = sample(*index);
+        let rated = texts.iter().filter(|text| rating(text).is_some()).count();
+        if texts.len() >= 3 && 2 * rated < texts.len() {
+            let heading = evidence.header.headings.get(index).map(|text| canonical(text)).unwrap_or_default();
+            let floors = texts.iter().filter(|text| super::floors::storey(text).is_some()).count();
+            if heading == "fl" && 2 * floors >= texts.len() {
+                *one = Candidate {
+                    column: Column::Floor,
+                    rank: 60,
+                    unit: HeadingUnit::None,
+                    is_mapped: false,
+                    is_long_side: false,
+                    order: None,
+                    language: one.language,
+                };
+            } else {
+                dropped.push(*index);
+            }
+        }
+    }
+    for index in dropped {
+        candidates.remove(&index);
+        carried.push((index, evidence.header.headings.get(&index).cloned().unwrap_or_default()));
+    }
+}
+
+/// Beside a width and without a depth, a length is the longer side and the width the shorter.
+fn sides(
+    candidates: &mut BTreeMap<u32, Candidate>,
+    header: &Header,
+    carried: &mut Vec<(u32, String)>,
+    warnings: &mut Vec<String>,
+) {
+    let has =
+        |candidates: &BTreeMap<u32, Candidate>, column: Column| candidates.values().any(|one| one.column == column);
+    let widths = |candidates: &BTreeMap<u32, Candidate>, is_long: bool| -> Vec<u32> {
+        let of = |one: &&Candidate| one.column == Column::Width && one.is_long_side == is_long;
+        candidates.iter().filter(|(_, one)| of(one)).map(|(index, _)| *index).collect()
+    };
+    let long = widths(candidates, true);
+    let mut short = widths(candidates, false);
+    // French: L and l, both "l".
+    if short.is_empty() && long.len() == 2 && !has(candidates, Column::Thickness) {
+        short = long.get(1..).unwrap_or_default().to_vec();
+    }
+    if long.is_empty() || short.is_empty() {
+        return;
+    }
+    if has(candidates, Column::Thickness) {
+        for index in long {
+            let heading = header.headings.get(&index).cloned().unwrap_or_default();
+            warnings.push(format!(
+                "column {} ({heading}) is not read: there are a width and a depth already",
+                letters(index as usize)
+            ));
+            candidates.remove(&index);
+            carried.push((index, heading));
+        }
+    } else {
+        for index in short {
+            if let Some(one) = candidates.get_mut(&index) {
+                one.column = Column::Thickness;
+            }
+        }
+    }
+}
+
+/// Units from the mapping, the row of units and sentences beside the table.
+fn stated_units(all: &mut Understood, evidence: &Evidence<'_>) {
+    let said = sentences(evidence);
+    for one in &mut all.uses {
+        let Some(dimension) = dimension(one.column) else { continue };
+        if let Some(unit) = evidence.mapping.and_then(|mapping| mapping.unit(one.column)) {
+            if one.unit_source != Some(UnitSource::Mapping) {
+                one.unit = Some(unit);
+                one.unit_source = Some(UnitSource::Mapping);
+                one.wrong_unit = None;
+            }
+        } else if one.unit.is_none() && one.wrong_unit.is_none() {
+            let from_row = evidence.header.unit(one.index).map(|unit| (unit, UnitSource::UnitRow));
+            let from_sentence = || {
+                let mut units = said.iter().filter_map(|text| sentence_unit(text, dimension));
+                let first = units.next()?;
+                units.all(|other| other == first).then_some((first, UnitSource::Sentence))
+            };
+            if let Some((unit, source)) = from_row.or_else(from_sentence) {
+                one.unit = Some(unit);
+                one.unit_source = Some(source);
+            }
+        }
+    }
+}
+
+/// Texts beside the table: above it, remarks in it, below it.
+fn sentences(evidence: &Evidence<'_>) -> Vec<String> {
+    let above = evidence.rows.iter().take_while(|row| row.number < evidence.header.row);
+    let cells = above.flat_map(|row| row.cells.iter().map(|(_, cell)| cell.shown()));
+    let left = evidence.body.left_out.iter().map(|left| left.text.clone());
+    cells.chain(left).filter(|text| text.len() < 400).take(300).collect()
+}
+
+/// The unit that a sentence states for lengths or masses: `All dimensions in mm, weights in kg`.
+fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
+    const LENGTHS: [&str; 24] = [
+        "dimension",
+        "dimensions",
+        "dim",
+        "dims",
+        "size",
+        "sizes",
+        "length",
+        "lengths",
+        "measurements",
+        "measures",
+        "masse",
+        "abmessungen",
+        "langen",
+        "grossen",
+        "cotes",
+        "mesures",
+        "dimensiones",
+        "medidas",
+        "cotas",
+        "dimensioni",
+        "misure",
+        "quote",
+        "寸法",
+        "heights",
+    ];
+    const MASSES: [&str; 16] = [
+        "weight", "weights", "mass", "masses", "gewicht", "gewichte", "massen", "poids", "peso", "pesos", "masas",
+        "pesi", "重量", "質量", "wt", "wts",
+    ];
+    const BOTH: [&str; 9] = ["units", "unit", "einheiten", "einheit", "unites", "unite", "unidades", "unita", "単位"];
+    const BEFORE: [&str; 12] = ["in", "en", "em", "are", "sind", "sont", "son", "sono", "by", "は", "is", "all"];
+    const CHAIN: [&str; 7] = ["and", "und", "et", "y", "e", "or", "&"];
+    let wanted: &[&str] = match dimension {
+        Dimension::Length => &LENGTHS,
+        Dimension::Mass => &MASSES,
+        _ => return None,
+    };
+    // Words, with a colon, an equals sign or a bracket as words of their own; scripts are apart.
+    let mut words: Vec<String> = Vec::new();
+    let mut kind = 0;
+    for c in text.chars() {
+        let now = if matches!(c, ':' | '：' | '=' | '(' | '[' | ',' | '、' | '&' | '/' | 'は') {
+            3
+        } else if c.is_ascii_alphanumeric() || ('\u{c0}'..='\u{24f}').contains(&c) || matches!(c, '"' | '\'') {
+            1
+        } else if c.is_alphabetic() {
+            2
+        } else {
+            0
+        };
+        match (now == kind && now != 3, now) {
+            (_, 0) => {}
+            (true, _) => {
+                if let Some(last) = words.last_mut() {
+                    last.push(c);
+                }
+            }
+            (false, _) => words.push(c.to_string()),
+        }
+        kind = now;
+    }
+    let mut is_wanted = false;
+    let mut found: Option<CellUnit> = None;
+    // Whether a unit may stand here.
+    let mut is_due = false;
+    for (place, word) in words.iter().enumerate() {
+        let plain = canonical(word);
+        if BOTH.contains(&plain.as_str()) || wanted.contains(&plain.as_str()) {
+            is_wanted = true;
+            is_due = false;
+        } else if LENGTHS.contains(&plain.as_str()) || MASSES.contains(&plain.as_str()) {
+            is_wanted = false;
+            is_due = false;
+        } else if matches!(word.as_str(), ":" | "：" | "=" | "(" | "[") {
+            is_due = true;
+        } else if let Ok(unit) = find(word, dimension)
+            && (is_due || word.chars().any(|c| !c.is_ascii()))
+            && (plain != "in" || words.get(place + 1).is_none_or(|next| !next.chars().all(char::is_alphanumeric)))
+        {
+            if is_wanted {
+                if found.is_some_and(|other| other != unit) {
+                    return None;
+                }
+                found = Some(unit);
+            }
+        } else if BEFORE.contains(&plain.as_str()) {
+            is_due = true;
+        } else {
+            // "mm, kg", "mm and kg": units in a chain.
+            let is_unit = [Dimension::Mass, Dimension::Length].iter().any(|other| find(word, *other).is_ok());
+            is_due &= is_unit || CHAIN.contains(&plain.as_str()) || matches!(word.as_str(), "," | "、" | "/" | "&");
+        }
+    }
+    found
+}
+
+/// The decimal sign of each column from its own cells, or from those of the others.
+fn dialects(all: &mut Understood, evidence: &Evidence<'_>) {
+    if let Some(sign) = evidence.mapping.and_then(|mapping| mapping.decimal) {
+        for one in all.uses.iter_mut().filter(|one| holds_numbers(one.column)) {
+            one.dialect = Dialect::One(sign);
+        }
+        return;
+    }
+    for one in all.uses.iter_mut().filter(|one| holds_numbers(one.column)) {
+        let (mut point, mut comma) = (false, false);
+        for (_, text) in evidence.texts(one.index) {
+            for sign in self::evidence(&text) {
+                match sign {
+                    Decimal::Point => point = true,
+                    Decimal::Comma => comma = true,
+                }
+            }
+        }
+        one.dialect = match (point, comma) {
+            (true, true) => Dialect::Mixed,
+            (true, false) => Dialect::One(Decimal::Point),
+            (false, true) => Dialect::One(Decimal::Comma),
+            (false, false) => Dialect::Open,
+        };
+    }
+    let mut known = all.uses.iter().filter(|one| one.dialect != Dialect::Open).map(|one| one.dialect);
+    let Some(first @ Dialect::One(_)) = known.next() else { return };
+    if known.all(|other| other == first) {
+        for one in all.uses.iter_mut().filter(|one| holds_numbers(one.column)) {
+            one.dialect = first;
+        }
+    }
+}
+
+fn holds_numbers(column: Column) -> bool {
+    let holds = COLUMNS.get(column as usize).map(|spec| spec.holds);
+    matches!(holds, Some(Holds::Quantity(_) | Holds::Count | Holds::Range | Holds::Sizes))
+}
+
+/// Lengths that the one unit of bare sizes is searched among.
+const CANDIDATES: [&str; 5] = ["mm", "cm", "m", "in", "ft"];
+
+/// Units that nothing states: those of the column's own cells, or for lengths the one that makes
+/// the sizes plausible.
+fn assumed_units(all: &mut Understood, evidence: &Evidence<'_>) {
+    let mut open: Vec<usize> = Vec::new();
+    // Whether the list is metric, where anything says so.
+    let mut systems: Vec<bool> = all.uses.iter().filter_map(|one| is_metric(one.unit?)).collect();
+    for (place, one) in all.uses.iter_mut().enumerate() {
+        let Some(dimension) = dimension(one.column).filter(|dimension| *dimension != Dimension::Ratio) else {
+            continue;
+        };
+        if one.unit.is_some() || one.wrong_unit.is_some() {
+            continue;
+        }
+        let mut stated: Vec<(CellUnit, usize)> = Vec::new();
+        let mut bare = 0usize;
+        for (row, cell) in evidence.cells(one.index) {
+            if one.unit_at(row.number).is_some() {
+                continue;
+            }
+            let Ok(Some(text)) = number_text(cell) else { continue };
+            match stated_unit(&text, dimension) {
+                Some(unit) => match stated.iter_mut().find(|(other, _)| *other == unit) {
+                    Some((_, count)) => *count += 1,
+                    None => stated.push((unit, 1)),
+                },
+                None => bare += usize::from(is_bare(&text) || one.column == Column::Dimensions),
+            }
+        }
+        systems.extend(stated.iter().filter_map(|(unit, _)| is_metric(*unit)));
+        if bare == 0 {
+            continue;
+        }
+        let total: usize = stated.iter().map(|(_, count)| count).sum();
+        let most = stated.iter().filter(|(_, count)| 2 * count >= total).map(|(unit, _)| *unit);
+        let fitting: Vec<CellUnit> = most.filter(|unit| fits(evidence, one, *unit)).collect();
+        match fitting.as_slice() {
+            [unit] => {
+                one.unit = Some(*unit);
+                one.unit_source = Some(UnitSource::Cells);
+            }
+            _ if dimension == Dimension::Length => open.push(place),
+            _ => {}
+        }
+    }
+    let metric = systems.iter().filter(|&&metric| metric).count();
+    let is_metric_list = if systems.is_empty() {
+        let has_comma = evidence.header.meanings.values().filter(|found| found.language != Language::English).count();
+        (2 * has_comma > evidence.header.meanings.len()).then_some(true)
+    } else if metric == systems.len() {
+        Some(true)
+    } else if metric == 0 {
+        Some(false)
+    } else {
+        None
+    };
+    let fitting: Vec<CellUnit> = CANDIDATES
+        .iter()
+        .filter_map(|symbol| find(symbol, Dimension::Length).ok())
+        .filter(|unit| is_metric_list.is_none_or(|metric| is_metric(*unit) == Some(metric)))
+        .filter(|unit| all_fit(evidence, &open, all, *unit))
+        .collect();
+    if let [only] = fitting.as_slice() {
+        for place in open {
+            if let Some(one) = all.uses.get_mut(place) {
+                one.unit = Some(*only);
+                one.unit_source = Some(UnitSource::Plausibility);
+            }
+        }
+    }
+}
+
+/// How a cell of a column is read; `None`: it has two readings and nothing decides.
+pub(super) fn choice_of(cell: &Cell, text: &str, dialect: Dialect) -> Option<Choice> {
+    match (cell, dialect) {
+        // A number of a workbook is a number.
+        (Cell::Number(_), _) => Some(Choice::Decimal),
+        (_, Dialect::One(sign)) => Some(Choice::Sign(sign)),
+        _ => (!is_open(text)).then_some(Choice::Decimal),
+    }
+}
+
+/// Bare sizes of a column in this unit: how many are plausible, of how many.
+fn plausible_count(evidence: &Evidence<'_>, one: &Use, unit: CellUnit) -> (usize, usize) {
+    let (mut good, mut count) = (0, 0);
+    let Some(dimension) = dimension(one.column) else { return (0, 0) };
+    for (row, cell) in evidence.cells(one.index) {
+        if one.unit_at(row.number).is_some() {
+            continue;
+        }
+        let Ok(Some(text)) = number_text(cell) else { continue };
+        // What has two readings says nothing about the unit.
+        let Some(choice) = choice_of(cell, &text, one.dialect) else { continue };
+        if one.column == Column::Dimensions {
+            let Ok(found) = sizes(&text, Some(unit), one.order.as_deref(), choice) else { continue };
+            if !found.is_bare {
+                continue;
+            }
+            let height = found.height.map(|size| is_plausible(Column::Height, size));
+            let others = [found.width, found.thickness].map(|size| size.map(|size| is_plausible(Column::Width, size)));
+            for is_good in [height, others[0], others[1]].into_iter().flatten() {
+                count += 1;
+                good += usize::from(is_good);
+            }
+        } else if let Ok(found) = quantity(&text, dimension, Some(unit), choice)
+            && found.is_bare
+        {
+            count += 1;
+            good += usize::from(is_plausible(one.column, found.si));
+        }
+    }
+    (good, count)
+}
+
+fn fits(evidence: &Evidence<'_>, one: &Use, unit: CellUnit) -> bool {
+    let (good, count) = plausible_count(evidence, one, unit);
+    10 * good >= 9 * count
+}
+
+fn all_fit(evidence: &Evidence<'_>, open: &[usize], all: &Understood, unit: CellUnit) -> bool {
+    let sizes = [Column::Height, Column::Thickness, Column::Width, Column::Dimensions];
+    let (mut good, mut count) = (0, 0);
+    for one in open.iter().filter_map(|place| all.uses.get(*place)).filter(|one| sizes.contains(&one.column)) {
+        let (more, of) = plausible_count(evidence, one, unit);
+        good += more;
+        count += of;
+    }
+    count > 0 && 10 * good >= 9 * count
+}
+
+/// The decimal sign of columns of which only plausibility tells, or the language.
+fn plausible_dialects(all: &mut Understood, evidence: &Evidence<'_>) {
+    let has_comma_headings = {
+        let of = |language| evidence.header.meanings.values().filter(|found| found.language == language).count();
+        of(Language::Comma) > of(Language::English)
+    };
+    // Sizes first: the density of a mass needs them.
+    let mut order: Vec<usize> = (0..all.uses.len()).collect();
+    order.sort_by_key(|place| all.uses.get(*place).is_some_and(|one| one.column == Column::Mass));
+    for place in order {
+        let Some(one) = all.uses.get(place) else { continue };
+        if one.dialect != Dialect::Open || !holds_numbers(one.column) {
+            continue;
+        }
+        let (mut decimal, mut thousands) = ([0usize; 2], [0usize; 2]);
+        let mut has_open = false;
+        for (row, text) in evidence.texts(one.index) {
+            if !is_open(&text) {
+                continue;
+            }
+            has_open = true;
+            let sign = usize::from(text.contains(','));
+            let fits = |choice| is_plausible_reading(all, one, row, &text, choice);
+            match (fits(Choice::Decimal), fits(Choice::Thousands)) {
+                (true, false) => decimal[sign] += 1,
+                (false, true) => thousands[sign] += 1,
+                _ => {}
+            }
+        }
+        if !has_open {
+            continue;
+        }
+        // A point as a decimal sign, or a comma for thousands, speaks for the point.
+        let point = decimal[0] + thousands[1];
+        let comma = decimal[1] + thousands[0];
+        let found = match (point, comma) {
+            (0, 0) if evidence.has_semicolons || has_comma_headings => Dialect::One(Decimal::Comma),
+            (0, 0) => Dialect::Open,
+            (_, 0) => Dialect::One(Decimal::Point),
+            (0, _) => Dialect::One(Decimal::Comma),
+            _ => Dialect::Mixed,
+        };
+        if let Some(one) = all.uses.get_mut(place) {
+            one.dialect = found;
+        }
+    }
+}
+
+/// Whether a reading of a cell is one that such an object can have.
+pub(super) fn is_plausible_reading(all: &Understood, one: &Use, row: &Row, text: &str, choice: Choice) -> bool {
+    let unit = one.unit_at(row.number);
+    if one.column == Column::Dimensions {
+        return sizes(text, unit, one.order.as_deref(), choice).is_ok_and(|found| {
+            found.height.is_none_or(|size| is_plausible(Column::Height, size))
+                && [found.width, found.thickness].iter().flatten().all(|size| is_plausible(Column::Width, *size))
+        });
+    }
+    let dimension = dimension(one.column).unwrap_or(Dimension::Ratio);
+    let Ok(found) = quantity(text, dimension, unit, choice) else { return false };
+    if one.column == Column::Mass
+        && let Some(volume) = volume(all, row)
+    {
+        return super::plausible::is_density_plausible(found.si, volume);
+    }
+    is_plausible(one.column, found.si)
+}
+
+/// The volume of the box of a row \[m³\], where its sizes have one reading.
+fn volume(all: &Understood, row: &Row) -> Option<f64> {
+    let size = |column: Column| {
+        let one = all.get(column)?;
+        let cell = row.get(one.index)?;
+        let text = number_text(cell).ok().flatten()?;
+        let read = |choice| {
+            let found = quantity(&text, Dimension::Length, one.unit_at(row.number), choice).ok()?;
+            Some(found.si)
+        };
+        if let Some(choice) = choice_of(cell, &text, one.dialect) {
+            return read(choice);
+        }
+        let is_size = |size: &f64| is_plausible(column, *size);
+        match (read(Choice::Decimal).filter(is_size), read(Choice::Thousands).filter(is_size)) {
+            (Some(size), None) | (None, Some(size)) => Some(size),
+            _ => None,
+        }
+    };
+    if let Some(one) = all.get(Column::Dimensions)
+        && let Some(cell) = row.get(one.index)
+        && let Ok(Some(text)) = number_text(cell)
+    {
+        let choice = choice_of(cell, &text, one.dialect)?;
+        let found = sizes(&text, one.unit_at(row.number), one.order.as_deref(), choice).ok()?;
+        return Some(found.height.or_else(|| size(Column::Height))? * found.thickness? * found.width?);
+    }
+    let (height, thickness) = (size(Column::Height)?, size(Column::Thickness)?);
+    Some(height * thickness * size(Column::Width).unwrap_or(thickness))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sentences_state_units() {
+        let symbol = |text: &str, dimension| sentence_unit(text, dimension).map(CellUnit::symbol);
+        for (text, length, mass) in [
+            ("All dimensions in mm", Some("mm"), None),
+            ("All dimensions in mm, weights in kg", Some("mm"), Some("kg")),
+            ("All dimensions are in inches and weights in lb.", Some("in"), Some("lb")),
+            ("Alle Maße in cm, Gewichte in kg", Some("cm"), Some("kg")),
+            ("Dimensions en cm, poids en kg", Some("cm"), Some("kg")),
+            ("Medidas en cm", Some("cm"), None),
+            ("Misure in mm", Some("mm"), None),
+            ("単位：mm、kg", Some("mm"), Some("kg")),
+            ("寸法はmm、重量はkg", Some("mm"), Some("kg")),
+            ("Units: mm, kg", Some("mm"), Some("kg")),
+            ("Units: in / lb", Some("in"), Some("lb")),
+            ("Dimensions (mm)", Some("mm"), None),
+            ("Inventory of objects in the museum", None, None),
+            ("Dimensions were taken in May", None, None),
+            ("Weights in kg", None, Some("kg")),
+        ] {
+            assert_eq!((symbol(text, Dimension::Length), symbol(text, Dimension::Mass)), (length, mass), "{text}");
+        }
+    }
+}

@@ -1,0 +1,439 @@
+//! Words that people write into cells, in six languages.
+
+/// The form in which words are compared: lower-case letters and digits without accents, with one
+/// blank for everything between them.
+pub(super) fn canonical(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        let c = match c {
+            '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0).unwrap_or(c),
+            _ => c,
+        };
+        for c in c.to_lowercase() {
+            match unaccented(c) {
+                Some(plain) => out.push_str(plain),
+                // A combining accent.
+                None if ('\u{300}'..='\u{36f}').contains(&c) => {}
+                None if c.is_alphanumeric() => out.push(c),
+                None if !out.is_empty() && !out.ends_with(' ') => out.push(' '),
+                None => {}
+            }
+        }
+    }
+    out.truncate(out.trim_end().len());
+    out
+}
+
+fn unaccented(c: char) -> Option<&'static str> {
+    Some(match c {
+        'à' | 'á' | 'â' | 'ã' | 'ä' | 'å' | 'ª' => "a",
+        'ç' => "c",
+        'è' | 'é' | 'ê' | 'ë' => "e",
+        'ì' | 'í' | 'î' | 'ï' => "i",
+        'ñ' => "n",
+        'ò' | 'ó' | 'ô' | 'õ' | 'ö' | 'º' => "o",
+        'ù' | 'ú' | 'û' | 'ü' => "u",
+        'ß' => "ss",
+        'œ' => "oe",
+        'æ' => "ae",
+        _ => return None,
+    })
+}
+
+/// Whether a text says that the value is not known.
+pub(super) fn is_missing(text: &str) -> bool {
+    let words = canonical(text);
+    // Only dashes, question marks and the like; letters of other scripts are words.
+    words.is_empty() || MISSING.contains(&words.as_str())
+}
+
+/// In the form of [`canonical`].
+const MISSING: [&str; 54] = [
+    "n a",
+    "na",
+    "tbd",
+    "tbc",
+    "tba",
+    "unk",
+    "unknown",
+    "none",
+    "nil",
+    "null",
+    "nan",
+    "see manual",
+    "see drawing",
+    "not known",
+    "not available",
+    "not applicable",
+    "not measured",
+    "to be confirmed",
+    "to be determined",
+    "ditto",
+    "k a",
+    "ka",
+    "unbekannt",
+    "entfallt",
+    "s o",
+    "siehe oben",
+    "nicht bekannt",
+    "keine",
+    "keine angabe",
+    "fehlt",
+    "offen",
+    "neant",
+    "inconnu",
+    "inconnue",
+    "n d",
+    "nd",
+    "n c",
+    "nc",
+    "non connu",
+    "aucun",
+    "s d",
+    "sd",
+    "desconocido",
+    "desconocida",
+    "ninguno",
+    "no disponible",
+    "sconosciuto",
+    "sconosciuta",
+    "non noto",
+    "nessuno",
+    "不明",
+    "未定",
+    "なし",
+    "未確認",
+];
+
+/// Words that begin a row of totals.
+const TOTALS: [&str; 20] = [
+    "total",
+    "totals",
+    "subtotal",
+    "sub",
+    "grand",
+    "sum",
+    "sums",
+    "summe",
+    "summen",
+    "zwischensumme",
+    "gesamt",
+    "gesamtsumme",
+    "gesamtgewicht",
+    "somme",
+    "sous",
+    "suma",
+    "totale",
+    "totales",
+    "subtotale",
+    "totaux",
+];
+
+/// Whether a text begins a row of totals.
+pub(super) fn begins_total(text: &str) -> bool {
+    let words = canonical(text);
+    let mut each = words.split(' ');
+    let first = each.next().unwrap_or_default();
+    let second = each.next().unwrap_or_default();
+    let is_total = TOTALS.contains(&first)
+        && match first {
+            "sub" | "sous" | "grand" => second.starts_with("total"),
+            // A surveyor's instrument.
+            "total" => second != "station",
+            _ => true,
+        };
+    is_total || ["合計", "小計", "総計"].iter().any(|word| words.starts_with(word))
+}
+
+/// Whether a text alone in its row is a remark rather than the name of a section.
+pub(super) fn begins_note(text: &str) -> bool {
+    let words = canonical(text);
+    let first = words.split(' ').next().unwrap_or_default();
+    text.trim_start().starts_with(['*', '※'])
+        || ["note", "notes", "nb", "hinweis", "anmerkung", "remarque", "nota", "remark", "continued"].contains(&first)
+}
+
+/// Whether an object is anchored; `None`: the text does not say.
+pub(super) fn yes_or_no(text: &str) -> Option<bool> {
+    const YES: [&str; 49] = [
+        "y",
+        "yes",
+        "true",
+        "1",
+        "x",
+        "anchored",
+        "bolted",
+        "fixed",
+        "secured",
+        "restrained",
+        "screwed",
+        "braced",
+        "strapped",
+        "wall",
+        "ja",
+        "j",
+        "verankert",
+        "verschraubt",
+        "befestigt",
+        "gesichert",
+        "angeschraubt",
+        "oui",
+        "o",
+        "fixe",
+        "fixee",
+        "ancre",
+        "ancree",
+        "visse",
+        "boulonne",
+        "si",
+        "s",
+        "anclado",
+        "anclada",
+        "fijado",
+        "fijada",
+        "fijo",
+        "atornillado",
+        "ancorato",
+        "ancorata",
+        "fissato",
+        "fissata",
+        "vero",
+        "vrai",
+        "wahr",
+        "verdadero",
+        "有",
+        "あり",
+        "固定",
+        "固定済",
+    ];
+    const NO: [&str; 35] = [
+        "n",
+        "no",
+        "false",
+        "0",
+        "free",
+        "freestanding",
+        "free standing",
+        "not anchored",
+        "not bolted",
+        "not fixed",
+        "unanchored",
+        "unrestrained",
+        "loose",
+        "nein",
+        "frei",
+        "freistehend",
+        "nicht verankert",
+        "nicht befestigt",
+        "non",
+        "libre",
+        "non fixe",
+        "pas fixe",
+        "sin anclar",
+        "sin fijar",
+        "libero",
+        "non fissato",
+        "non ancorato",
+        "falso",
+        "faux",
+        "falsch",
+        "無",
+        "なし",
+        "未固定",
+        "否",
+        "non ancre",
+    ];
+    match text.trim() {
+        "✓" | "✔" | "☑" | "○" | "◯" | "〇" | "●" => return Some(true),
+        "×" | "✗" | "✘" | "☐" => return Some(false),
+        _ => {}
+    }
+    let words = canonical(text);
+    if NO.contains(&words.as_str()) {
+        return Some(false);
+    }
+    if YES.contains(&words.as_str()) {
+        return Some(true);
+    }
+    // "Yes, 4 bolts", "bolted to slab", "No (castors)"; a partial "no" says neither.
+    let mut each = words.split(' ');
+    let first = each.next().unwrap_or_default();
+    let negations = ["not", "nicht", "pas", "sin", "non", "no", "partly", "partially", "teilweise"];
+    if each.any(|word| negations.contains(&word) || word.starts_with("part")) {
+        return None;
+    }
+    match first {
+        "yes" | "ja" | "oui" | "anchored" | "bolted" | "screwed" | "verankert" | "verschraubt" | "fixe" | "ancre"
+        | "anclado" | "ancorato" | "fissato" => Some(true),
+        "no" | "nein" | "unanchored" | "freestanding" => Some(false),
+        "not" | "nicht" => Some(false),
+        _ => None,
+    }
+}
+
+/// A rating by its word: 2 high, 1 medium, 0 low.
+pub(super) fn rating(text: &str) -> Option<u8> {
+    let words = canonical(text.split(['(', '[']).next().unwrap_or_default());
+    Some(match words.as_str() {
+        "h" | "high" | "hi" | "hoch" | "eleve" | "elevee" | "haut" | "haute" | "fort" | "forte" | "alto" | "alta"
+        | "高" => 2,
+        "m" | "medium" | "med" | "mod" | "moderate" | "mittel" | "moyen" | "moyenne" | "medio" | "media" | "中" => 1,
+        "l" | "low" | "lo" | "niedrig" | "gering" | "faible" | "bas" | "basse" | "bajo" | "baja" | "basso"
+        | "bassa" | "低" => 0,
+        _ => return None,
+    })
+}
+
+/// Whether something rests on wheels.
+pub(super) fn names_wheels(text: &str) -> bool {
+    let words = canonical(text);
+    ["castor", "caster", "wheel", "rollen", "rader", "roulette", "ruedas", "ruote", "rotelle", "キャスター", "車輪"]
+        .iter()
+        .any(|word| words.contains(word))
+}
+
+/// The text without the words that make its number a rough one, and whether there were any.
+pub(super) fn without_approximation(text: &str) -> (&str, bool) {
+    const BEFORE: [&str; 26] = [
+        "approximately",
+        "approx.",
+        "approx",
+        "about",
+        "abt.",
+        "abt",
+        "estimated",
+        "est.",
+        "est",
+        "circa",
+        "ca.",
+        "ca",
+        "c.",
+        "environ",
+        "env.",
+        "env",
+        "aprox.",
+        "aprox",
+        "etwa",
+        "rund",
+        "ungefähr",
+        "ungef.",
+        "約",
+        "约",
+        "~",
+        "≈",
+    ];
+    const AFTER: [&str; 24] = [
+        "(estimated)",
+        "(est.)",
+        "(est)",
+        "(approx.)",
+        "(approx)",
+        "(ca.)",
+        "(circa)",
+        "(geschätzt)",
+        "(gesch.)",
+        "(estimé)",
+        "(estimée)",
+        "(estimado)",
+        "(stimato)",
+        "(?)",
+        "(~)",
+        "est.",
+        "est",
+        "approx.",
+        "approx",
+        "environ",
+        "ca.",
+        "estimated",
+        "程度",
+        "?",
+    ];
+    let mut rest = text.trim();
+    let mut was_found = false;
+    loop {
+        let before = BEFORE.iter().find_map(|mark| {
+            let after = strip_start(rest, mark)?;
+            // "c.g." is no "c.", "cabinet" no "ca".
+            (!mark.ends_with(char::is_alphabetic) || !after.starts_with(char::is_alphabetic)).then_some(after)
+        });
+        let after = AFTER.iter().find_map(|mark| {
+            let before = strip_end(rest, mark)?;
+            (!mark.starts_with(char::is_alphabetic) || !before.ends_with(char::is_alphabetic)).then_some(before)
+        });
+        match before.or(after) {
+            Some(shorter) if !shorter.trim().is_empty() => {
+                rest = shorter.trim();
+                was_found = true;
+            }
+            _ => return (rest, was_found),
+        }
+    }
+}
+
+fn strip_start<'t>(text: &'t str, mark: &str) -> Option<&'t str> {
+    let head = text.get(..mark.len())?;
+    (head.to_lowercase() == mark).then(|| text.get(mark.len()..)).flatten()
+}
+
+fn strip_end<'t>(text: &'t str, mark: &str) -> Option<&'t str> {
+    let at = text.len().checked_sub(mark.len())?;
+    let tail = text.get(at..)?;
+    (tail.to_lowercase() == mark).then(|| text.get(..at)).flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_compared_without_case_accents_and_punctuation() {
+        assert_eq!(canonical("  Höhe, (mm)"), "hohe mm");
+        assert_eq!(canonical("N° d’inventaire"), "n d inventaire");
+        assert_eq!(canonical("ＩＤ番号"), "id番号");
+        for text in ["", "-", "–", "—", "?", "n/a", "N.A.", "#N/A", "TBC", "k.A.", "néant", "s/d", "不明", "see manual"]
+        {
+            assert!(is_missing(text), "{text}");
+        }
+        assert!(!is_missing("0") && !is_missing("rack"));
+    }
+
+    #[test]
+    fn answers_to_yes_or_no() {
+        for text in
+            ["Y", "x", "✓", "Bolted to slab", "ja", "fixé au mur".split(' ').next().unwrap(), "sì", "有", "TRUE"]
+        {
+            assert_eq!(yes_or_no(text), Some(true), "{text}");
+        }
+        for text in ["N", "free", "nicht verankert", "無", "×", "not bolted", "No (castors)", "FALSE"] {
+            assert_eq!(yes_or_no(text), Some(false), "{text}");
+        }
+        for text in ["", "?", "partly bolted", "to be checked", "anchored at top, not at base"] {
+            assert_eq!(yes_or_no(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn rough_numbers_are_marked() {
+        for (text, rest) in [
+            ("approx. 180 cm", "180 cm"),
+            ("~85", "85"),
+            ("ca.1200", "1200"),
+            ("180 (est.)", "180"),
+            ("約180cm", "180cm"),
+            ("85?", "85"),
+        ] {
+            assert_eq!(without_approximation(text), (rest, true), "{text}");
+        }
+        assert_eq!(without_approximation("cabinet 3"), ("cabinet 3", false));
+    }
+
+    #[test]
+    fn totals_are_not_surveying_instruments() {
+        for text in ["Total", "TOTAL:", "Sub-total", "Grand total", "Summe", "Gesamt", "Sous-total", "合計 12"] {
+            assert!(begins_total(text), "{text}");
+        }
+        for text in ["Total station", "Sub-station panel", "Summer school", "Grand piano"] {
+            assert!(!begins_total(text), "{text}");
+        }
+    }
+}
