@@ -235,6 +235,9 @@ def europe():
     turkey += "SAMPLING INTERVAL (sec)      : 0.01\r\nNUMBER OF DATA               : %d\r\n" % N
     turkey += "PGA VALUES (gal)             : (N-S) 66.0 (E-W) 66.0 (U-D) 33.0\r\n\r\n   N-S   E-W   U-D\r\n"
     put("nsmn", "old.txt", turkey + "".join("%12.6f%12.6f%12.6f\r\n" % (a, -a, a / 2) for a in A))
+    etabs = "TABLE:  Joint Accelerations - Absolute\nStory,Label,Output Case,Step Type,Time,UX,UY\n,,,,Sec,m/sec2,m/sec2\n"
+    rows = "".join("Story%d,5,TH,Step By Step,%.2f,%.6f,%.6f\n" % (k, i / 100, a / 100, -a / 100) for k in (2, 1) for i, a in enumerate(A))
+    put("long_table", "etabs.csv", etabs + rows)
     sigma = "Event Date & Time             : 2003-01-02 03:04:05\nStation Code / Name           : 1 / A Town\n"
     sigma += "Network                       : XX\nOrientation                   : NS\nProcessing Info               : x\n"
     sigma += "Time Increment (s)            : 0.005\nNumber of Data                : %d\n" % N

@@ -421,6 +421,16 @@ fn validation_holds() {
     assert!(shown.contains("exit status 0") && !shown.contains("FAILED"), "{shown}");
 }
 
+/// Each script names the command and a flag of it; the rest is clap's.
+#[test]
+fn shells_get_their_completions() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = freestand(&["completions", shell]);
+        assert!(script.contains("exit status 0") && script.contains("return-period"), "{shell}");
+    }
+    assert!(freestand(&["completions", "tcsh"]).contains("exit status 2"));
+}
+
 #[test]
 fn places_are_listed_and_shown() {
     let cases: [&[&str]; 6] = [
@@ -447,7 +457,7 @@ fn commands(of: &[String]) -> Vec<Vec<String>> {
 #[test]
 fn help_of_every_command_has_examples() {
     let commands = commands(&[]);
-    assert_eq!(commands.len(), 40);
+    assert_eq!(commands.len(), 41);
     for command in commands {
         let words: Vec<&str> = command.iter().map(String::as_str).chain(["--help"]).collect();
         let shown = freestand(&words);
@@ -487,12 +497,24 @@ fn a_run_replaces_its_own_files_only() {
     expect(&folder, &["run", "s.toml", "--out", ".", "--force"], 0);
     expect(&folder, &["run", "s.toml", "--out", "."], 0);
     assert!(exists("thesis.doc") && exists("pulse.csv") && exists("s.toml") && exists("srs.csv"));
-    // The folder is ours; another command replaces what the run left, and lists what it leaves.
-    expect(&folder, &["motion", "convert", "pulse.csv", "--to", "at2", "--out", "."], 0);
-    assert!(exists("thesis.doc") && exists("pulse.AT2") && !exists("srs.csv") && !exists("motions"));
-    let manifest = std::fs::read_to_string(folder.path().join("manifest.json")).unwrap();
-    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
-    assert_eq!(manifest["files"], serde_json::json!(["manifest.json", "pulse.AT2"]));
+    // The folder is that of `run`: another command does not touch it, and with --force removes nothing.
+    let convert = ["motion", "convert", "pulse.csv", "--to", "at2", "--out", "."];
+    let shown = expect(&folder, &convert, 2);
+    assert!(shown.contains("has the results of freestand run") && shown.contains("--force"), "{shown}");
+    assert!(exists("srs.csv") && !exists("pulse.AT2") && !exists("manifest.json"));
+    expect(&folder, &[&convert[..], &["--force"]].concat(), 0);
+    assert!(exists("thesis.doc") && exists("pulse.AT2") && exists("srs.csv") && exists("motions"));
+    // A result that was edited is the user's; what is removed is named.
+    expect(&folder, &["run", "s.toml", "--out", "r"], 0);
+    std::fs::write(folder.path().join("r/srs.csv"), "edited").unwrap();
+    let shown = expect(&folder, &["run", "s.toml", "--out", "r"], 2);
+    assert!(shown.contains("r/srs.csv: was changed after freestand wrote it"), "{shown}");
+    expect(&folder, &["run", "s.toml", "--out", "r", "--force"], 0);
+    let with_report = SMALL.replace("report = false", "report = true");
+    std::fs::write(folder.path().join("report.toml"), with_report).unwrap();
+    expect(&folder, &["run", "report.toml", "--out", "r"], 0);
+    let shown = expect(&folder, &["run", "s.toml", "--out", "r"], 0);
+    assert!(shown.contains("removed report.html of the earlier run") && !exists("r/report.html"), "{shown}");
     // An output that would replace its own input is refused, whatever is allowed.
     for force in [&[][..], &["--force"]] {
         let shown =
@@ -579,7 +601,8 @@ fn every_command_writes_what_it_found() {
         serde_json::from_str(&std::fs::read_to_string(folder.path().join(path)).unwrap()).unwrap()
     };
     for (command, tables) in cases {
-        // The same folder each time: the manifest of one lets the next replace its files.
+        // Twice into the same folder: a command replaces its own files.
+        expect(&folder, &[command, &["--json", "--out", "out"]].concat(), 0);
         let shown = expect(&folder, &[command, &["--json", "--out", "out"]].concat(), 0);
         let files: Vec<&str> = tables.iter().chain(&["manifest.json", "result.json"]).copied().collect();
         let mut sorted = files.clone();
@@ -592,6 +615,7 @@ fn every_command_writes_what_it_found() {
             let text = std::fs::read_to_string(folder.path().join("out").join(table)).unwrap();
             assert!(text.lines().count() > 1 && !text.contains(",0.0,"), "{text}");
         }
+        std::fs::remove_dir_all(folder.path().join("out")).unwrap();
     }
 }
 

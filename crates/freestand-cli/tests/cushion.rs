@@ -63,6 +63,44 @@ fn a_half_sine_gives_its_stiffness() {
     assert!(interval[0].as_f64().unwrap() < 2.19e6 && 2.19e6 < interval[1].as_f64().unwrap(), "{interval}");
 }
 
+/// Four pulses of the plate with 1.5 s between them, far longer than the 0.29 s of a bounce from
+/// 100 mm: read as one drop, they would have a restitution of 5.
+#[test]
+fn several_drops_of_a_file_are_several_tests() {
+    let folder = tempfile::tempdir().unwrap();
+    let one = half_sine(1e9);
+    let step_ms = 1.28255 / 60.0;
+    let (mut text, mut row) = (String::from("time [ms],acceleration [g]\n"), 0);
+    for _ in 0..4 {
+        for _ in 0..(1500.0 / step_ms) as usize {
+            writeln!(text, "{:.6},{:.3}", f64::from(row) * step_ms, 1.0 + 2.4 * (f64::from(row) * 0.7).sin()).unwrap();
+            row += 1;
+        }
+        for line in one.lines().skip(1) {
+            writeln!(text, "{:.6},{}", f64::from(row) * step_ms, line.split(',').nth(1).unwrap()).unwrap();
+            row += 1;
+        }
+    }
+    std::fs::write(folder.path().join("four.csv"), text).unwrap();
+    let output = freestand(folder.path(), &[&["cushion", "drop", "four.csv", "--json"], &KNOWN[..]].concat());
+    let found = json(&output);
+    let tests = found["tests"].as_array().unwrap();
+    assert_eq!(tests.len(), 4);
+    for (i, test) in tests.iter().enumerate() {
+        assert_eq!(test["drop"], i as i64 + 1);
+        let start_s = 1.5 * (i as f64 + 1.0) + i as f64 * 420.0 * step_ms * 1e-3 + 3.9e-3;
+        // The pulse has risen to a fifth 6 % of the contact later; rows between are rounded.
+        assert!((test["start_time_s"].as_f64().unwrap() - start_s).abs() < 3e-4, "{test}");
+        // 2190 N/mm to the wobble of 0.5 %.
+        assert!((test["stiffness_n_m"]["fit"].as_f64().unwrap() / 2.19e6 - 1.0).abs() < 0.02);
+        assert!(test["restitution_ratio"].as_f64().is_none_or(|e| e <= 1.0));
+    }
+    assert_eq!(found["pooled"]["count"], 4);
+    assert!(found["warnings"][0].as_str().unwrap().contains("the record has 4 drops"));
+    let table = shown(folder.path(), &[&["cushion", "drop", "four.csv"], &KNOWN[..]].concat());
+    assert!(table.lines().any(|line| line.starts_with("file") && line.contains("drop")), "{table}");
+}
+
 #[test]
 fn a_bad_file_is_flagged_or_refused() {
     let folder = tempfile::tempdir().unwrap();

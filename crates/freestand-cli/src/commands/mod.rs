@@ -3,6 +3,7 @@
 mod assess;
 mod block;
 mod check;
+mod completions;
 mod cushion;
 mod floor;
 mod inventory;
@@ -52,6 +53,7 @@ pub(crate) enum Command {
     Tolerance(tolerance::ToleranceArgs),
     Place(place::PlaceArgs),
     Validate(validate::ValidateArgs),
+    Completions(completions::CompletionsArgs),
 }
 
 impl Command {
@@ -71,6 +73,7 @@ impl Command {
             Self::Tolerance(args) => tolerance::run(args, global, printer),
             Self::Place(args) => place::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
+            Self::Completions(args) => completions::run(args, global, printer),
         }
     }
 }

@@ -16,6 +16,7 @@ mod dyna;
 mod geonet;
 mod instant;
 mod knet;
+mod long_table;
 mod mseed;
 mod nsmn;
 mod sac;
@@ -100,6 +101,7 @@ const FAMILIES: &[Family] = &[
     Family { recognises: sigma::is_sigma, read: sigma::read },
     Family { recognises: sac::is_text_sac, read: sac::read_text },
     Family { recognises: at2::is_at2, read: at2::read },
+    Family { recognises: long_table::is_long_table, read: long_table::read },
 ];
 
 /// How much of a text is searched for signatures: more than the longest header, which has 300 lines

@@ -1,6 +1,7 @@
 //! The beginning and end of the pulse of a drop test, its zero line, and the faults of the record.
 
 use super::Flag;
+use crate::G0_M_S2;
 
 /// The search finds pulses above this share of the largest excursion; smaller ones are noise or
 /// later bounces.
@@ -141,6 +142,89 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
         pulse.flags.push(Flag::Clipped);
     }
     Ok(pulse)
+}
+
+/// A pulse of a record, in samples.
+#[derive(Debug, Clone, Copy)]
+struct Bump {
+    from: usize,
+    to: usize,
+    peak_m_s2: f64,
+    /// ∫a dt \[m/s\].
+    impulse_m_s: f64,
+}
+
+/// One drop of a record, with its bounces.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Part {
+    /// The samples that belong to it: up to the middle between it and its neighbours.
+    pub(super) samples: std::ops::Range<usize>,
+    /// The sample at which its pulse has risen to a fifth of the largest.
+    pub(super) start: usize,
+}
+
+/// The drops of a record. A later pulse is a bounce of the drop before it if the flight between them
+/// gives e = gT/(2v) ≤ 1 and it is weaker than that drop's; otherwise a drop of its own. `speed_m_s`
+/// is the impact velocity; without it v follows from the impulse, (1 + e) v. Pulses below a fifth of
+/// the largest are bounces or handling. Empty if no pulse is found.
+pub(super) fn parts(samples: &[f64], dt_s: f64, speed_m_s: Option<f64>) -> Vec<Part> {
+    let zero = median(samples);
+    let highest = samples.iter().fold(0.0, |most: f64, a| most.max(a - zero));
+    let lowest = samples.iter().fold(0.0, |most: f64, a| most.max(zero - a));
+    // What `find` refuses has no parts.
+    if lowest > 2.0 * highest || highest <= 0.0 {
+        return Vec::new();
+    }
+    let (smooth, reach) = smoothed(samples, zero, highest);
+    let highest = smooth.iter().fold(0.0, |most: f64, a| most.max(a - zero));
+    let bumps = bumps(&smooth, zero, zero + PULSE_SHARE * highest, reach, dt_s);
+    let mut drops: Vec<(Bump, Bump)> = Vec::new();
+    for bump in bumps {
+        let is_bounce = drops.last().is_some_and(|(first, last)| {
+            let flight_s = bump.from.saturating_sub(last.to) as f64 * dt_s;
+            let rebound_m_s = 0.5 * G0_M_S2 * flight_s;
+            let speed_m_s = speed_m_s.unwrap_or(first.impulse_m_s - rebound_m_s);
+            rebound_m_s <= speed_m_s && bump.peak_m_s2 < first.peak_m_s2
+        });
+        match drops.last_mut() {
+            Some((_, last)) if is_bounce => *last = bump,
+            _ => drops.push((bump, bump)),
+        }
+    }
+    let middle = |i: usize| match (i.checked_sub(1).and_then(|before| drops.get(before)), drops.get(i)) {
+        (None, _) => 0,
+        (Some(_), None) => samples.len(),
+        (Some((_, before)), Some((next, _))) => before.to + (next.from - before.to) / 2,
+    };
+    let part = |(i, (first, _)): (usize, &(Bump, Bump))| Part { samples: middle(i)..middle(i + 1), start: first.from };
+    drops.iter().enumerate().map(part).collect()
+}
+
+/// The pulses above a level; two that are closer than the first is long are one.
+fn bumps(smooth: &[f64], zero: f64, level: f64, reach: usize, dt_s: f64) -> Vec<Bump> {
+    let mut found: Vec<Bump> = Vec::new();
+    let mut at = 0;
+    while let Some(rise) = smooth.get(at..).and_then(|rest| rest.iter().position(|&a| a > level)) {
+        let from = at + rise;
+        let to = fall(smooth, from, level, reach).max(from + 1);
+        let inside = smooth.get(from..to).unwrap_or_default();
+        let bump = Bump {
+            from,
+            to,
+            peak_m_s2: inside.iter().fold(0.0, |most: f64, a| most.max(a - zero)),
+            impulse_m_s: inside.iter().map(|a| a - zero).sum::<f64>() * dt_s,
+        };
+        match found.last_mut() {
+            Some(last) if from - last.to < last.to - last.from => {
+                last.to = to;
+                last.peak_m_s2 = last.peak_m_s2.max(bump.peak_m_s2);
+                last.impulse_m_s += bump.impulse_m_s;
+            }
+            _ => found.push(bump),
+        }
+        at = to;
+    }
+    found
 }
 
 /// The moving mean over a small part of the first high pulse, and how many samples it reaches to

@@ -39,6 +39,12 @@ const ALIKE: f64 = 4.0;
 /// clock of the recorder.
 const FLOOR: f64 = 1e-3;
 
+/// Smallest number of samples of a record.
+const MIN_RECORD: usize = 20;
+/// A restitution that is above 1 by less than this is 1: the integral of 50 samples with noise is
+/// accurate to some per cent.
+const ROUNDING: f64 = 0.05;
+
 /// Identifies the cushion under a mass that fell on it.
 ///
 /// **Method**: the contact is found above 5 standard deviations of the noise before it; the zero
@@ -114,6 +120,58 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
     Ok(test)
 }
 
+/// One drop of a record with several.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DropOfRecord {
+    /// Its time from the first sample of the record, where its pulse has risen to a fifth of the
+    /// largest pulse \[s\]; `None` if there is no pulse.
+    pub start_time_s: Option<f64>,
+    /// Its evaluation.
+    pub test: DropTest,
+}
+
+/// Identifies the cushion from every drop of a record, each as [`drop_test`] does from a record of
+/// its own.
+///
+/// **Method**: a later pulse is a bounce of the drop before it if its flight T gives e = gT/(2v) ≤ 1
+/// and it is weaker than the pulse of that drop; otherwise it is a drop. Without a stated velocity v
+/// is the impulse less gT/2. A drop gets the samples up to the middle between it and its neighbours.
+///
+/// # Limitation
+/// A pulse below a fifth of the largest one is a bounce or handling, never a drop: drops from very
+/// different heights belong in files of their own.
+///
+/// # Errors
+/// As [`drop_test`].
+pub fn drop_tests(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<Vec<DropOfRecord>, DropError> {
+    check(samples_m_s2, dt_s, setup)?;
+    let speed_m_s = match setup.impact_velocity {
+        ImpactVelocity::Known { speed_m_s, .. } => Some(speed_m_s),
+        ImpactVelocity::FromImpulse => None,
+    };
+    let parts = contact::parts(samples_m_s2, dt_s, speed_m_s);
+    if parts.len() < 2 {
+        let start_time_s = parts.first().map(|part| part.start as f64 * dt_s);
+        return Ok(vec![DropOfRecord { start_time_s, test: drop_test(samples_m_s2, dt_s, setup)? }]);
+    }
+    let one = |part: contact::Part| {
+        let samples = samples_m_s2.get(part.samples).unwrap_or_default();
+        // Too short to hold a zero line and a contact.
+        let test = match samples.len() < MIN_RECORD {
+            true => DropTest::nothing(Flag::NoPreTrigger),
+            false => drop_test(samples, dt_s, setup)?,
+        };
+        Ok(DropOfRecord { start_time_s: Some(part.start as f64 * dt_s), test })
+    };
+    parts.into_iter().map(one).collect()
+}
+
+/// A restitution, which is at most 1: up to [`ROUNDING`] above, it is 1 with the error of the record;
+/// beyond that, the record or its velocity is wrong, and there is none.
+fn physical(restitution_ratio: f64) -> Option<f64> {
+    (restitution_ratio <= 1.0 + ROUNDING).then(|| restitution_ratio.min(1.0))
+}
+
 fn check(samples: &[f64], dt_s: f64, setup: &DropSetup) -> Result<(), DropError> {
     let positive = |name, value: f64| {
         if value > 0.0 && value.is_finite() { Ok(()) } else { Err(DropError::NotPositive { name, value }) }
@@ -124,7 +182,7 @@ fn check(samples: &[f64], dt_s: f64, setup: &DropSetup) -> Result<(), DropError>
         positive("impact velocity", speed_m_s)?;
         positive("error of the impact velocity", error_ratio)?;
     }
-    if samples.len() < 20 {
+    if samples.len() < MIN_RECORD {
         return Err(DropError::TooShort { samples: samples.len() });
     }
     match samples.iter().position(|a| !a.is_finite()) {
@@ -302,13 +360,14 @@ impl<'a> Contact<'a> {
         test.max_compression_m = Some(d);
         let rebound_m_s = -points.last().map_or(0.0, |point| point.speed_m_s);
         let e = rebound_m_s / speed;
-        test.restitution_ratio = Some(e);
-        test.energy_lost_ratio = Some(1.0 - e * e);
+        let e = physical(e);
+        test.restitution_ratio = e;
+        test.energy_lost_ratio = e.map(|e| 1.0 - e * e);
         test.restitution_bounce_ratio = self
             .pulse
             .flight
             .filter(|_| has_gravity)
-            .map(|steps| self.setup.gravity_m_s2 * steps as f64 * self.dt_s / (2.0 * speed));
+            .and_then(|steps| physical(self.setup.gravity_m_s2 * steps as f64 * self.dt_s / (2.0 * speed)));
         if self.is_cut(&data, &best, &others) {
             test.flags.push(Flag::Clipped);
             return;

@@ -3,7 +3,7 @@
 //!
 //! In a drop test a rigid mass with an accelerometer falls on a pad. [`drop_test`] finds the
 //! contact, its zero line and the faults of the record, and fits the pulse of each law to the
-//! samples. Four textbook estimates of the stiffness, and the exponent from an identity of peak,
+//! samples; [`drop_tests`] does so for every drop of a record. Four textbook estimates of the stiffness, and the exponent from an identity of peak,
 //! compression and velocity, are reported with the fit. A record that cannot be trusted gets flags
 //! and no stiffness.
 //!
@@ -19,7 +19,7 @@ mod pool;
 mod static_curve;
 mod virtual_laboratory;
 
-pub use drop::drop_test;
+pub use drop::{DropOfRecord, drop_test, drop_tests};
 pub use pool::{NORMAL_975, Pooled, PooledDrop, pool_drops};
 pub use static_curve::{StaticError, StaticOptions, StaticTest, static_test};
 pub use virtual_laboratory::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions, virtual_drop, virtual_static};

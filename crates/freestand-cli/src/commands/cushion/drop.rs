@@ -157,8 +157,9 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
 }
 
 /// The table of several tests.
-const COLUMNS: [Column; 12] = [
+const COLUMNS: [Column; 13] = [
     ("path", "file", 0),
+    ("drop", "drop", 0),
     ("impact_velocity_m_s", "impact velocity [m/s]", 4),
     ("peak_acceleration_g", "peak [g]", 4),
     ("contact_time_s", "contact time [ms]", 4),
@@ -172,9 +173,15 @@ const COLUMNS: [Column; 12] = [
     ("flags", "flags", 0),
 ];
 
+/// Where no file has several drops, their number says nothing.
+fn columns(report: &DropsReport) -> Vec<Column> {
+    let is_shown = report.tests.iter().any(|test| test.drop > 1);
+    COLUMNS.into_iter().filter(|(key, ..)| is_shown || *key != "drop").collect()
+}
+
 fn text(report: &DropsReport) -> String {
     let tests: Vec<Facts> = report.tests.iter().map(DropReport::facts).collect();
-    let mut out = if let [one] = tests.as_slice() { lines(one) } else { facts_table(&tests, &COLUMNS) };
+    let mut out = if let [one] = tests.as_slice() { lines(one) } else { facts_table(&tests, &columns(report)) };
     if report.pooled.pad.is_some() {
         out += &format!("\n{}", lines(&report.pooled.facts()));
     }

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use freestand::G0_M_S2;
 use freestand::cushion::ContactLaw;
 use freestand::identify::{
-    Candidate, DropSetup, DropTest, FittedLaw, Identified, ImpactVelocity, LoopPoint, NORMAL_975, StiffnessEstimates,
-    drop_test,
+    Candidate, DropOfRecord, DropSetup, DropTest, FittedLaw, Identified, ImpactVelocity, LoopPoint, NORMAL_975,
+    StiffnessEstimates, drop_tests as drops_of,
 };
 use freestand::impact::HALF_SPACE_SHARE;
 
@@ -17,7 +17,7 @@ use crate::recorded::Failed;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive};
-use freestand_input::words::significant;
+use freestand_input::words::{counted, significant};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
@@ -95,6 +95,10 @@ impl VelocitySource {
 #[derive(Debug, Clone, PartialEq)]
 pub struct DropReport {
     pub(super) path: String,
+    /// Which drop of its file, from 1.
+    pub drop: usize,
+    /// Time of its pulse from the first sample of the file \[s\].
+    start_time_s: Option<f64>,
     pub(super) mass_kg: f64,
     velocity_source: VelocitySource,
     pub(super) impactor: Option<String>,
@@ -148,7 +152,7 @@ pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
     let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
         match one(path, request, &mut warnings) {
-            Ok(test) => tests.push(test),
+            Ok(drops) => tests.extend(drops),
             Err(problem) => failed.push(Failed::new(path, problem)),
         }
     }
@@ -159,7 +163,8 @@ pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
     Ok(DropsReport { tests, pooled, failed, warnings })
 }
 
-fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result<DropReport, Problem> {
+/// The drops of a file.
+fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result<Vec<DropReport>, Problem> {
     let in_file = |problem: Problem| problem.in_file(path);
     let bytes = load(path)?;
     let said = Said::of(&bytes).map_err(in_file)?;
@@ -185,23 +190,36 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     };
     let sign = if request.inverted { -1.0 } else { 1.0 };
     let samples: Vec<f64> = component.motion.accel_m_s2().iter().map(|a| sign * a).collect();
-    let test =
-        drop_test(&samples, component.motion.dt_s(), &setup).map_err(|error| in_file(value(error.to_string())))?;
-    let has_gravity = test.identified.as_ref().is_none_or(|found| found.has_gravity);
+    let found =
+        drops_of(&samples, component.motion.dt_s(), &setup).map_err(|error| in_file(value(error.to_string())))?;
+    if found.len() > 1 {
+        warnings.push(format!("{name}: the record has {}, each evaluated by itself", counted(found.len(), "drop")));
+    }
     // Only a sphere has a radius.
     let sphere = request.sphere_radius_m.map(|_| "sphere".to_owned());
-    let report = DropReport {
-        path: name,
-        mass_kg,
-        velocity_source,
-        impactor: request.impactor.clone().or(sphere).or(said.impactor),
-        sphere_radius_m: request.sphere_radius_m.or(said.sphere_radius_m),
-        boundary: request.boundary.clone().or(said.boundary),
-        gravity_m_s2: if has_gravity { request.gravity_m_s2 } else { 0.0 },
-        test,
+    let impactor = request.impactor.clone().or(sphere).or(said.impactor);
+    let boundary = request.boundary.clone().or(said.boundary);
+    let report = |(index, DropOfRecord { start_time_s, test }): (usize, DropOfRecord)| {
+        let has_gravity = test.identified.as_ref().is_none_or(|found| found.has_gravity);
+        DropReport {
+            path: name.clone(),
+            drop: index + 1,
+            start_time_s,
+            mass_kg,
+            velocity_source,
+            impactor: impactor.clone(),
+            sphere_radius_m: request.sphere_radius_m.or(said.sphere_radius_m),
+            boundary: boundary.clone(),
+            gravity_m_s2: if has_gravity { request.gravity_m_s2 } else { 0.0 },
+            test,
+        }
     };
-    notes(&report, request.thickness_m.or(said.thickness_m), warnings);
-    Ok(report)
+    let is_one_of_several = found.len() > 1;
+    let reports: Vec<DropReport> = found.into_iter().enumerate().map(report).collect();
+    for report in &reports {
+        notes(report, is_one_of_several, request.thickness_m.or(said.thickness_m), warnings);
+    }
+    Ok(reports)
 }
 
 fn value(message: impl Into<String>) -> Problem {
@@ -288,6 +306,8 @@ impl DropReport {
         .fact("flags", "flag", test.flags.iter().map(|flag| flag.name()).collect::<Vec<_>>());
         Facts::default()
             .fact("path", "file", self.path.as_str())
+            .key("drop", self.drop)
+            .key("start_time_s", self.start_time_s)
             .key("mass_kg", self.mass_kg)
             .fact("impact_velocity_m_s", "impact velocity", test.impact_velocity_m_s)
             .fact("impact_velocity_source", "  source", self.velocity_source.name())
@@ -344,9 +364,10 @@ pub(super) fn numbers(found: Option<&Identified>) -> (Option<f64>, Option<f64>, 
 }
 
 /// Warnings about a drop: its flags, and what else is doubtful.
-fn notes(report: &DropReport, thickness_m: Option<f64>, warnings: &mut Vec<String>) {
+fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>, warnings: &mut Vec<String>) {
     let (test, found) = (&report.test, report.found());
-    let mut say = |text: String| warnings.push(format!("{}: {text}", report.path));
+    let drop = if is_one_of_several { format!(", drop {}", report.drop) } else { String::new() };
+    let mut say = |text: String| warnings.push(format!("{}{drop}: {text}", report.path));
     for flag in &test.flags {
         say(format!("{}: {}", flag.name(), flag.remedy()));
     }
