@@ -1,6 +1,6 @@
 //! A copy of the list with a note in every cell that is wrong or doubtful, and a sheet of problems.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use freestand_input::keys::KeyStyle;
@@ -36,10 +36,10 @@ pub fn marked_copy(path: &Path, options: &ReadOptions<'_>, findings: &[Finding])
 }
 
 /// The marks of a cell: the most serious, and all texts.
-type Marks = HashMap<(u32, u32), (Severity, String)>;
+type Marks = BTreeMap<(u32, u32), (Severity, String)>;
 
 fn copy(sheet: &Sheet, findings: &[Finding]) -> Result<Vec<u8>, XlsxError> {
-    let mut marks: Marks = HashMap::new();
+    let mut marks: Marks = BTreeMap::new();
     for finding in findings {
         let Some(index) = finding.index else { continue };
         let text = format!(
@@ -118,9 +118,7 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
         }
     }
     // In the order of the sheet: the same list gives the same bytes.
-    let mut order: Vec<(&(u32, u32), &(Severity, String))> = marks.iter().collect();
-    order.sort_unstable_by_key(|(place, _)| **place);
-    for ((row, column), (severity, text)) in order {
+    for ((row, column), (severity, text)) in marks {
         let Ok(index) = u16::try_from(*column) else { continue };
         let color = if *severity == Severity::Error { "#F8B4B4" } else { "#FFF2A8" };
         let note =

@@ -91,8 +91,7 @@ fn number_end(text: &str, start: usize) -> usize {
     let digits = |from: usize| bytes.get(from..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
     let mut end = start + digits(start);
     let mut group = end - start;
-    loop {
-        let Some(mark) = text.get(end..).and_then(|rest| rest.chars().next()) else { break };
+    while let Some(mark) = text.get(end..).and_then(|rest| rest.chars().next()) {
         let next = end + mark.len_utf8();
         let following = digits(next);
         let goes_on = match mark {

@@ -527,7 +527,7 @@ fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
         } else if matches!(word.as_str(), ":" | "：" | "=" | "(" | "[") {
             is_due = true;
         } else if let Ok(unit) = find(word, dimension)
-            && (is_due || word.chars().any(|c| !c.is_ascii()))
+            && (is_due || !word.is_ascii())
             && (plain != "in" || words.get(place + 1).is_none_or(|next| !next.chars().all(char::is_alphanumeric)))
         {
             if is_wanted {
