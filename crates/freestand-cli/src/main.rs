@@ -17,35 +17,13 @@ mod values;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, FromArgMatches, Parser};
+use clap::{CommandFactory, FromArgMatches};
 use freestand_input::words::counted;
 
-use args::GlobalArgs;
-use commands::Command;
+use commands::Cli;
 use failure::Failure;
 use printer::Printer;
 use values::finished;
-
-/// How hard an earthquake knocks a free-standing object, and whether it falls.
-#[derive(Debug, Parser)]
-#[command(name = "freestand", version, propagate_version = false, subcommand_required = true)]
-#[command(after_help = "\
-Write quantities with their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
-Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run;
-130 stopped by Ctrl-C.
-
-Examples:
-  freestand run
-  freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
-    --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
-  freestand motion info record.AT2
-  freestand validate")]
-struct Cli {
-    #[command(flatten)]
-    global: GlobalArgs,
-    #[command(subcommand)]
-    command: Command,
-}
 
 /// The largest number of threads accepted: more than any machine has cores.
 const MAX_THREADS: usize = 1024;

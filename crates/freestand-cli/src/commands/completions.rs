@@ -4,8 +4,7 @@ use clap::{Args, CommandFactory};
 use clap_complete::{Shell, generate};
 use freestand_output::facts::Facts;
 
-use super::Done;
-use crate::Cli;
+use super::{Cli, Done};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;

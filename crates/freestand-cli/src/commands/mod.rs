@@ -19,7 +19,7 @@ mod spectrum_text;
 mod tolerance;
 mod validate;
 
-use clap::Subcommand;
+use clap::{Parser, Subcommand};
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -35,6 +35,27 @@ pub(crate) struct Done {
 impl Done {
     /// Nothing failed and no criterion is exceeded.
     pub(crate) const OK: Self = Self { criterion_met: true };
+}
+
+/// How hard an earthquake knocks a free-standing object, and whether it falls.
+#[derive(Debug, Parser)]
+#[command(name = "freestand", version, propagate_version = false, subcommand_required = true)]
+#[command(after_help = "\
+Write quantities with their unit: \"2.3 m\", 2300mm, \"140 kg\", \"4380 N/mm\", 0.35g, \"5 %\".
+Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 could not run;
+130 stopped by Ctrl-C.
+
+Examples:
+  freestand run
+  freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
+    --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
+  freestand motion info record.AT2
+  freestand validate")]
+pub(crate) struct Cli {
+    #[command(flatten)]
+    pub(crate) global: GlobalArgs,
+    #[command(subcommand)]
+    pub(crate) command: Command,
 }
 
 #[derive(Debug, Subcommand)]
