@@ -102,6 +102,6 @@ fn try_main() -> Result<ExitCode, Failure> {
         env!("CARGO_PKG_VERSION"),
         counted(rayon::current_num_threads(), "thread")
     ));
-    let done = cli.command.run(&cli.global, &printer)?;
+    let done = cli.command.run(|| finished(Cli::command()), &cli.global, &printer)?;
     Ok(if done.criterion_met { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

@@ -109,7 +109,7 @@ fn what_cannot_be_simulated_is_said() {
         (&["--magnitude", "9", "--distance", "30 km"][..], "magnitude must be from 3 to 8.5"),
         (&["--magnitude", "6", "--distance", "30"], "--distance"),
         (&["--magnitude", "6", "--distance", "30 km", "--preset", "mars"], "\"mars\" is not known"),
-        (&["--city", "Atlantis"], "is not in AS 1170.4"),
+        (&["--city", "Atlantis"], "is not in the table of places"),
         (&["--city", "Melbourne", "--return-period", "7"], "--return-period"),
         (&["--magnitude", "6"], "--distance"),
     ] {

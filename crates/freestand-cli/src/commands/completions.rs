@@ -1,16 +1,14 @@
 //! `freestand completions`: scripts with which a shell completes commands and flags.
 
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 use freestand_output::facts::Facts;
 
 use super::Done;
-use crate::Cli;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
-use crate::values::finished;
 
 /// Print a script with which your shell completes commands and flags
 #[derive(Debug, Args)]
@@ -26,10 +24,16 @@ pub(crate) struct CompletionsArgs {
     shell: Shell,
 }
 
-pub(crate) fn run(args: &CompletionsArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+/// `root` is the whole command line.
+pub(crate) fn run(
+    args: &CompletionsArgs,
+    mut root: Command,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let files = Files::begin(global, &[])?;
     let mut script = Vec::new();
-    generate(args.shell, &mut finished(Cli::command()), "freestand", &mut script);
+    generate(args.shell, &mut root, "freestand", &mut script);
     let script = String::from_utf8_lossy(&script).into_owned();
     let facts = Facts::default().key("shell", args.shell.to_string()).key("script", script.clone());
     files.print(printer, "freestand.completions/1", &facts, &[], || script)?;

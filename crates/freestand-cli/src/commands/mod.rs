@@ -57,7 +57,13 @@ pub(crate) enum Command {
 }
 
 impl Command {
-    pub(crate) fn run(&self, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    /// Runs the command; `root` makes the whole command line, for completions.
+    pub(crate) fn run(
+        &self,
+        root: impl Fn() -> clap::Command,
+        global: &GlobalArgs,
+        printer: &Printer,
+    ) -> Result<Done, Failure> {
         match self {
             Self::Run(args) => run::run(args, global, printer),
             Self::Assess(args) => assess::run(args, global, printer),
@@ -73,7 +79,7 @@ impl Command {
             Self::Tolerance(args) => tolerance::run(args, global, printer),
             Self::Place(args) => place::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
-            Self::Completions(args) => completions::run(args, global, printer),
+            Self::Completions(args) => completions::run(args, root(), global, printer),
         }
     }
 }
