@@ -432,6 +432,29 @@ fn shells_get_their_completions() {
 }
 
 #[test]
+fn several_motions_have_a_result_each() {
+    let folder = folder(&[("a.csv", RECORD), ("b.csv", RECORD)]);
+    let object = ["--height", "1 m", "--thickness", "200 mm"];
+    let several = [&["rock", "--motion", "a.csv", "b.csv"], &object[..]].concat();
+    let shown = expect(&folder, &[&several[..], &["--plot", "--out", "out", "--json"]].concat(), 0);
+    assert_eq!((shown.matches("\"motion\": \"").count(), shown.matches("\"outcome\":").count()), (2, 2), "{shown}");
+    for name in ["history-01-a.csv", "history-01-a.svg", "history-02-b.csv", "history-02-b.png"] {
+        assert!(folder.path().join("out").join(name).is_file(), "{name}");
+    }
+    // Each result is that of the motion alone.
+    let alone = expect(&folder, &[&["rock", "--motion", "b.csv", "--json"], &object[..]].concat(), 0);
+    let peak = alone.lines().find(|line| line.contains("peak_rotation_rad")).unwrap().trim();
+    assert_eq!(shown.matches(peak).count(), 2, "{peak}");
+    let table = expect(&folder, &several, 0);
+    assert!(table.contains("motion  outcome"), "{table}");
+    expect(&folder, &[&["rock", "--motion", "a.csv", "--plot", "a.svg"], &object[..]].concat(), 0);
+    assert!(folder.path().join("a.svg").is_file());
+    for more in [&["--history", "h.csv"][..], &["--vertical", "a.csv"], &["--plot", "x.svg"], &["--plot"]] {
+        assert!(expect(&folder, &[&several[..], more].concat(), 2).contains("hint: "), "{more:?}");
+    }
+}
+
+#[test]
 fn places_are_listed_and_shown() {
     let cases: [&[&str]; 6] = [
         &["place", "list", "new zealand"],

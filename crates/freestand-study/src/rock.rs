@@ -51,6 +51,8 @@ pub struct RockRequest {
 pub struct RockReport {
     /// The document of `freestand rock`.
     pub facts: Facts<'static>,
+    /// How it ended.
+    pub outcome: Outcome,
     /// Warnings about the validity of the result.
     pub warnings: Vec<String>,
     /// Its history, where it was sampled.
@@ -186,7 +188,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)
         .fact("ceiling_g", "ceiling of the shock", shock.map(|s| s.ceiling_g))
         .and(facts!(rocking.effort; steps, evaluations));
-    RockReport { facts, warnings, history }
+    RockReport { facts, outcome: rocking.outcome, warnings, history }
 }
 
 /// A problem of the solver, with what to do about it.

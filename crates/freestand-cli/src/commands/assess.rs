@@ -28,6 +28,9 @@ Examples:
     freestand assess --inventory objects.csv --out assessment
   With your own building and hazard; the study may also name the inventory:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment
+  With the hazard of a place, in the building of the study:
+    freestand assess hospital.toml --inventory hospital.xlsx --place \"Salt Lake City\" \\
+      --out assessment
   Continue after Ctrl-C or a crash, in the same folder:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment --resume
   Also a Parquet table, for pandas:

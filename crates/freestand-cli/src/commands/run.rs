@@ -37,6 +37,8 @@ Examples:
   The built-in study as a file to edit, then the edited study:
     freestand run --dump-study > study.toml
     freestand run study.toml --out results
+  The built-in study in another place, which brings its code:
+    freestand run --place Wellington --site D --return-period 1000 --out results
   The built-in study under your own record:
     freestand run --motion record.AT2 --out results
   How the result depends on each assumption, or on those named:

@@ -4,16 +4,18 @@ use freestand::G0_M_S2;
 use kuva::plot::scatter::MarkerShape;
 use kuva::render::annotations::ReferenceLine;
 
-use freestand::rocking::Outcome;
+use freestand::block::Block;
+use freestand::rocking::{HistoryPoint, Outcome};
 
 use crate::result::{ExampleHistory, StudyResult};
 use freestand_input::words::number;
 
 use super::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
-use freestand_output::figure::page::{Page, Panel};
+use freestand_output::figure::page::{Page, Panel, draw};
 use freestand_output::figure::style::{Axis, DARK, curve_style, line, markers, plain};
 use freestand_output::figure::time::{pixel, stacked, symmetric, thin, time_axis};
+use freestand_output::figure::{Figure, FigureError};
 
 /// Heights of the three panels \[px\].
 const PANELS_PX: [f64; 3] = [190.0, 145.0, 190.0];
@@ -81,6 +83,55 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
         row_heights_px: PANELS_PX.to_vec(),
         legend,
     })
+}
+
+/// The history of an object under one motion: its rotation and the motion; `None` if it is never
+/// off its base, or has no history.
+///
+/// # Errors
+/// A figure that cannot be drawn.
+pub fn rock_figure(
+    motion: &str,
+    block: &Block,
+    outcome: Outcome,
+    history: &[HistoryPoint],
+) -> Result<Option<Figure>, FigureError> {
+    let (Some(first), Some(last)) = (history.first(), history.last()) else { return Ok(None) };
+    let (from, to) = (first.time_s, last.time_s);
+    if to <= from {
+        return Ok(None);
+    }
+    let alpha = block.pivot().slenderness_angle_rad;
+    let points = |of: fn(&HistoryPoint) -> f64, unit: f64| {
+        thin(history.iter().map(|point| (point.time_s, of(point) / unit)), from, to)
+    };
+    let theta = points(|point| point.theta_rad, alpha);
+    let accel = points(|point| point.base_accel_m_s2, G0_M_S2);
+    let mut legend = vec![
+        entry(Sign::Line { colour: curve_style(0).colour, width_px: 1.6, dash: None }, "rotation θ/α"),
+        entry(Sign::Line { colour: DARK, width_px: 1.2, dash: Some("5 3") }, "balance point, θ = ±α"),
+    ];
+    if outcome == Outcome::Overturned {
+        legend.push(entry(Sign::Cross, "overturns"));
+    }
+    let y = symmetric(accel.iter().fold(0.0f64, |m, p| m.max(p.1.abs())), "Floor accel. (g)");
+    let below =
+        Panel { plots: vec![line(&accel, "#555555", 0.9, None)], layout: stacked(time_axis(from, to), y, true) };
+    let size = format!("{} mm × {} m", number(1e3 * block.thickness_m(), 4), number(block.height_m(), 4));
+    let page = Page {
+        name: FigureKind::History.name(),
+        title: plain(&format!("Rocking history: {size}, {motion}")),
+        caption: format!(
+            "An object of {size} under the motion “{motion}”. Top: rotation divided by the slenderness angle α = {} \
+             rad. Bottom: acceleration of the floor.",
+            number(alpha, 3)
+        ),
+        panels: vec![rotation_panel(&theta, outcome, time_axis(from, to)), below],
+        columns: 1,
+        row_heights_px: vec![PANELS_PX[0], PANELS_PX[2]],
+        legend,
+    };
+    draw(page).map(Some)
 }
 
 fn entry(sign: Sign, words: &str) -> Entry {

@@ -9,6 +9,8 @@ mod history;
 mod response;
 mod vary;
 
+pub use history::rock_figure;
+
 use rayon::prelude::*;
 
 use crate::floor::{ProfilePicture, floor_profile};

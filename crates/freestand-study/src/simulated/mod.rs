@@ -270,7 +270,7 @@ fn changed(source: PointSource, changes: &SourceChanges) -> PointSource {
 pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problems> {
     let years = return_period_years.to_string();
     let code = ("code", "as1170.4");
-    let words = [code, ("place", city), ("return_period_years", years.as_str()), ("site", SiteClass::Be.name())];
+    let words = [code, ("city", city), ("return_period_years", years.as_str()), ("site", SiteClass::Be.name())];
     Target::resolve(&words.into_iter().collect(), Path::new(""))
 }
 

@@ -4,7 +4,7 @@ mod code;
 mod convert;
 mod info;
 mod pair;
-mod plot;
+pub(crate) mod plot;
 mod rotate;
 mod rotd;
 mod simulate;

@@ -13,7 +13,7 @@ use crate::reading::path_text;
 
 /// Whether and where to draw.
 #[derive(Debug, Args)]
-pub(super) struct PlotArgs {
+pub(crate) struct PlotArgs {
     /// Draw a figure as FILE.svg or FILE.png; without a name, as both in the folder of --out
     #[arg(long, value_name = "FILE", num_args = 0..=1)]
     plot: Option<Option<PathBuf>>,
@@ -21,7 +21,7 @@ pub(super) struct PlotArgs {
 
 /// Where the figures are written.
 #[derive(Debug)]
-pub(super) enum Target {
+pub(crate) enum Target {
     Svg(PathBuf),
     Png(PathBuf),
     /// The folder of `--out`.
@@ -29,8 +29,13 @@ pub(super) enum Target {
 }
 
 impl PlotArgs {
+    /// Whether a figure is wanted.
+    pub(crate) fn is_given(&self) -> bool {
+        self.plot.is_some()
+    }
+
     /// Where the figures are written; `None`: nothing is drawn.
-    pub(super) fn target(&self, global: &GlobalArgs) -> Result<Option<Target>, Failure> {
+    pub(crate) fn target(&self, global: &GlobalArgs) -> Result<Option<Target>, Failure> {
         let Some(name) = &self.plot else { return Ok(None) };
         let Some(path) = name else {
             if global.out.is_none() {
@@ -54,7 +59,7 @@ impl PlotArgs {
 }
 
 /// Writes figures, each with its name, and returns their paths.
-pub(super) fn place(
+pub(crate) fn place(
     target: &Target,
     figures: Vec<(String, Figure)>,
     files: &Files,
@@ -79,7 +84,7 @@ pub(super) fn place(
 
 impl Target {
     /// Refuses one file name for several figures.
-    pub(super) fn check(&self, count: usize) -> Result<(), Failure> {
+    pub(crate) fn check(&self, count: usize) -> Result<(), Failure> {
         if count == 1 || matches!(self, Self::Folder) {
             return Ok(());
         }

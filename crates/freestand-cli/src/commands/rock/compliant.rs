@@ -61,6 +61,10 @@ impl CompliantArgs {
 }
 
 pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if args.motion.len() > 1 || args.plot.is_given() {
+        let hint = "name one motion; with --out, the figure of the landings is drawn";
+        return Err(Failure::usage("several motions and --plot apply only to a rigid base", hint));
+    }
     let (request, reading) = request(args)?;
     let files = Files::begin(global, &reading.inputs)?;
     let report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
@@ -98,7 +102,7 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
         let hint = "give --mass and the --stiffness of the whole cushion under one edge, or --base rigid";
         return Err(Failure::usage("a compliant base needs a mass and a stiffness", hint));
     };
-    if args.motion.is_none() && args.vertical.is_none() {
+    if args.motion.is_empty() && args.vertical.is_none() {
         args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;
         if start == Start::Rest {
             let hint = "give --motion FILE, or --cg-rise, --initial-rotation or --initial-velocity";
@@ -113,7 +117,7 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
         base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
     }
     let mut reading = Reading::of(args)?;
-    let (horizontal, vertical) = (reading.horizontal.take(), reading.vertical.take());
+    let (horizontal, vertical) = (reading.horizontal.pop().map(|named| named.1), reading.vertical.take());
     let options = CompliantOptions {
         gravity_m_s2,
         accuracy: accuracy(args.rocking.accuracy),

@@ -1,4 +1,4 @@
-//! `freestand rock`: one object under one motion.
+//! `freestand rock`: one object under one motion, or under each of several.
 
 mod compliant;
 
@@ -12,20 +12,22 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_output::folder::write_file;
+use freestand_study::figures::rock_figure;
 use freestand_study::rock::{RockRequest, history_csv, rock};
 
 use self::compliant::CompliantArgs;
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
+use super::motion::plot::{PlotArgs, Target, place};
 use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Printer, lines};
+use crate::printer::{Column, Printer, facts_table, lines};
 use crate::reading::{ReadArgs, VerticalArgs};
 use crate::values::{Given, Reads, Values};
 
-/// Follow one object under one motion: rotation, uplift, impacts, overturning and shock
+/// Follow one object under a motion: rotation, uplift, impacts, overturning and shock
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -35,15 +37,18 @@ Examples:
   A column of accelerations in g every 5 ms, multiplied by 2, with the history in a file:
     freestand rock --motion floor.txt --unit g --dt 5ms --scale 2 --height 1.5m \\
       --thickness 0.3m --history history.csv
+  Several motions, a result and a figure for each:
+    freestand rock --motion a.AT2 b.AT2 --height 1.5m --thickness 0.3m --plot --out histories
   Free rocking from a rotation of 5 degrees:
     freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m
   A cabinet released on its pads, with the history of the landing:
     freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" \\
       --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing")]
 pub(crate) struct RockArgs {
-    /// Record of the horizontal acceleration of the floor [default: none, free rocking]
-    #[arg(long, value_name = "FILE")]
-    motion: Option<PathBuf>,
+    /// Records of the horizontal acceleration of the floor, each for a result of its own [default:
+    /// none, free rocking]
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    motion: Vec<PathBuf>,
     /// Record of the vertical acceleration of the floor, positive upward, with the same step and
     /// length
     #[arg(long, value_name = "FILE")]
@@ -92,6 +97,8 @@ pub(crate) struct RockArgs {
     /// File to write the history to (CSV)
     #[arg(long, value_name = "FILE.csv")]
     history: Option<PathBuf>,
+    #[command(flatten)]
+    plot: PlotArgs,
 }
 
 pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
@@ -101,17 +108,75 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(flag) = args.compliant.given.iter().find(|flag| *flag != "base") {
         return Err(Failure::usage(format!("--{flag} applies only to a compliant base"), "add --base compliant"));
     }
-    let (request, reading) = request(args)?;
+    let target = args.plot.target(global)?;
+    let (request, mut reading) = request(args)?;
+    if let Some(target) = &target {
+        target.check(reading.horizontal.len().max(1))?;
+    }
     let files = Files::begin(global, &reading.inputs)?;
-    let report = rock(&request, args.history.is_some() || files.wanted())?;
+    let is_recorded = args.history.is_some() || files.wanted() || target.is_some();
+    if reading.horizontal.len() > 1 {
+        return several(&request, reading, target.as_ref(), files, printer);
+    }
+    let (name, horizontal) = reading.horizontal.pop().map_or((None, None), |(name, motion)| (Some(name), Some(motion)));
+    let request = RockRequest { horizontal, ..request };
+    let report = rock(&request, is_recorded)?;
     let history = || history_csv(&request.block, &report.history);
-    reading.finish(args.history.as_deref(), history, (report.facts, report.warnings), files, printer)
+    let mut facts = report.facts;
+    if let Some(target) = &target {
+        let name = name.unwrap_or_else(|| "free rocking".to_owned());
+        let figure = rock_figure(&name, &request.block, report.outcome, &report.history)?;
+        let figures = figure.into_iter().map(|figure| ("history".to_owned(), figure)).collect();
+        facts = facts.key("plots", place(target, figures, &files, &reading.inputs)?);
+    }
+    reading.finish(args.history.as_deref(), history, (facts, report.warnings), files, printer)
+}
+
+/// The table of several motions.
+const COLUMNS: [Column; 6] = [
+    ("motion", "motion", 0),
+    ("outcome", "outcome", 0),
+    ("peak_rotation_rad", "rotation [rad]", 4),
+    ("uplift_m", "uplift [mm]", 4),
+    ("cg_rise_m", "rise [mm]", 4),
+    ("impact_count", "impacts", 0),
+];
+
+/// The object under each of several motions.
+fn several(
+    request: &RockRequest,
+    mut reading: Reading,
+    target: Option<&Target>,
+    files: Files,
+    printer: &Printer,
+) -> Result<Done, Failure> {
+    let (mut results, mut plots) = (Vec::new(), Vec::new());
+    for (index, (name, motion)) in std::mem::take(&mut reading.horizontal).into_iter().enumerate() {
+        let request = RockRequest { horizontal: Some(motion), ..request.clone() };
+        let report = rock(&request, files.wanted() || target.is_some())?;
+        let file = format!("history-{:02}-{name}", index + 1);
+        files.write(&format!("{file}.csv"), || history_csv(&request.block, &report.history))?;
+        if let Some(target) = target
+            && let Some(figure) = rock_figure(&name, &request.block, report.outcome, &report.history)?
+        {
+            plots.extend(place(target, vec![(file, figure)], &files, &reading.inputs)?);
+        }
+        reading.warnings.extend(report.warnings.iter().map(|warning| format!("{name}: {warning}")));
+        results.push(Facts::default().key("motion", name).and(report.facts));
+    }
+    let text = || facts_table(&results, &COLUMNS);
+    let table = text();
+    let facts =
+        Facts::default().key("results", results).key("plots", plots).key("processing", reading.processing.clone());
+    files.print(printer, "freestand.rock/1", &facts, &reading.warnings, || table)?;
+    Ok(Done::OK)
 }
 
 /// The motions, with their warnings and their processing.
 #[derive(Debug, Default)]
 struct Reading {
-    horizontal: Option<Motion>,
+    /// Each with its name.
+    horizontal: Vec<(String, Motion)>,
     vertical: Option<Motion>,
     warnings: Vec<String>,
     processing: Vec<String>,
@@ -122,18 +187,22 @@ impl Reading {
     fn of(args: &RockArgs) -> Result<Self, Failure> {
         let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
         let mut reading = Self { inputs, ..Self::default() };
-        reading.horizontal = args.motion.as_ref().map(|path| reading.read(&args.read, path)).transpose()?;
+        for path in &args.motion {
+            let named = reading.read(&args.read, path)?;
+            reading.horizontal.push(named);
+        }
         let vertically = args.vertically.reading(&args.read)?;
-        reading.vertical = args.vertical.as_ref().map(|path| reading.read(&vertically, path)).transpose()?;
+        reading.vertical =
+            args.vertical.as_ref().map(|path| reading.read(&vertically, path)).transpose()?.map(|named| named.1);
         Ok(reading)
     }
 
-    fn read(&mut self, args: &ReadArgs, path: &Path) -> Result<Motion, Failure> {
+    fn read(&mut self, args: &ReadArgs, path: &Path) -> Result<(String, Motion), Failure> {
         let read = args.read_one(path)?;
         let named = |text: &String| format!("{}: {text}", read.motion.name);
         self.warnings.extend(read.notes.iter().map(named));
         self.processing.extend(read.motion.processing.iter().map(named));
-        Ok(read.motion.motion)
+        Ok((read.motion.name.clone(), read.motion.motion))
     }
 
     /// Writes the history, prints the result and ends the command.
@@ -188,7 +257,17 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let Some(block) = block else {
         return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
     };
-    let no_motion = args.motion.is_none() && args.vertical.is_none();
+    if args.motion.len() > 1 {
+        if args.vertical.is_some() {
+            let hint = "give one --motion with its --vertical at a time";
+            return Err(Failure::usage("--vertical belongs to one motion, but several are given", hint));
+        }
+        if args.history.is_some() {
+            let hint = "name a folder with --out: it gets the history of each";
+            return Err(Failure::usage("--history names one file, but there are several motions", hint));
+        }
+    }
+    let no_motion = args.motion.is_empty() && args.vertical.is_none();
     if no_motion {
         args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;
     }
@@ -205,6 +284,6 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
         ));
     }
     let mut reading = Reading::of(args)?;
-    let (horizontal, vertical) = (reading.horizontal.take(), reading.vertical.take());
-    Ok((RockRequest { block, horizontal, vertical, options, cushion: mass.zip(edge), friction }, reading))
+    let vertical = reading.vertical.take();
+    Ok((RockRequest { block, horizontal: None, vertical, options, cushion: mass.zip(edge), friction }, reading))
 }
