@@ -461,6 +461,9 @@ fn side(text: &str) -> Side<'_> {
 
 /// A tolerance with its pulse: `15g 11ms`, `15 g, 11 ms`, `15 / 11 ms`; `None`: there is no pulse.
 pub(super) fn with_pulse(text: &str) -> Option<(&str, &str)> {
+    if text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.') {
+        return None;
+    }
     let parts = pieces(text);
     let numbers = parts.iter().filter(|piece| matches!(piece, Piece::Number(_))).count();
     if numbers != 2 {

@@ -118,7 +118,7 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
         }
     }
     // In the order of the sheet: the same list gives the same bytes.
-    let mut order: Vec<(&(u32, u32), &(Severity, String))> = marks.iter().collect();
+    let mut order: Vec<_> = marks.iter().collect();
     order.sort_unstable_by_key(|(place, _)| **place);
     for ((row, column), (severity, text)) in order {
         let Ok(index) = u16::try_from(*column) else { continue };

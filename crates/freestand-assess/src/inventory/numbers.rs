@@ -91,8 +91,7 @@ fn number_end(text: &str, start: usize) -> usize {
     let digits = |from: usize| bytes.get(from..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
     let mut end = start + digits(start);
     let mut group = end - start;
-    loop {
-        let Some(mark) = text.get(end..).and_then(|rest| rest.chars().next()) else { break };
+    while let Some(mark) = text.get(end..).and_then(|rest| rest.chars().next()) {
         let next = end + mark.len_utf8();
         let following = digits(next);
         let goes_on = match mark {
@@ -196,6 +195,9 @@ pub(super) fn joined<E>(pieces: &[Piece<'_>], mut read: impl FnMut(&Number) -> R
 /// A text with full-width letters, digits and signs as plain ones, one kind of quotation marks, and
 /// a minus where there is one.
 pub(super) fn plain(text: &str) -> String {
+    if text.bytes().all(|byte| (b' '..0x7f).contains(&byte) && !matches!(byte, b'\'' | b'`')) {
+        return text.trim().to_owned();
+    }
     let mut out = String::with_capacity(text.len());
     for c in text.trim().chars() {
         let c = match c {
