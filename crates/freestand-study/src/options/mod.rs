@@ -239,7 +239,7 @@ mod tests {
                 "s.toml:7: frame must be text, not 3.2 | write it in \"quotes\"",
                 "s.toml:8: levels must be a list, not 4 | write levels = [{ name = \"roof\", level_ratio = 1.0 }]",
                 "s.toml:11: mass and mass_kg both state the same value | keep one of them",
-                "s.toml:10: mass: \"3 m\" is a length, not a mass | known units: kg, t",
+                "s.toml:10: mass: \"3 m\" is a length, not a mass | known units: kg, t, lb, oz, slug, short ton",
                 "s.toml:12: tolerance: \"3.2\" needs a unit | write \"3.2 g\" or \"3.2 m/s2\"",
                 "s.toml:4: unknown table [bulding] | did you mean [building]?",
             ]
