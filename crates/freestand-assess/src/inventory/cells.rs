@@ -139,6 +139,11 @@ pub(super) fn quantity(
     unit: Option<CellUnit>,
     choice: Choice,
 ) -> Result<Measured, Wrong> {
+    // Most cells are whole numbers without a unit.
+    if let (Some(unit), true) = (unit, !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())) {
+        let si = unit.read(text).map_err(|_| Wrong::new(Kind::Unreadable))?;
+        return Ok(Measured { si, text: with_symbol(text, unit, si), is_approximate: false, is_bare: true });
+    }
     let (text, is_approximate) = without_approximation(text);
     let mut found = spread_or_one(text, dimension, unit, choice)?;
     found.is_approximate |= is_approximate;
@@ -245,6 +250,14 @@ fn si_symbol(dimension: Dimension) -> &'static str {
     }
 }
 
+/// Number and unit, ready for a reader of quantities.
+fn with_symbol(number: &str, unit: CellUnit, si: f64) -> String {
+    match unit {
+        CellUnit::Known(unit) => format!("{number} {}", unit.symbol),
+        CellUnit::Force(_) | CellUnit::Gram(_) => format!("{si} kg"),
+    }
+}
+
 /// Words after a unit that say which size it is.
 const SIDES: [&str; 14] =
     ["h", "w", "d", "l", "high", "wide", "deep", "tall", "long", "hoch", "breit", "tief", "each", "ea"];
@@ -260,10 +273,7 @@ fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice)
     let value = |number: &Number, unit: CellUnit, is_bare| {
         let text = choice.read(number)?;
         let si = unit.read(&text).map_err(|_| unreadable())?;
-        let text = match unit {
-            CellUnit::Known(unit) => format!("{text} {}", unit.symbol),
-            CellUnit::Force(_) | CellUnit::Gram(_) => format!("{si} kg"),
-        };
+        let text = with_symbol(&text, unit, si);
         Ok(Measured { si, text, is_approximate: false, is_bare })
     };
     let mut refused = NoUnit::Unknown;
@@ -370,7 +380,7 @@ pub(super) fn sizes(
     let last = sides.last().and_then(|side| stated_unit(side.text, Dimension::Length));
     let is_stated = sides.iter().any(|side| stated_unit(side.text, Dimension::Length).is_some());
     let is_bare = !is_stated;
-    let unit = last.or(if is_stated { None } else { unit });
+    let unit = last.or(unit);
     let values: Vec<f64> = sides
         .iter()
         .map(|side| one(side.text, Dimension::Length, unit, choice).map(|found| found.si))
@@ -461,6 +471,9 @@ fn side(text: &str) -> Side<'_> {
 
 /// A tolerance with its pulse: `15g 11ms`, `15 g, 11 ms`, `15 / 11 ms`; `None`: there is no pulse.
 pub(super) fn with_pulse(text: &str) -> Option<(&str, &str)> {
+    if text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.') {
+        return None;
+    }
     let parts = pieces(text);
     let numbers = parts.iter().filter(|piece| matches!(piece, Piece::Number(_))).count();
     if numbers != 2 {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-use freestand_input::quantity::Dimension;
+use freestand_input::quantity::{Dimension, lookup};
 
 use super::columns::{COLUMNS, Column, Holds};
 use super::numbers::plain;
@@ -56,7 +56,7 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
                          centre of gravity height|height of center of gravity|height of centre of gravity|cog height",
         "Schwerpunkthöhe|Schwerpunkt|Höhe Schwerpunkt|Höhe des Schwerpunkts", "centre de gravité|hauteur du centre de gravité|hauteur cdg|cdg",
         "centro de gravedad|altura del centro de gravedad|altura cdg", "baricentro|altezza baricentro|altezza del baricentro", "重心|重心高さ|重心高"]),
-    (Column::Mass, ["mass|weight|wt|wgt|operating weight|operating mass|gross weight|gross mass|weight each|unit weight|unit mass|mass each",
+    (Column::Mass, ["mass|weight|wt|wgt|kg=kg|kgs=kg|lbs=lb|lb=lb|operating weight|operating mass|gross weight|gross mass|weight each|unit weight|unit mass|mass each",
         "Masse|Gewicht|Betriebsgewicht|Bruttogewicht|Einzelgewicht", "masse|poids|poids unitaire", "masa|peso|peso unitario", "massa|peso|peso unitario",
         "重量|質量"]),
     (Column::Stiffness, ["stiffness|edge stiffness|stiffness of edge", "Kantensteifigkeit|Steifigkeit", "raideur|rigidité", "rigidez", "rigidezza", "剛性"]),
@@ -244,6 +244,14 @@ fn whole(text: &str) -> Option<Meaning> {
     if let Some((name, inner, after)) = bracketed(text)
         && let Some(mut found) = named(name).or_else(|| named(&format!("{name} {after}"))).or_else(|| unqualified(name))
     {
+        // "Area (m2)" is not a place, "Masse (mm)" not a mass but Swiss sizes.
+        if dimension(found.column).is_none() && found.column != Column::Anchored && lookup(inner).is_some() {
+            return None;
+        }
+        let is_length = find(inner, Dimension::Length).is_ok() || order_of(inner).is_some();
+        if found.column == Column::Mass && is_length && squashed(name) == "masse" {
+            found.column = Column::Dimensions;
+        }
         if found.unit == HeadingUnit::None {
             found.unit = stated(inner, found.column);
             if found.unit == HeadingUnit::None && !after.is_empty() {
@@ -288,8 +296,11 @@ fn named(text: &str) -> Option<Meaning> {
     }
     let singular = || key.strip_suffix('s').filter(|rest| rest.chars().count() > 3);
     let entries = TABLE.get(&key).or_else(|| TABLE.get(singular()?))?;
-    // A name that two columns share is the one that is listed first.
-    let entry = entries.first()?;
+    // A name that two columns share is the one that is listed first; but German sizes (Maße) have
+    // an ß that a mass (Masse) does not.
+    let is_sizes = text.contains('ß') || text.contains('ẞ');
+    let sizes = entries.iter().find(|entry| is_sizes && entry.column == Column::Dimensions);
+    let entry = sizes.or(entries.first())?;
     let unit = entry.unit.map_or(HeadingUnit::None, |unit| stated(unit, entry.column));
     let Entry { column, rank, language, is_long_side, .. } = *entry;
     Some(Meaning { column, rank, language, unit, is_long_side, order: None })
@@ -471,6 +482,10 @@ mod tests {
             ("Level ratio (0 ground, 1 roof)", Column::LevelRatio, None),
             ("Dimensions (HxWxD) mm", Column::Dimensions, Some("mm")),
             ("階", Column::Floor, None),
+            ("Maße (mm)", Column::Dimensions, Some("mm")),
+            ("Masse (kg)", Column::Mass, Some("kg")),
+            ("Masse (cm)", Column::Dimensions, Some("cm")),
+            ("kg", Column::Mass, Some("kg")),
         ] {
             assert_eq!(read(text), Some((column, unit)), "{text}");
         }
@@ -483,6 +498,7 @@ mod tests {
             "Floor/Room",
             "Total weight (kg)",
             "Make/Model",
+            "Area (m2)",
             "12",
         ] {
             assert_eq!(read(text), None, "{text}");

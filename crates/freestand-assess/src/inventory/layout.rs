@@ -373,16 +373,12 @@ fn sort(row: &Row, header: &Header) -> Sort {
             return Sort::Left(RowKind::Units);
         }
     }
-    let cell = |column: Column| {
-        header
-            .meanings
-            .iter()
-            .filter(move |(_, meaning)| meaning.column == column)
-            .filter_map(|(index, _)| row.get(*index))
-    };
-    let has_size = SIZES.iter().any(|&column| cell(column).any(|cell| !cell.is_blank() && !is_missing(&cell.shown())));
-    if !has_size && first.is_some_and(|(_, cell)| matches!(cell, Cell::Text(text) if begins_total(text))) {
-        return Sort::Left(RowKind::Total);
+    if first.is_some_and(|(_, cell)| matches!(cell, Cell::Text(text) if begins_total(text))) {
+        let mut sizes = header.meanings.iter().filter(|(_, meaning)| SIZES.contains(&meaning.column));
+        let is_filled = |cell: &Cell| !cell.is_blank() && !is_missing(&cell.shown());
+        if !sizes.any(|(index, _)| row.get(*index).is_some_and(is_filled)) {
+            return Sort::Left(RowKind::Total);
+        }
     }
     let known =
         row.cells.iter().filter(|(index, cell)| header.meanings.contains_key(index) && !cell.is_blank()).count();

@@ -195,6 +195,9 @@ pub(super) fn joined<E>(pieces: &[Piece<'_>], mut read: impl FnMut(&Number) -> R
 /// A text with full-width letters, digits and signs as plain ones, one kind of quotation marks, and
 /// a minus where there is one.
 pub(super) fn plain(text: &str) -> String {
+    if text.bytes().all(|byte| (b' '..0x7f).contains(&byte) && !matches!(byte, b'\'' | b'`')) {
+        return text.trim().to_owned();
+    }
     let mut out = String::with_capacity(text.len());
     for c in text.trim().chars() {
         let c = match c {

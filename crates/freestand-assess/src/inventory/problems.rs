@@ -278,6 +278,37 @@ impl Findings {
         }
     }
 
+    /// Adds the problems of later rows.
+    pub(super) fn append(&mut self, later: Self) {
+        for finding in later.all {
+            let key = (finding.kind, finding.column, finding.index);
+            match self.places.get(&key).and_then(|at| self.all.get_mut(*at)) {
+                Some(first) => {
+                    first.rows.extend(finding.rows);
+                    for example in finding.examples {
+                        if first.examples.len() < 3 && !first.examples.contains(&example) {
+                            first.examples.push(example);
+                        }
+                    }
+                }
+                None => {
+                    self.places.insert(key, self.all.len());
+                    self.all.push(finding);
+                }
+            }
+        }
+        for noted in later.notes {
+            match self.notes.iter_mut().find(|first| first.words == noted.words) {
+                Some(first) => {
+                    first.count += noted.count;
+                    let room = 5usize.saturating_sub(first.rows.len());
+                    first.rows.extend(noted.rows.into_iter().take(room));
+                }
+                None => self.notes.push(noted),
+            }
+        }
+    }
+
     /// Replaces the hint of a problem.
     pub(super) fn hint(&mut self, kind: Kind, place: Place<'_>, hint: String) {
         if let Some(finding) = self.places.get(&(kind, place.column, place.index)).and_then(|at| self.all.get_mut(*at))

@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::path::Path;
 
+use rayon::prelude::*;
+
 use crate::library::Lookup;
 use freestand_input::file::sha256_hex;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -27,6 +29,8 @@ use super::{Inventory, Item};
 const MAX_CARRIED: usize = 256;
 /// Largest number of cells that are carried through, over all rows.
 const MAX_CARRIED_CELLS: usize = 20_000_000;
+/// Rows that are read by one thread at a time.
+const ROWS_OF_A_PART: usize = 4096;
 /// Largest number of headings that are checked for typing mistakes.
 const MAX_MEANT: usize = 20;
 
@@ -164,24 +168,40 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     }
     let mut findings = Findings::new(options.is_strict);
     let finder = floor_finder(&floors, &columns, &sheet.rows, &body);
+    let read_part = |part: &[(usize, Option<usize>)]| {
+        let mut findings = Findings::new(options.is_strict);
+        let mut counts = vec![(0, 0); columns.uses.len()];
+        let mut items = Vec::with_capacity(part.len());
+        for (place, section) in part {
+            let Some(row) = sheet.rows.get(*place) else { continue };
+            let section = section.and_then(|section| body.sections.get(section)).map_or("", String::as_str);
+            let mut values = Values {
+                row,
+                rows: &sheet.rows,
+                columns: &columns,
+                merges: &sheet.merges,
+                findings: &mut findings,
+                doubts: Vec::new(),
+                is_shifted: false,
+                counts: &mut counts,
+            };
+            let carried = carried(&mut values, &sheet);
+            let reading = item::Reading { lookup: options.lookup, floors: finder.as_ref(), section };
+            items.push(item(&mut values, &reading, carried));
+        }
+        (items, counts, findings)
+    };
+    // Parts are put together in their order: the result does not depend on the threads.
+    let parts: Vec<_> = body.objects.par_chunks(ROWS_OF_A_PART).map(read_part).collect();
     let mut counts = vec![(0, 0); columns.uses.len()];
     let mut items = Vec::with_capacity(body.objects.len());
-    for (place, section) in &body.objects {
-        let Some(row) = sheet.rows.get(*place) else { continue };
-        let section = section.and_then(|section| body.sections.get(section)).map_or("", String::as_str);
-        let mut values = Values {
-            row,
-            rows: &sheet.rows,
-            columns: &columns,
-            merges: &sheet.merges,
-            findings: &mut findings,
-            doubts: Vec::new(),
-            is_shifted: false,
-            counts: &mut counts,
-        };
-        let carried = carried(&mut values, &sheet);
-        let reading = item::Reading { lookup: options.lookup, floors: finder.as_ref(), section };
-        items.push(item(&mut values, &reading, carried));
+    for (part, part_counts, part_findings) in parts {
+        items.extend(part);
+        findings.append(part_findings);
+        for ((values, missing), (more_values, more_missing)) in counts.iter_mut().zip(part_counts) {
+            *values += more_values;
+            *missing += more_missing;
+        }
     }
     tell_duplicates(&mut items, &columns, &mut findings);
     let (findings, notes) = findings.finish();

@@ -68,6 +68,8 @@ impl Dialect {
 pub(super) struct Use {
     /// Its place in the sheet, counted from 0.
     pub(super) index: u32,
+    /// Its place among the columns that are read.
+    pub(super) slot: usize,
     pub(super) column: Column,
     pub(super) heading: String,
     pub(super) unit: Option<CellUnit>,
@@ -108,6 +110,8 @@ pub(super) struct Understood {
     pub(super) carried: Vec<(u32, String)>,
     pub(super) is_imperial: bool,
     pub(super) is_japanese: bool,
+    /// Whether both decimal signs occur in it.
+    pub(super) has_both_signs: bool,
     pub(super) warnings: Vec<String>,
 }
 
@@ -267,6 +271,7 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
         }
         uses.push(Use {
             index,
+            slot: 0,
             column: one.column,
             heading,
             unit,
@@ -292,15 +297,22 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
     }
     let kept: Vec<u32> = carried.iter().map(|(index, _)| *index).collect();
     carried.sort_by_key(|(index, _)| *index);
-    let mut all =
-        Understood { uses: Vec::new(), firsts: Vec::new(), carried, is_imperial: false, is_japanese, warnings };
+    let mut all = Understood {
+        uses: Vec::new(),
+        firsts: Vec::new(),
+        carried,
+        is_imperial: false,
+        is_japanese,
+        has_both_signs: false,
+        warnings,
+    };
     let mut moved = vec![None; uses.len()];
     for (place, one) in uses.into_iter().enumerate() {
         if !kept.contains(&one.index) {
             if let Some(slot) = moved.get_mut(place) {
                 *slot = Some(all.uses.len());
             }
-            all.uses.push(one);
+            all.uses.push(Use { slot: all.uses.len(), ..one });
         }
     }
     let renumbered =
@@ -340,6 +352,17 @@ fn by_content(candidates: &mut BTreeMap<u32, Candidate>, evidence: &Evidence<'_>
                 one.column = Column::Id;
                 one.rank = if has_id { 95 } else { 1 };
             }
+        }
+    }
+    // "Masse" of a Swiss list may be sizes.
+    for (index, one) in candidates.iter_mut().filter(|(_, one)| one.column == Column::Mass) {
+        let texts = sample(*index);
+        let is_size = |text: &&String| {
+            sizes(&super::numbers::plain(text), find("mm", Dimension::Length).ok(), None, Choice::Decimal).is_ok()
+        };
+        let sized = texts.iter().filter(is_size).count();
+        if !texts.is_empty() && 2 * sized > texts.len() {
+            one.column = Column::Dimensions;
         }
     }
     let mut dropped = Vec::new();
@@ -572,6 +595,8 @@ fn dialects(all: &mut Understood, evidence: &Evidence<'_>) {
             (false, false) => Dialect::Open,
         };
     }
+    let has = |dialect| all.uses.iter().any(|one| one.dialect == dialect);
+    all.has_both_signs = has(Dialect::Mixed) || has(Dialect::One(Decimal::Point)) && has(Dialect::One(Decimal::Comma));
     let mut known = all.uses.iter().filter(|one| one.dialect != Dialect::Open).map(|one| one.dialect);
     let Some(first @ Dialect::One(_)) = known.next() else { return };
     if known.all(|other| other == first) {

@@ -142,6 +142,10 @@ pub(super) fn find(text: &str, dimension: Dimension) -> Result<CellUnit, NoUnit>
     if text.is_empty() || text.len() > 40 {
         return Err(NoUnit::Unknown);
     }
+    // As it is usually written.
+    if let Some(unit) = lookup(text).filter(|unit| unit.dimension == dimension) {
+        return Ok(CellUnit::Known(unit));
+    }
     let words = canonical(text);
     let lower = text.to_lowercase();
     let word = WORDS.iter().find(|(word, _)| *word == words).map(|(_, symbol)| *symbol);

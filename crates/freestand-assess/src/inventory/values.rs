@@ -112,9 +112,7 @@ impl<'a> Values<'a> {
     }
 
     fn count(&mut self, one: &Use, has_value: Option<bool>) {
-        let columns = self.columns;
-        let Some(at) = columns.uses.iter().position(|other| other.index == one.index) else { return };
-        if let (Some((values, missing)), Some(has_value)) = (self.counts.get_mut(at), has_value) {
+        if let (Some((values, missing)), Some(has_value)) = (self.counts.get_mut(one.slot), has_value) {
             *(if has_value { values } else { missing }) += 1;
         }
     }
@@ -242,7 +240,12 @@ impl<'a> Values<'a> {
             Dialect::One(sign) => {
                 let other = if sign == Decimal::Comma { Decimal::Point } else { Decimal::Comma };
                 let (own, other) = (Choice::Sign(sign), Choice::Sign(other));
-                if !fits(own) && fits(other) { ambiguous() } else { read(own) }
+                match (fits(own), fits(other)) {
+                    // In a list of both signs plausibility decides; in any other it contradicts.
+                    (false, true) if self.columns.has_both_signs => read(other),
+                    (false, true) => ambiguous(),
+                    _ => read(own),
+                }
             }
             Dialect::Mixed | Dialect::Open => match (fits(Choice::Decimal), fits(Choice::Thousands)) {
                 (true, false) => read(Choice::Decimal),

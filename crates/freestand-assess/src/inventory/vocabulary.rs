@@ -42,6 +42,10 @@ fn unaccented(c: char) -> Option<&'static str> {
 
 /// Whether a text says that the value is not known.
 pub(super) fn is_missing(text: &str) -> bool {
+    // No such word has a digit or is long: most cells need no comparison.
+    if text.len() > 40 || text.bytes().any(|byte| byte.is_ascii_digit()) {
+        return false;
+    }
     let words = canonical(text);
     // Only dashes, question marks and the like; letters of other scripts are words.
     words.is_empty() || MISSING.contains(&words.as_str())
@@ -350,14 +354,21 @@ pub(super) fn without_approximation(text: &str) -> (&str, bool) {
     ];
     let mut rest = text.trim();
     let mut was_found = false;
+    // A bare number, as most cells are.
+    if rest.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b',')) {
+        return (rest, false);
+    }
     loop {
+        let lower = rest.to_lowercase();
+        // Lower case keeps the length of all letters that these words have.
+        let lower = if lower.len() == rest.len() { lower.as_str() } else { rest };
         let before = BEFORE.iter().find_map(|mark| {
-            let after = strip_start(rest, mark)?;
+            let after = rest.get(lower.strip_prefix(mark).map(|_| mark.len())?..)?;
             // "c.g." is no "c.", "cabinet" no "ca".
             (!mark.ends_with(char::is_alphabetic) || !after.starts_with(char::is_alphabetic)).then_some(after)
         });
         let after = AFTER.iter().find_map(|mark| {
-            let before = strip_end(rest, mark)?;
+            let before = rest.get(..lower.strip_suffix(mark)?.len())?;
             (!mark.starts_with(char::is_alphabetic) || !before.ends_with(char::is_alphabetic)).then_some(before)
         });
         match before.or(after) {
@@ -368,17 +379,6 @@ pub(super) fn without_approximation(text: &str) -> (&str, bool) {
             _ => return (rest, was_found),
         }
     }
-}
-
-fn strip_start<'t>(text: &'t str, mark: &str) -> Option<&'t str> {
-    let head = text.get(..mark.len())?;
-    (head.to_lowercase() == mark).then(|| text.get(mark.len()..)).flatten()
-}
-
-fn strip_end<'t>(text: &'t str, mark: &str) -> Option<&'t str> {
-    let at = text.len().checked_sub(mark.len())?;
-    let tail = text.get(at..)?;
-    (tail.to_lowercase() == mark).then(|| text.get(..at)).flatten()
 }
 
 #[cfg(test)]

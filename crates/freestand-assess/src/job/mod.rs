@@ -102,7 +102,8 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
         read_inventory(path, &options)
     };
     let mut inventory = libraries.looked_up(read)?;
-    inventory.warnings.splice(0..0, console_lines(&inventory.findings));
+    let said = console_lines(&inventory.findings).into_iter().map(|line| format!("in the list: {line}"));
+    inventory.warnings.splice(0..0, said.collect::<Vec<_>>());
     let mapped = mapping.as_ref().map_or("", |mapping| mapping.sha256.as_str());
     let storeys = request.storeys.map_or_else(String::new, |storeys| storeys.to_string());
     inventory.read_with = format!("mapping {mapped}; storeys {storeys}; anchored {}", request.assess_anchored);

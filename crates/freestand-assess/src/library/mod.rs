@@ -143,9 +143,9 @@ impl Confidence {
 #[derive(Clone, Copy)]
 pub struct Lookup<'a> {
     /// An entry of the tolerance library.
-    pub tolerance: &'a dyn Fn(&str) -> Option<Tolerance>,
+    pub tolerance: &'a (dyn Fn(&str) -> Option<Tolerance> + Sync),
     /// An entry of the cushion library.
-    pub cushion: &'a dyn Fn(&str) -> Option<CushionPrior>,
+    pub cushion: &'a (dyn Fn(&str) -> Option<CushionPrior> + Sync),
     /// All names of the tolerance library, for hints.
     pub tolerance_names: &'a [String],
     /// All names of the cushion library, for hints.
