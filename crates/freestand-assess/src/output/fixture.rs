@@ -45,6 +45,7 @@ pub(super) fn head(total: usize) -> Head {
             "Model error 0.085: Table I, five tests of one cabinet.".into(),
         ],
         warnings: vec!["Row 7: the stiffness looks like N/m typed for N/mm.".into()],
+        is_elastic: true,
         total,
     }
 }

@@ -15,6 +15,8 @@ pub(crate) struct Head {
     pub assumptions: Vec<String>,
     /// Warnings.
     pub warnings: Vec<String>,
+    /// Whether the floors are those of a building that stays elastic, and not given.
+    pub is_elastic: bool,
     /// Rows of the inventory; more than there are results where the run was interrupted.
     pub total: usize,
 }
@@ -47,6 +49,7 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
         facts,
         assumptions: assumptions(study),
         warnings: study.warnings.iter().chain(&inventory.warnings).cloned().collect(),
+        is_elastic: study.building.is_some(),
         total: inventory.items.len(),
     }
 }
@@ -57,9 +60,10 @@ fn motions(study: &Study) -> String {
             return format!("a synthetic motion in every world, for {}", synthetic.target.title_words());
         }
         Ground::Simulated(simulated) => simulated.title_words(),
-        Ground::Recorded(_) => match study.ground.target() {
-            Some(target) => format!("records matched to {}", target.title_words()),
-            None => "records".to_owned(),
+        Ground::Recorded(_) => match (study.ground.suite(), study.ground.target()) {
+            (Some(suite), _) => format!("records selected and scaled for {}", suite.target.title_words()),
+            (None, Some(target)) => format!("records matched to {}", target.title_words()),
+            (None, None) => "records".to_owned(),
         },
         Ground::OnFloors => "given floor motions".to_owned(),
     };

@@ -107,6 +107,8 @@ pub(super) struct Overview {
     pub tiers: [usize; 4],
     /// Objects without a tolerance.
     pub without_tolerance: usize,
+    /// Objects that are left as they are, assessed for falling alone.
+    pub only_falling: usize,
     /// Objects without a response: geometry or level is missing, or every history failed.
     pub without_response: usize,
     /// Objects with a history that failed, but not all of them.
@@ -133,6 +135,7 @@ impl Overview {
             counts: Counts::default(),
             tiers: [0; 4],
             without_tolerance: 0,
+            only_falling: 0,
             without_response: 0,
             with_failed_motions: 0,
             consequences: ["life safety (LS)", "property loss (PL)", "functional loss (FL)"].map(consequence),
@@ -153,6 +156,8 @@ impl Overview {
             *tier += 1;
         }
         self.without_tolerance += usize::from(found.capacity.is_none() && item.tolerance.is_none());
+        let asks_falling_alone = found.answers.as_ref().is_some_and(|answers| !answers.asks_shock);
+        self.only_falling += usize::from(decision == Decision::Leave && asks_falling_alone);
         self.without_response += usize::from(found.response.is_none());
         self.with_failed_motions += usize::from(found.response.as_ref().is_some_and(|response| response.failed > 0));
         let rated = [item.consequences.life_safety, item.consequences.property, item.consequences.function];

@@ -342,22 +342,31 @@ fn what_to_do(found: &Assessment) -> String {
             figure("Force"),
             figure("Force/weight"),
             figure("Tension of all anchors along one edge"),
+            figure("in concrete"),
+            figure("Or a bracket"),
+            figure("in concrete"),
+            figure("with, at the feet"),
             text("Formula"),
         ];
+        let force_of = |force_n: f64| format!("{} kN", number(1e-3 * force_n, 3));
+        let tension = |force_n: f64| match force_n > 0.0 {
+            true => force_of(force_n),
+            false => "none: its weight holds it down".to_owned(),
+        };
         let rows: Vec<Vec<Cell>> = found
             .restraint
             .iter()
             .map(|force| {
-                let tension = if force.anchor_tension_n > 0.0 {
-                    format!("{} kN", number(1e-3 * force.anchor_tension_n, 3))
-                } else {
-                    "0: its weight suffices".to_owned()
-                };
+                let bracket = format!("{} at {} m", force_of(force.bracket_force_n), number(force.bracket_height_m, 3));
                 vec![
                     markup(name(&force.source), ""),
-                    figure(format!("{} kN", number(1e-3 * force.force_n, 3))),
+                    figure(force_of(force.force_n)),
                     figure(number(force.force_ratio, 3)),
-                    figure(tension),
+                    figure(tension(force.anchor_tension_n)),
+                    figure(tension(force.anchor_tension_concrete_n)),
+                    figure(bracket),
+                    figure(force_of(force.bracket_force_concrete_n)),
+                    figure(force_of(force.bracket_base_shear_n)),
                     markup(words(&force.note), ""),
                 ]
             })

@@ -20,7 +20,7 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String 
     }
     html.push_str(&tiles(overview));
     html.push_str(&section("first", "The most urgent objects", &first(overview, pages)));
-    html.push_str(&section("floors", "Verdicts by floor", &floors(overview)));
+    html.push_str(&section("floors", "Verdicts by floor", &floors(overview, head.is_elastic)));
     html.push_str(&section("consequences", "Verdicts by consequence", &consequences(overview)));
     html.push_str(&section("warnings", "Warnings", &warnings(head, overview)));
     let facts: Vec<(&str, String)> = head.facts.iter().map(|(name, value)| (name.as_str(), value.clone())).collect();
@@ -52,6 +52,16 @@ fn tiles(overview: &Overview) -> String {
     html.push_str("</div>\n");
     let words = format!("Assessed: {} of {}.", overview.assessed, counted(overview.total, "object"));
     html.push_str(&paragraph(&words));
+    if overview.only_falling > 0 {
+        html.push_str(&paragraph(&format!(
+            "Of the objects that may be left as they are, {} for falling alone: whether a shock damages them was not \
+             asked, or no tolerance was given.",
+            match overview.only_falling {
+                1 => "1 was assessed".to_owned(),
+                many => format!("{many} were assessed"),
+            }
+        )));
+    }
     let decided: Vec<String> = (0u8..)
         .zip(overview.tiers)
         .filter(|(_, count)| *count > 0)
@@ -142,7 +152,10 @@ fn decision_cells(counts: &Counts, largest: usize) -> Vec<Cell> {
     cells
 }
 
-fn floors(overview: &Overview) -> String {
+/// Peak floor acceleration above which a building that stays elastic is hardly true \[g\].
+const DAMAGED_FROM_G: f64 = 0.5;
+
+fn floors(overview: &Overview, is_elastic: bool) -> String {
     let floors = overview.floors();
     if floors.is_empty() {
         return paragraph("No object was assessed.");
@@ -153,7 +166,13 @@ fn floors(overview: &Overview) -> String {
         .iter()
         .map(|floor| {
             let level = floor.level_ratio.map_or_else(|| "–".to_owned(), |level| fixed(level, 2));
-            let pfa = floor.pfa_g_median.map_or_else(|| "–".to_owned(), |pfa_g| format!("{} g", number(pfa_g, 3)));
+            let pfa = floor.pfa_g_median.map_or_else(
+                || "–".to_owned(),
+                |pfa_g| {
+                    let elastic = if is_elastic && pfa_g > DAMAGED_FROM_G { " (elastic building)" } else { "" };
+                    format!("{} g{elastic}", number(pfa_g, 3))
+                },
+            );
             let mut cells = vec![markup(name(&floor.name), ""), figure(level), figure(pfa)];
             cells.extend(decision_cells(&floor.counts, largest));
             cells
@@ -164,6 +183,12 @@ fn floors(overview: &Overview) -> String {
         "Number of objects by floor, from the top down, and by decision. Median PFA: the median of the peak floor \
          accelerations of all worlds.",
     ));
+    if floors.iter().any(|floor| is_elastic && floor.pfa_g_median.is_some_and(|pfa_g| pfa_g > DAMAGED_FROM_G)) {
+        html.push_str(&paragraph(
+            "Elastic building: in the calculation the building does not yield. One that yields mostly shakes its floors \
+             less.",
+        ));
+    }
     html
 }
 
