@@ -47,6 +47,10 @@ impl Wrong {
         Self { kind, detail: None }
     }
 
+    pub(super) fn out_of_range(detail: &str) -> Self {
+        Self::because(Kind::OutOfRange, detail)
+    }
+
     fn because(kind: Kind, detail: &str) -> Self {
         Self { kind, detail: Some(detail.to_owned()) }
     }

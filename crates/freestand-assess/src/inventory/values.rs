@@ -11,7 +11,7 @@ use super::cells::{Choice, Measured, Sizes, Wrong, number_text, quantity, sizes,
 use super::columns::Column;
 use super::headings::dimension;
 use super::numbers::Decimal;
-use super::problems::{Findings, Kind, Place};
+use super::problems::{Findings, Kind, Place, Severity};
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
 use super::vocabulary::{canonical, is_missing, rating};
 use super::workbook::Merges;
@@ -39,14 +39,12 @@ impl<'a> Values<'a> {
 
     /// Adds a problem of a cell.
     fn problem(&mut self, one: &Use, kind: Kind, example: &str, detail: Option<String>) {
-        self.findings.add(kind, Self::place(one), Some(self.row.number), example, detail);
-        if kind.severity() == super::problems::Severity::Doubt {
-            self.doubt_of_object(kind);
-        }
+        self.add(Self::place(one), kind, example, detail);
     }
 
-    fn doubt_of_object(&mut self, kind: Kind) {
-        if !self.doubts.contains(&kind) {
+    fn add(&mut self, place: Place, kind: Kind, example: &str, detail: Option<String>) {
+        self.findings.add(kind, place, Some(self.row.number), example, detail);
+        if kind.severity() == Severity::Doubt && !self.doubts.contains(&kind) {
             self.doubts.push(kind);
         }
     }
@@ -54,24 +52,10 @@ impl<'a> Values<'a> {
     /// Adds a problem of a column; of the row where the list does not have that column.
     pub(super) fn report(&mut self, column: Column, kind: Kind, detail: Option<String>) {
         let columns = self.columns;
-        match columns.get(column) {
-            Some(one) => {
-                let example = self.row.get(one.index).map(Cell::shown).unwrap_or_default();
-                self.problem(one, kind, &example, detail);
-            }
-            None => {
-                self.findings.add(
-                    kind,
-                    Place { column: Some(column), index: None, heading: None },
-                    Some(self.row.number),
-                    "",
-                    detail,
-                );
-                if kind.severity() == super::problems::Severity::Doubt {
-                    self.doubt_of_object(kind);
-                }
-            }
-        }
+        let one = columns.get(column);
+        let example = one.and_then(|one| self.row.get(one.index)).map(Cell::shown).unwrap_or_default();
+        let place = one.map_or(Place { column: Some(column), index: None, heading: None }, Self::place);
+        self.add(place, kind, &example, detail);
     }
 
     /// Adds a wrong value with a message of another reader.
@@ -111,8 +95,8 @@ impl<'a> Values<'a> {
         self.columns.get(column).and_then(|one| self.row.get(one.index)).is_some_and(|cell| !is_missing(&cell.shown()))
     }
 
-    fn count(&mut self, one: &Use, has_value: Option<bool>) {
-        if let (Some((values, missing)), Some(has_value)) = (self.counts.get_mut(one.slot), has_value) {
+    fn count(&mut self, one: &Use, has_value: bool) {
+        if let Some((values, missing)) = self.counts.get_mut(one.slot) {
             *(if has_value { values } else { missing }) += 1;
         }
     }
@@ -126,19 +110,17 @@ impl<'a> Values<'a> {
             Some(Cell::Error(text)) if text == "#N/A" => String::new(),
             Some(cell @ (Cell::Error(_) | Cell::Unevaluated)) => {
                 self.problem(one, Kind::Formula, &cell.shown(), None);
-                self.count(one, None);
                 return String::new();
             }
             Some(Cell::TooLong(chars)) => {
                 let detail = format!("has {chars} characters, more than a cell of a spreadsheet can hold");
                 self.problem(one, Kind::Unreadable, "", Some(detail));
-                self.count(one, None);
                 return String::new();
             }
             Some(cell) => cell.shown().trim().to_owned(),
         };
         let text = if column != Column::Notes && is_missing(&text) { String::new() } else { text };
-        self.count(one, Some(!text.is_empty()));
+        self.count(one, !text.is_empty());
         text
     }
 
@@ -163,38 +145,48 @@ impl<'a> Values<'a> {
         found
     }
 
+    /// A cell that is to hold numbers, with its text. One that is missing is counted, one that holds
+    /// something else is reported.
+    fn numeric(&mut self, one: &Use) -> Option<(&'a Cell, String)> {
+        let Some(cell) = self.cell(one) else {
+            self.count(one, false);
+            return None;
+        };
+        match number_text(cell) {
+            Ok(Some(text)) => (!self.is_shifted).then_some((cell, text)),
+            Ok(None) => {
+                self.count(one, false);
+                None
+            }
+            Err(wrong) => self.refused(one, cell, wrong),
+        }
+    }
+
+    /// Counts a value, or reports why there is none.
+    fn taken<T>(&mut self, one: &Use, cell: &Cell, found: Result<T, Wrong>) -> Option<T> {
+        match found {
+            Ok(value) => {
+                self.count(one, true);
+                Some(value)
+            }
+            Err(wrong) => self.refused(one, cell, wrong),
+        }
+    }
+
     fn one_quantity(&mut self, one: &Use) -> Option<Measured> {
         let dimension = dimension(one.column).unwrap_or(Dimension::Ratio);
-        let cell = self.cell(one);
-        let text = match cell.map(number_text) {
-            None | Some(Ok(None)) => {
-                self.count(one, Some(false));
-                return None;
-            }
-            Some(Ok(Some(text))) => text,
-            Some(Err(wrong)) => return self.refused(one, cell, wrong),
-        };
-        if self.is_shifted {
-            self.count(one, None);
-            return None;
-        }
+        let (cell, text) = self.numeric(one)?;
         let unit = one.unit_at(self.row.number);
-        let cell = cell?;
         let text = if one.column == Column::Tolerance {
             with_pulse(&text).map_or(text.as_str(), |(peak, _)| peak)
         } else {
             &text
         };
-        let read = |choice| quantity(text, dimension, unit, choice);
-        match self.chosen(one, cell, text, read) {
-            Ok(found) if !found.si.is_finite() => self.refused(one, Some(cell), Wrong::new(Kind::Unreadable)),
-            Ok(found) => {
-                self.doubts_of(one, cell, found.is_approximate, found.is_bare);
-                self.count(one, Some(true));
-                Some(found)
-            }
-            Err(wrong) => self.refused(one, Some(cell), wrong),
-        }
+        let found = self.chosen(one, cell, text, |choice| quantity(text, dimension, unit, choice));
+        let finite = |found: Measured| if found.si.is_finite() { Ok(found) } else { Err(Wrong::new(Kind::Unreadable)) };
+        let found = self.taken(one, cell, found.and_then(finite))?;
+        self.doubts_of(one, cell, found.is_approximate, found.is_bare);
+        Some(found)
     }
 
     fn doubts_of(&mut self, one: &Use, cell: &Cell, is_approximate: bool, is_bare: bool) {
@@ -208,8 +200,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    fn refused<T>(&mut self, one: &Use, cell: Option<&Cell>, wrong: Wrong) -> Option<T> {
-        let example = cell.map(Cell::shown).unwrap_or_default();
+    fn refused<T>(&mut self, one: &Use, cell: &Cell, wrong: Wrong) -> Option<T> {
         let (kind, detail) = match (wrong.kind, &one.wrong_unit) {
             (Kind::UnitMissing, Some(text)) => (
                 Kind::UnitWrong,
@@ -217,8 +208,7 @@ impl<'a> Values<'a> {
             ),
             _ => (wrong.kind, wrong.detail),
         };
-        self.problem(one, kind, &example, detail);
-        self.count(one, None);
+        self.problem(one, kind, &cell.shown(), detail);
         None
     }
 
@@ -293,40 +283,20 @@ impl<'a> Values<'a> {
     pub(super) fn sizes(&mut self) -> Option<Sizes> {
         let columns = self.columns;
         let one = columns.get(Column::Dimensions)?;
-        let cell = self.cell(one);
-        let text = match cell.map(number_text) {
-            None | Some(Ok(None)) => {
-                self.count(one, Some(false));
-                return None;
-            }
-            Some(Ok(Some(text))) => text,
-            Some(Err(wrong)) => return self.refused(one, cell, wrong),
-        };
-        if self.is_shifted {
-            return None;
-        }
-        let cell = cell?;
+        let (cell, text) = self.numeric(one)?;
         let unit = one.unit_at(self.row.number);
-        let read = |choice| sizes(&text, unit, one.order.as_deref(), choice);
-        match self.chosen(one, cell, &text, read) {
-            Ok(found) => {
-                let all = [found.height, found.width, found.thickness];
-                if all.iter().flatten().any(|size| *size <= 0.0) {
-                    return self.refused(
-                        one,
-                        Some(cell),
-                        Wrong { kind: Kind::OutOfRange, detail: Some("must be above 0".to_owned()) },
-                    );
-                }
-                if found.is_order_guessed {
-                    self.problem(one, Kind::DimensionOrder, &cell.shown(), None);
-                }
-                self.doubts_of(one, cell, found.is_approximate, found.is_bare);
-                self.count(one, Some(true));
-                Some(found)
-            }
-            Err(wrong) => self.refused(one, Some(cell), wrong),
+        let found = self.chosen(one, cell, &text, |choice| sizes(&text, unit, one.order.as_deref(), choice));
+        let positive = |found: Sizes| {
+            let all = [found.height, found.width, found.thickness];
+            let is_wrong = all.iter().flatten().any(|size| *size <= 0.0);
+            if is_wrong { Err(Wrong::out_of_range("must be above 0")) } else { Ok(found) }
+        };
+        let found = self.taken(one, cell, found.and_then(positive))?;
+        if found.is_order_guessed {
+            self.problem(one, Kind::DimensionOrder, &cell.shown(), None);
         }
+        self.doubts_of(one, cell, found.is_approximate, found.is_bare);
+        Some(found)
     }
 
     /// A ratio above 0 and below 1.
@@ -341,41 +311,24 @@ impl<'a> Values<'a> {
 
     /// A whole number, at least 1.
     pub(super) fn whole(&mut self, column: Column) -> Option<u32> {
-        let columns = self.columns;
-        let one = columns.get(column)?;
         // "2 pcs" and "3x" are counts.
-        let cell = self.cell(one);
-        let text = match cell.map(number_text) {
-            None | Some(Ok(None)) => {
-                self.count(one, Some(false));
-                return None;
-            }
-            Some(Ok(Some(text))) => text,
-            Some(Err(wrong)) => return self.refused(one, cell, wrong),
-        };
-        if self.is_shifted {
-            return None;
-        }
-        let cell = cell?;
         const WORDS: [&str; 14] =
             ["pcs", "pc", "off", "x", "ea", "each", "units", "nos", "no", "stk", "stuck", "st", "台", "個"];
+        let columns = self.columns;
+        let one = columns.get(column)?;
+        let (cell, text) = self.numeric(one)?;
         let bare = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim();
         let rest = canonical(text.get(bare.len()..).unwrap_or_default());
         let text = if WORDS.contains(&rest.as_str()) { bare } else { &text };
         let text = text.strip_prefix(['x', 'X', '×']).map_or(text, str::trim);
-        let read = |choice| quantity(text, Dimension::Ratio, None, choice);
-        match self.chosen(one, cell, text, read) {
-            Ok(found) if found.si >= 1.0 && found.si <= 1e6 && found.si.fract() == 0.0 => {
-                self.doubts_of(one, cell, found.is_approximate, false);
-                self.count(one, Some(true));
-                Some(found.si as u32)
-            }
-            Ok(_) => {
-                let detail = "must be a whole number, at least 1".to_owned();
-                self.refused(one, Some(cell), Wrong { kind: Kind::OutOfRange, detail: Some(detail) })
-            }
-            Err(wrong) => self.refused(one, Some(cell), wrong),
-        }
+        let found = self.chosen(one, cell, text, |choice| quantity(text, Dimension::Ratio, None, choice));
+        let whole = |found: Measured| match found.si >= 1.0 && found.si <= 1e6 && found.si.fract() == 0.0 {
+            true => Ok(found),
+            false => Err(Wrong::out_of_range("must be a whole number, at least 1")),
+        };
+        let found = self.taken(one, cell, found.and_then(whole))?;
+        self.doubts_of(one, cell, found.is_approximate, false);
+        Some(found.si as u32)
     }
 
     /// High, medium or low.
@@ -403,7 +356,7 @@ impl<'a> Values<'a> {
             Cell::Bool(value) => Some(*value),
             other => super::vocabulary::yes_or_no(&other.shown()),
         });
-        self.count(one, Some(found.is_some()));
+        self.count(one, found.is_some());
         found
     }
 
@@ -425,19 +378,7 @@ impl<'a> Values<'a> {
     pub(super) fn range(&mut self, column: Column) -> Option<(f64, f64)> {
         let columns = self.columns;
         let one = columns.get(column)?;
-        let cell = self.cell(one);
-        let text = match cell.map(number_text) {
-            None | Some(Ok(None)) => {
-                self.count(one, Some(false));
-                return None;
-            }
-            Some(Ok(Some(text))) => text,
-            Some(Err(wrong)) => return self.refused(one, cell, wrong),
-        };
-        if self.is_shifted {
-            return None;
-        }
-        let cell = cell?;
+        let (cell, text) = self.numeric(one)?;
         let unit = one.unit_at(self.row.number);
         let ratio = |text: &str| {
             let read = |choice| quantity(text, Dimension::Ratio, unit, choice);
@@ -447,17 +388,11 @@ impl<'a> Values<'a> {
             Some((low, high)) => ratio(low).and_then(|low| Ok((low, ratio(high)?))),
             None => ratio(&text).map(|value| (value, value)),
         };
-        match both {
-            Ok((low, high)) if low > 0.0 && low <= high => {
-                self.count(one, Some(true));
-                Some((low, high))
-            }
-            Ok(_) => {
-                let detail = "is not a positive value or a rising range, such as 0.3-0.5".to_owned();
-                self.refused(one, Some(cell), Wrong { kind: Kind::OutOfRange, detail: Some(detail) })
-            }
-            Err(wrong) => self.refused(one, Some(cell), wrong),
-        }
+        let rising = |(low, high)| match low > 0.0 && low <= high {
+            true => Ok((low, high)),
+            false => Err(Wrong::out_of_range("is not a positive value or a rising range, such as 0.3-0.5")),
+        };
+        self.taken(one, cell, both.and_then(rising))
     }
 }
 
