@@ -26,6 +26,7 @@ mod numbers;
 mod plausible;
 mod problems;
 mod read;
+mod sentence;
 mod source;
 mod template;
 #[cfg(test)]

@@ -11,6 +11,7 @@ use super::headings::{HeadingUnit, Language, dimension};
 use super::layout::{Body, Header};
 use super::mapping::Mapping;
 use super::numbers::{Decimal, is_plausible};
+use super::sentence::sentence_unit;
 use super::units::{CellUnit, find, is_metric};
 use super::vocabulary::{canonical, is_missing, rating};
 
@@ -253,11 +254,14 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
         let of = |language| candidates.values().filter(|one| one.language == Some(language)).count();
         of(Language::Japanese) > of(Language::English) + of(Language::Comma)
     };
-    let mut uses = Vec::new();
-    let mut firsts: Vec<Vec<usize>> = vec![Vec::new(); COLUMNS.len()];
-    let mut ranks = Vec::new();
-    for (index, one) in candidates {
-        let heading = header.headings.get(&index).cloned().unwrap_or_default();
+    second_texts(&mut candidates, header, &mut carried);
+    carried.sort_by_key(|(index, _)| *index);
+    let mut uses = Vec::with_capacity(candidates.len());
+    let mut firsts: Vec<Vec<(u16, usize)>> = vec![Vec::new(); COLUMNS.len()];
+    for (slot, (index, one)) in candidates.into_iter().enumerate() {
+        if let Some(places) = firsts.get_mut(one.column as usize) {
+            places.push((one.rank, slot));
+        }
         let (unit, wrong_unit) = match one.unit {
             HeadingUnit::Stated(unit) => (Some(unit), None),
             HeadingUnit::Wrong(text) => (None, Some(text)),
@@ -265,15 +269,11 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
         };
         let source = if one.is_mapped { UnitSource::Mapping } else { UnitSource::Heading };
         let later = evidence.body.units.iter().filter(|(_, column, _)| *column == index);
-        ranks.push(one.rank);
-        if let Some(places) = firsts.get_mut(one.column as usize) {
-            places.push(uses.len());
-        }
         uses.push(Use {
             index,
-            slot: 0,
+            slot,
             column: one.column,
-            heading,
+            heading: header.headings.get(&index).cloned().unwrap_or_default(),
             unit,
             unit_source: unit.map(|_| source),
             wrong_unit,
@@ -282,43 +282,32 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
             later_units: later.map(|(row, _, unit)| (*row, *unit)).collect(),
         });
     }
-    for places in &mut firsts {
-        places.sort_by_key(|place| ranks.get(*place).copied());
-    }
-    // A second text is carried through; a second number is compared with the first.
-    for (places, spec) in firsts.iter_mut().zip(&COLUMNS) {
-        if dimension(spec.column).is_none_or(|dimension| dimension == Dimension::Ratio) {
-            for place in places.drain(1.min(places.len())..) {
-                if let Some(one) = uses.get(place) {
-                    carried.push((one.index, one.heading.clone()));
-                }
-            }
-        }
-    }
-    let kept: Vec<u32> = carried.iter().map(|(index, _)| *index).collect();
-    carried.sort_by_key(|(index, _)| *index);
-    let mut all = Understood {
-        uses: Vec::new(),
-        firsts: Vec::new(),
-        carried,
-        is_imperial: false,
-        is_japanese,
-        has_both_signs: false,
-        warnings,
+    let by_rank = |mut places: Vec<(u16, usize)>| {
+        places.sort_unstable();
+        places.into_iter().map(|(_, slot)| slot).collect()
     };
-    let mut moved = vec![None; uses.len()];
-    for (place, one) in uses.into_iter().enumerate() {
-        if !kept.contains(&one.index) {
-            if let Some(slot) = moved.get_mut(place) {
-                *slot = Some(all.uses.len());
-            }
-            all.uses.push(Use { slot: all.uses.len(), ..one });
+    let firsts = firsts.into_iter().map(by_rank).collect();
+    Understood { uses, firsts, carried, is_imperial: false, is_japanese, has_both_signs: false, warnings }
+}
+
+/// Of two columns with one name the better heading is read. The other is carried through where it
+/// holds texts or ratios; a second quantity is compared with the first.
+fn second_texts(candidates: &mut BTreeMap<u32, Candidate>, header: &Header, carried: &mut Vec<(u32, String)>) {
+    let mut seen: Vec<(Column, u16, u32)> =
+        candidates.iter().map(|(&index, one)| (one.column, one.rank, index)).collect();
+    seen.sort_unstable_by_key(|&(column, rank, index)| (column as usize, rank, index));
+    for pair in seen.windows(2) {
+        let [(first, ..), (column, _, index)] = *pair else { continue };
+        if first == column && dimension(column).is_none_or(|dimension| dimension == Dimension::Ratio) {
+            candidates.remove(&index);
+            carry(index, header, carried);
         }
     }
-    let renumbered =
-        |places: &Vec<usize>| places.iter().filter_map(|place| moved.get(*place).copied().flatten()).collect();
-    all.firsts = firsts.iter().map(renumbered).collect();
-    all
+}
+
+/// Carries a column through.
+fn carry(index: u32, header: &Header, carried: &mut Vec<(u32, String)>) {
+    carried.push((index, header.headings.get(&index).cloned().unwrap_or_default()));
 }
 
 struct Candidate {
@@ -392,7 +381,7 @@ fn by_content(candidates: &mut BTreeMap<u32, Candidate>, evidence: &Evidence<'_>
     }
     for index in dropped {
         candidates.remove(&index);
-        carried.push((index, evidence.header.headings.get(&index).cloned().unwrap_or_default()));
+        carry(index, evidence.header, carried);
     }
 }
 
@@ -426,7 +415,7 @@ fn sides(
                 letters(index as usize)
             ));
             candidates.remove(&index);
-            carried.push((index, heading));
+            carry(index, header, carried);
         }
     } else {
         for index in short {
@@ -469,105 +458,6 @@ fn sentences(evidence: &Evidence<'_>) -> Vec<String> {
     let cells = above.flat_map(|row| row.cells.iter().map(|(_, cell)| cell.shown()));
     let left = evidence.body.left_out.iter().map(|left| left.text.clone());
     cells.chain(left).filter(|text| text.len() < 400).take(300).collect()
-}
-
-/// The unit that a sentence states for lengths or masses: `All dimensions in mm, weights in kg`.
-fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
-    const LENGTHS: [&str; 24] = [
-        "dimension",
-        "dimensions",
-        "dim",
-        "dims",
-        "size",
-        "sizes",
-        "length",
-        "lengths",
-        "measurements",
-        "measures",
-        "masse",
-        "abmessungen",
-        "langen",
-        "grossen",
-        "cotes",
-        "mesures",
-        "dimensiones",
-        "medidas",
-        "cotas",
-        "dimensioni",
-        "misure",
-        "quote",
-        "寸法",
-        "heights",
-    ];
-    const MASSES: [&str; 16] = [
-        "weight", "weights", "mass", "masses", "gewicht", "gewichte", "massen", "poids", "peso", "pesos", "masas",
-        "pesi", "重量", "質量", "wt", "wts",
-    ];
-    const BOTH: [&str; 9] = ["units", "unit", "einheiten", "einheit", "unites", "unite", "unidades", "unita", "単位"];
-    const BEFORE: [&str; 12] = ["in", "en", "em", "are", "sind", "sont", "son", "sono", "by", "は", "is", "all"];
-    const CHAIN: [&str; 7] = ["and", "und", "et", "y", "e", "or", "&"];
-    let wanted: &[&str] = match dimension {
-        Dimension::Length => &LENGTHS,
-        Dimension::Mass => &MASSES,
-        _ => return None,
-    };
-    // Words, with a colon, an equals sign or a bracket as words of their own; scripts are apart.
-    let mut words: Vec<String> = Vec::new();
-    let mut kind = 0;
-    for c in text.chars() {
-        let now = if matches!(c, ':' | '：' | '=' | '(' | '[' | ',' | '、' | '&' | '/' | 'は') {
-            3
-        } else if c.is_ascii_alphanumeric() || ('\u{c0}'..='\u{24f}').contains(&c) || matches!(c, '"' | '\'') {
-            1
-        } else if c.is_alphabetic() {
-            2
-        } else {
-            0
-        };
-        match (now == kind && now != 3, now) {
-            (_, 0) => {}
-            (true, _) => {
-                if let Some(last) = words.last_mut() {
-                    last.push(c);
-                }
-            }
-            (false, _) => words.push(c.to_string()),
-        }
-        kind = now;
-    }
-    let mut is_wanted = false;
-    let mut found: Option<CellUnit> = None;
-    // Whether a unit may stand here.
-    let mut is_due = false;
-    for (place, word) in words.iter().enumerate() {
-        let plain = canonical(word);
-        if BOTH.contains(&plain.as_str()) || wanted.contains(&plain.as_str()) {
-            is_wanted = true;
-            is_due = false;
-        } else if LENGTHS.contains(&plain.as_str()) || MASSES.contains(&plain.as_str()) {
-            is_wanted = false;
-            is_due = false;
-        } else if matches!(word.as_str(), ":" | "：" | "=" | "(" | "[") {
-            is_due = true;
-        } else if let Ok(unit) = find(word, dimension)
-            && (is_due || !word.is_ascii())
-            && (plain != "in" || words.get(place + 1).is_none_or(|next| !next.chars().all(char::is_alphanumeric)))
-        {
-            if is_wanted {
-                if found.is_some_and(|other| other != unit) {
-                    return None;
-                }
-                found = Some(unit);
-            }
-        } else if BEFORE.contains(&plain.as_str()) {
-            is_due = true;
-        } else {
-            // "mm, kg", "mm and kg": units in a chain.
-            let is_unit = [Dimension::Mass, Dimension::Length].iter().any(|other| find(word, *other).is_ok());
-            is_due &= is_unit || CHAIN.contains(&plain.as_str()) || matches!(word.as_str(), "," | "、" | "/" | "&");
-        }
-    }
-    found
 }
 
 /// The decimal sign of each column from its own cells, or from those of the others.
@@ -839,33 +729,4 @@ fn volume(all: &Understood, row: &Row) -> Option<f64> {
     }
     let (height, thickness) = (size(Column::Height)?, size(Column::Thickness)?);
     Some(height * thickness * size(Column::Width).unwrap_or(thickness))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sentences_state_units() {
-        let symbol = |text: &str, dimension| sentence_unit(text, dimension).map(CellUnit::symbol);
-        for (text, length, mass) in [
-            ("All dimensions in mm", Some("mm"), None),
-            ("All dimensions in mm, weights in kg", Some("mm"), Some("kg")),
-            ("All dimensions are in inches and weights in lb.", Some("in"), Some("lb")),
-            ("Alle Maße in cm, Gewichte in kg", Some("cm"), Some("kg")),
-            ("Dimensions en cm, poids en kg", Some("cm"), Some("kg")),
-            ("Medidas en cm", Some("cm"), None),
-            ("Misure in mm", Some("mm"), None),
-            ("単位：mm、kg", Some("mm"), Some("kg")),
-            ("寸法はmm、重量はkg", Some("mm"), Some("kg")),
-            ("Units: mm, kg", Some("mm"), Some("kg")),
-            ("Units: in / lb", Some("in"), Some("lb")),
-            ("Dimensions (mm)", Some("mm"), None),
-            ("Inventory of objects in the museum", None, None),
-            ("Dimensions were taken in May", None, None),
-            ("Weights in kg", None, Some("kg")),
-        ] {
-            assert_eq!((symbol(text, Dimension::Length), symbol(text, Dimension::Mass)), (length, mass), "{text}");
-        }
-    }
 }
