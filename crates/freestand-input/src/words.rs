@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use unicode_normalization::UnicodeNormalization as _;
+
 /// A number with `digits` significant digits: `300.0`, `1.500`, `1.50e-5`; with an exponent only if
 /// the plain form would be long; `–` if it is not finite.
 pub fn significant(value: f64, digits: usize) -> String {
@@ -74,6 +76,43 @@ pub type Choices<T> = &'static [(T, &'static str, &'static str)];
 /// The name of one of these values.
 pub fn name_of<T: PartialEq>(choices: Choices<T>, value: T) -> &'static str {
     choices.iter().find(|choice| choice.0 == value).map_or("", |choice| choice.1)
+}
+
+/// The form in which words are compared: letters and digits in lower case, without accents and other
+/// variants of a letter (Unicode's compatibility decomposition), with one blank for everything else
+/// between them.
+///
+/// # Example
+/// ```
+/// use freestand_input::words::canonical;
+/// assert_eq!(canonical("  Höhe, (mm)"), "hohe mm");
+/// assert_eq!(canonical("N° d’inventaire"), "n d inventaire");
+/// assert_eq!(canonical("ＩＤ番号"), "id番号");
+/// ```
+pub fn canonical(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    if text.is_ascii() {
+        push_words(&mut out, text.chars());
+    } else {
+        // What is not an accent of the Latin script belongs to its letter (が) and is put back.
+        let is_accent = |c: &char| ('\u{300}'..='\u{36f}').contains(c);
+        push_words(&mut out, text.nfkd().filter(|c| !is_accent(c)).nfc().flat_map(char::to_lowercase));
+    }
+    out.truncate(out.trim_end().len());
+    out
+}
+
+fn push_words(out: &mut String, letters: impl Iterator<Item = char>) {
+    for c in letters {
+        match c {
+            'ß' => out.push_str("ss"),
+            'œ' => out.push_str("oe"),
+            'æ' => out.push_str("ae"),
+            c if c.is_alphanumeric() => out.push(c.to_ascii_lowercase()),
+            _ if !out.is_empty() && !out.ends_with(' ') => out.push(' '),
+            _ => {}
+        }
+    }
 }
 
 /// The candidate that the user most likely meant by a mistyped word: at most a third of the letters

@@ -1,13 +1,14 @@
 //! One cell as a quantity in SI, or why it is none.
 
 use freestand_input::quantity::{Dimension, Quantity, lookup};
+use freestand_input::words::canonical;
 
 use super::cell::Cell;
 use super::headings::order_of;
 use super::numbers::{Decimal, Number, Piece, joined, pieces, plain};
 use super::problems::Kind;
 use super::units::{CellUnit, NoUnit, find};
-use super::vocabulary::{canonical, is_missing, without_approximation};
+use super::vocabulary::{is_missing, without_approximation};
 
 /// How a number with two readings is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

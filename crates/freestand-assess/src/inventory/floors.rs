@@ -2,9 +2,8 @@
 
 use std::collections::HashMap;
 
+use freestand_input::words::canonical;
 use freestand_study::study::FirstFloor;
-
-use super::vocabulary::canonical;
 
 /// What is known about the floors of the building.
 #[derive(Debug, Clone, Default, PartialEq)]

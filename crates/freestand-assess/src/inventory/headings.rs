@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use freestand_input::quantity::{Dimension, lookup};
+use freestand_input::words::canonical;
 
 use super::columns::{COLUMNS, Column, Holds};
 use super::numbers::plain;
 use super::units::{CellUnit, NoUnit, find};
-use super::vocabulary::canonical;
 
 /// The headings of a column: English, German, French, Spanish, Italian, Japanese; `|` between two.
 /// Of two columns with headings of one name, the earlier in the list is read. `=` and a unit after

@@ -8,7 +8,7 @@ use crate::library::{Confidence, Lookup, Tolerance};
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
-use freestand_input::words::nearest;
+use freestand_input::words::{canonical, nearest};
 use freestand_study::cushion::{self, EdgeCushion};
 use freestand_study::shape::Shape;
 
@@ -18,7 +18,7 @@ use super::plausible;
 use super::problems::Kind;
 use super::template::EXAMPLE;
 use super::values::Values;
-use super::vocabulary::{canonical, names_wheels};
+use super::vocabulary::names_wheels;
 use super::{Consequences, Item};
 use freestand_study::restitution::checked;
 

@@ -7,7 +7,8 @@ use super::columns::Column;
 use super::headings::{HeadingUnit, Meaning, dimension, letter_meaning, meaning};
 use super::mapping::Mapping;
 use super::units::{CellUnit, find};
-use super::vocabulary::{begins_note, begins_total, canonical, is_missing};
+use super::vocabulary::{begins_note, begins_total, is_missing};
+use freestand_input::words::canonical;
 
 /// Number of rows, empty ones not counted, that are searched for headings.
 pub(super) const SEARCHED_ROWS: usize = 100;

@@ -5,7 +5,7 @@ use std::path::Path;
 use freestand_input::file::load_up_to;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse, shorten};
-use freestand_input::words::nearest;
+use freestand_input::words::{canonical, nearest};
 use freestand_study::study::FirstFloor;
 use toml_edit::{Document, Item, Value};
 
@@ -14,7 +14,6 @@ use super::floors::Floors;
 use super::headings::{dimension, meaning};
 use super::numbers::Decimal;
 use super::units::{CellUnit, find};
-use super::vocabulary::canonical;
 
 /// What a mapping file says.
 #[derive(Debug, Clone, Default, PartialEq)]

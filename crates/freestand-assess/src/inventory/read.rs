@@ -9,7 +9,7 @@ use crate::library::Lookup;
 use freestand_input::file::sha256_hex;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, shorten};
-use freestand_input::words::nearest;
+use freestand_input::words::{canonical, nearest};
 
 use super::cell::{Cell, Row};
 use super::columns::{COLUMNS, Column, letters};
@@ -22,7 +22,6 @@ use super::problems::{Findings, Kind, Place};
 use super::source::{Sheet, load};
 use super::understood::{Evidence, Understood, understand};
 use super::values::Values;
-use super::vocabulary::canonical;
 use super::{Inventory, Item};
 
 /// Largest number of columns that are carried through; an asset register has some dozens.

@@ -1,9 +1,9 @@
 //! Units that a sentence beside a table states.
 
 use freestand_input::quantity::Dimension;
+use freestand_input::words::canonical;
 
 use super::units::{CellUnit, find};
-use super::vocabulary::canonical;
 
 /// The unit that a sentence states for lengths or masses: `All dimensions in mm, weights in kg`.
 pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use freestand_input::quantity::Dimension;
+use freestand_input::words::canonical;
 
 use super::cell::{Cell, Row};
 use super::cells::{Choice, evidence, is_bare, is_open, number_text, quantity, sizes, stated_unit};
@@ -13,7 +14,7 @@ use super::mapping::Mapping;
 use super::numbers::{Decimal, is_plausible};
 use super::sentence::sentence_unit;
 use super::units::{CellUnit, find, is_metric};
-use super::vocabulary::{canonical, is_missing, rating};
+use super::vocabulary::{is_missing, rating};
 
 /// Where the unit of a column comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,8 +3,7 @@
 use freestand::G0_M_S2;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, lookup, parse_in_unit};
-
-use super::vocabulary::canonical;
+use freestand_input::words::canonical;
 
 /// The unit of a column or a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,6 +2,7 @@
 
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::words::canonical;
 
 use freestand_study::study::assessment::Questions;
 
@@ -13,7 +14,7 @@ use super::headings::dimension;
 use super::numbers::Decimal;
 use super::problems::{Findings, Kind, Place, Severity};
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
-use super::vocabulary::{canonical, is_missing, rating};
+use super::vocabulary::{is_missing, rating};
 use super::workbook::Merges;
 
 /// A row with everything that is needed to read its cells.

@@ -1,44 +1,6 @@
 //! Words that people write into cells, in six languages.
 
-/// The form in which words are compared: lower-case letters and digits without accents, with one
-/// blank for everything between them.
-pub(super) fn canonical(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        let c = match c {
-            '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0).unwrap_or(c),
-            _ => c,
-        };
-        for c in c.to_lowercase() {
-            match unaccented(c) {
-                Some(plain) => out.push_str(plain),
-                // A combining accent.
-                None if ('\u{300}'..='\u{36f}').contains(&c) => {}
-                None if c.is_alphanumeric() => out.push(c),
-                None if !out.is_empty() && !out.ends_with(' ') => out.push(' '),
-                None => {}
-            }
-        }
-    }
-    out.truncate(out.trim_end().len());
-    out
-}
-
-fn unaccented(c: char) -> Option<&'static str> {
-    Some(match c {
-        'à' | 'á' | 'â' | 'ã' | 'ä' | 'å' | 'ª' => "a",
-        'ç' => "c",
-        'è' | 'é' | 'ê' | 'ë' => "e",
-        'ì' | 'í' | 'î' | 'ï' => "i",
-        'ñ' => "n",
-        'ò' | 'ó' | 'ô' | 'õ' | 'ö' | 'º' => "o",
-        'ù' | 'ú' | 'û' | 'ü' => "u",
-        'ß' => "ss",
-        'œ' => "oe",
-        'æ' => "ae",
-        _ => return None,
-    })
-}
+use freestand_input::words::canonical;
 
 /// Whether a text says that the value is not known.
 pub(super) fn is_missing(text: &str) -> bool {
@@ -386,10 +348,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_are_compared_without_case_accents_and_punctuation() {
-        assert_eq!(canonical("  Höhe, (mm)"), "hohe mm");
-        assert_eq!(canonical("N° d’inventaire"), "n d inventaire");
-        assert_eq!(canonical("ＩＤ番号"), "id番号");
+    fn words_for_values_that_are_not_known() {
         for text in ["", "-", "–", "—", "?", "n/a", "N.A.", "#N/A", "TBC", "k.A.", "néant", "s/d", "不明", "see manual"]
         {
             assert!(is_missing(text), "{text}");

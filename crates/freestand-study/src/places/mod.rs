@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use freestand_input::words::{edit_distance, number};
+use freestand_input::words::{canonical, edit_distance, number};
 use freestand_output::facts::Facts;
 
 /// A place, and what its code says about it.
@@ -149,13 +149,13 @@ impl Place {
     /// assert_eq!(Place::find("Atlantis"), None);
     /// ```
     pub fn find(name: &str) -> Option<&'static Self> {
-        let wanted = plain(name);
+        let wanted = canonical(name);
         places().iter().find(|place| {
             place.names().any(|name| {
-                let name = plain(name);
+                let name = canonical(name);
                 wanted.strip_prefix(&name).is_some_and(|rest| {
                     let rest = rest.trim_start();
-                    rest.is_empty() || rest == plain(place.region) || rest == plain(place.country)
+                    rest.is_empty() || rest == canonical(place.region) || rest == canonical(place.country)
                 })
             })
         })
@@ -215,12 +215,12 @@ impl Place {
 /// assert_eq!(near("san f"), ["San Francisco"]);
 /// ```
 pub fn near(name: &str) -> Vec<&'static str> {
-    let wanted = plain(name);
+    let wanted = canonical(name);
     let length = wanted.chars().count();
     let mut found: Vec<(usize, &'static str)> = Vec::new();
     for place in places() {
         let distance = place.names().filter_map(|name| {
-            let name = plain(name);
+            let name = canonical(name);
             let distance = edit_distance(&wanted, &name);
             let is_near = 3 * distance <= length.max(name.chars().count());
             (is_near || length >= 3 && name.starts_with(&wanted)).then_some(distance)
@@ -229,30 +229,6 @@ pub fn near(name: &str) -> Vec<&'static str> {
     }
     found.sort_by_key(|(distance, _)| *distance);
     found.into_iter().take(3).map(|(_, name)| name).collect()
-}
-
-/// A name in lower case, without accents, with one blank in place of punctuation.
-fn plain(name: &str) -> String {
-    let letters: String = name
-        .to_lowercase()
-        .chars()
-        .filter(|c| !matches!(c, '\u{300}'..='\u{36f}' | '.'))
-        .map(|c| match c {
-            'á' | 'à' | 'â' | 'ä' | 'ã' | 'å' | 'ā' | 'ă' => 'a',
-            'é' | 'è' | 'ê' | 'ë' | 'ē' => 'e',
-            'í' | 'ì' | 'î' | 'ï' | 'ī' => 'i',
-            'ó' | 'ò' | 'ô' | 'ö' | 'õ' | 'ō' => 'o',
-            'ú' | 'ù' | 'û' | 'ü' | 'ū' => 'u',
-            'ç' => 'c',
-            'ñ' => 'n',
-            'ș' | 'ş' | 'š' => 's',
-            'ț' | 'ţ' => 't',
-            'ž' => 'z',
-            c if c.is_alphanumeric() => c,
-            _ => ' ',
-        })
-        .collect();
-    letters.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
