@@ -519,6 +519,8 @@ pub struct Softening {
     pub p_overturn_high: Option<f64>,
     /// Whether the pad passed every check.
     pub admissible: bool,
+    /// Whether the shock on it was too close to the accepted probability to call.
+    pub is_close: bool,
     /// What was checked, and what failed.
     pub note: String,
 }

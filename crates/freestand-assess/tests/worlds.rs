@@ -24,9 +24,13 @@ fn motion(folder: &Path, name: &str, peak_m_s2: f64) {
 }
 
 fn run(folder: &Path, study: &str, out: &str, job: &Job, progress: Progress) -> JobReport {
+    run_list(INVENTORY, folder, study, out, job, progress)
+}
+
+fn run_list(list: &str, folder: &Path, study: &str, out: &str, job: &Job, progress: Progress) -> JobReport {
     let study = resolve(study, None, folder).unwrap();
     let path = folder.join("objects-in.csv");
-    fs::write(&path, INVENTORY).unwrap();
+    fs::write(&path, list).unwrap();
     let inventory = inventory_of(&study, Some(&path), &ListRequest::default()).unwrap();
     assess_into(&study, &inventory, &folder.join(out), job, progress).unwrap()
 }
@@ -164,4 +168,35 @@ fn outcomes_are_what_was_counted() {
         assert!(fs::read(whole.join(name)).unwrap() == fs::read(out.join(name)).unwrap(), "{name}");
     }
     assert!(!out.join("progress").exists());
+}
+
+/// Objects share the floors of an intensity; those that fall even at the lowest are followed further
+/// down, by themselves. The rate of an object is the same with the others and without them.
+#[test]
+fn the_yearly_rate_of_an_object_does_not_depend_on_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    motion(folder.path(), "pulse.csv", 3.0);
+    let study = format!(
+        "[ground]\nmotions = [\"pulse.csv\"]\n[building]\nstoreys = 4\nperiod = \"0.5 s\"\n{KNOWN}[assessment]\nannual = \
+         true\n"
+    );
+    let rates = |list: &str, out: &str| -> Vec<String> {
+        run_list(list, folder.path(), &study, out, &Job::default(), &no_progress);
+        column(&folder.path().join(out).join("objects.csv"), "p_overturn_per_year")
+    };
+    let header = INVENTORY.lines().next().unwrap();
+    // Slender, of medium size, and squat: one falls at low intensities, one at high ones, one never.
+    let rows = ["a,1,1500,100", "b,0,1500,400", "c,1,900,800"];
+    let together = rates(&format!("{header}\n{}\n", rows.join("\n")), "all");
+    for row in rows {
+        let id = row.split(',').next().unwrap();
+        let alone = rates(&format!("{header}\n{row}\n"), id);
+        assert!(together.contains(&alone[0]), "{row}: {alone:?} {together:?}");
+    }
+    let mut sorted: Vec<f64> = together.iter().map(|rate| rate.parse().unwrap()).collect();
+    sorted.sort_by(f64::total_cmp);
+    // Never; between λ(2) and λ(0.5) of a return period of 475 years; more often than λ(0.5).
+    assert_eq!(sorted[0], 0.0, "{together:?}");
+    assert!(sorted[1] > 1.0 / 8.0 / 475.0 && sorted[1] < 8.0 / 475.0, "{together:?}");
+    assert!(sorted[2] > 8.0 / 475.0, "{together:?}");
 }

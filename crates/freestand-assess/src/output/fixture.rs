@@ -249,6 +249,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             pad_thickness_m: 0.04,
             edge_acceleration_g: Some(3.1),
             admissible: true,
+            is_close: false,
             p_exceed_high: Some(0.02),
             p_overturn_high: Some(0.014),
             note: "A pad of at most 1100 N/mm under one edge brings it to at most 2 %.".into(),

@@ -7,6 +7,7 @@ use freestand_input::problem::Problems;
 
 use super::Context;
 use super::draw::Change;
+use super::response::Lived;
 use super::trial::{Model, Question, Trial, answer, lived_in};
 
 /// Worlds at each intensity.
@@ -21,49 +22,74 @@ const HAZARD_EXPONENT: f64 = 3.0;
 /// The return period where the spectrum has none: that of design spectra \[years\].
 const RETURN_PERIOD_YEARS: f64 = 475.0;
 
-/// For each trial; `None` where it is not asked.
+/// What was found at each intensity, on falling and on shock.
+#[derive(Default)]
+struct Levels {
+    falls: Vec<Level>,
+    exceeds: Vec<Level>,
+}
+
+/// For each trial; `None` where it is not asked. At each intensity all trials live together, so that
+/// the floors of a world are calculated once.
 pub(super) fn per_year(context: &Context, trials: &[Trial]) -> Result<Vec<Option<PerYear>>, Problems> {
     if !context.study.assessment.is_annual {
         return Ok(trials.iter().map(|_| None).collect());
     }
-    trials.iter().map(|trial| of_trial(context, trial)).collect()
+    let mut levels: Vec<Levels> = trials.iter().map(|_| Levels::default()).collect();
+    let all: Vec<usize> = (0..trials.len()).collect();
+    for intensity_ratio in INTENSITIES {
+        shake(context, trials, &all, intensity_ratio, &mut levels)?;
+    }
+    // The intensity below is the same for all that need one: it follows from the lowest so far.
+    loop {
+        let below = |place: &usize| level_below(&levels[*place].exceeds);
+        let open: Vec<usize> = all.iter().copied().filter(|place| below(place).is_some()).collect();
+        let Some(intensity_ratio) = open.iter().find_map(below) else { break };
+        let lowest: Vec<usize> = open.into_iter().filter(|place| below(place) == Some(intensity_ratio)).collect();
+        shake(context, trials, &lowest, intensity_ratio, &mut levels)?;
+    }
+    Ok(trials.iter().zip(levels).map(|(trial, levels)| rates(context, trial, levels)).collect())
 }
 
-fn of_trial(context: &Context, trial: &Trial) -> Result<Option<PerYear>, Problems> {
-    let mut falls: Vec<Level> = Vec::new();
-    let mut exceeds: Vec<Level> = Vec::new();
-    let mut next: Vec<f64> = INTENSITIES.into_iter().rev().collect();
-    while let Some(intensity_ratio) = next.pop() {
-        context.go_on()?;
-        let shaken = context.at_intensity(intensity_ratio);
-        let lived = lived_in(&shaken, 0..WORLDS, &[trial], Change::None)?;
-        context.count(usize::try_from(shaken.histories()).unwrap_or(0));
-        let share = |question| {
+fn shake(
+    context: &Context,
+    trials: &[Trial],
+    places: &[usize],
+    intensity_ratio: f64,
+    levels: &mut [Levels],
+) -> Result<(), Problems> {
+    context.go_on()?;
+    let shaken = context.at_intensity(intensity_ratio);
+    let chosen: Vec<&Trial> = places.iter().map(|&place| &trials[place]).collect();
+    let lived = lived_in(&shaken, 0..WORLDS, &chosen, Change::None)?;
+    context.count(usize::try_from(shaken.histories()).unwrap_or(0));
+    for ((&place, trial), lived) in places.iter().zip(chosen).zip(&lived) {
+        let level = |question| {
             let by_model = trial.models(context).map(|model: Model| {
-                let yes =
-                    |one: &&super::response::Lived| answer(&trial.subject, one, question, model) == Some(Some(true));
-                lived.iter().flatten().filter(yes).count() as f64 / f64::from(WORLDS)
+                let yes = |one: &&Lived| answer(&trial.subject, one, question, model) == Some(Some(true));
+                lived.iter().filter(yes).count() as f64 / f64::from(WORLDS)
             });
-            by_model.fold(0.0, f64::max)
+            Level { intensity_ratio, probability: by_model.fold(0.0, f64::max) }
         };
-        falls.push(Level { intensity_ratio, probability: share(Question::Falls) });
-        exceeds.push(Level { intensity_ratio, probability: share(Question::Shock) });
-        if next.is_empty() {
-            next.extend(level_below(&exceeds));
-        }
+        levels[place].falls.push(level(Question::Falls));
+        levels[place].exceeds.push(level(Question::Shock));
     }
+    Ok(())
+}
+
+fn rates(context: &Context, trial: &Trial, levels: Levels) -> Option<PerYear> {
     let target = context.study.ground.code_spectrum();
     let years = target.and_then(|target| target.spectrum.return_period_years()).map_or(RETURN_PERIOD_YEARS, f64::from);
     let rate = |mut levels: Vec<Level>| {
         levels.sort_by(|a, b| a.intensity_ratio.total_cmp(&b.intensity_ratio));
         annual_rate(&levels, |s| hazard_per_year(s, HAZARD_EXPONENT, years)).ok()
     };
-    let (Some(falls), Some(exceeds)) = (rate(falls), rate(exceeds)) else { return Ok(None) };
-    Ok(Some(PerYear {
+    let (falls, exceeds) = (rate(levels.falls)?, rate(levels.exceeds)?);
+    Some(PerYear {
         overturn: falls.probability_per_year,
         exceed: trial.is_open(Question::Shock).then_some(exceeds.probability_per_year),
         is_at_least: falls.is_at_least || exceeds.is_at_least,
-    }))
+    })
 }
 
 impl<'a> Context<'a> {

@@ -27,8 +27,8 @@ const DIGITS: i32 = 3;
 /// Assumed thickness of a pad \[m\], the same as in the check for N/m typed in place of N/mm.
 const ASSUMED_PAD_M: f64 = 0.02;
 
-/// For each trial the softest pad that was tried or the first that passed; `None` where no pad was
-/// looked for.
+/// For each trial the first pad that passed, else the first that was too close to call, else the
+/// softest that was tried; `None` where no pad was looked for.
 pub(super) fn softer(context: &Context, trials: &[Trial]) -> Result<Vec<Option<Softening>>, Problems> {
     let mut found: Vec<Option<Softening>> = trials.iter().map(|_| None).collect();
     let mut open: Vec<usize> = (0..trials.len()).filter(|&place| is_wanted(context, &trials[place])).collect();
@@ -50,7 +50,10 @@ pub(super) fn softer(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
             if verdict.is_final {
                 open.retain(|one| *one != place);
             }
-            found[place] = Some(verdict.softening);
+            // A pad that was too close to call says more than a softer one that clearly fails.
+            if verdict.softening.admissible || !found[place].as_ref().is_some_and(|earlier| earlier.is_close) {
+                found[place] = Some(verdict.softening);
+            }
         }
     }
     Ok(found)
@@ -109,8 +112,9 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
     let pad_thickness_m = stated_m.unwrap_or(ASSUMED_PAD_M);
     let strain_ratio = context.study.assessment.pad_strain_ratio;
     let is_pressed = stroke_m >= strain_ratio * pad_thickness_m;
-    let falls = trial.side(context, Question::Falls);
-    let is_below = falls == Side::Below && trial.side(context, Question::Shock) == Side::Below;
+    let (falls, shock) = (trial.side(context, Question::Falls), trial.side(context, Question::Shock));
+    let is_below = falls == Side::Below && shock == Side::Below;
+    let is_close = falls == Side::Below && shock == Side::Open && !is_pressed;
     let stiffness = format!("{} N/mm", number(1e-3 * stiffness_n_m, 3));
     let assumed = if stated_m.is_none() { " (assumed thickness)" } else { "" };
     let pressed = format!(
@@ -128,8 +132,10 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
     } else if falls != Side::Below {
         format!("with {stiffness} under one edge it falls in up to {}.", percent(p_overturn_high))
     } else {
+        let close = if is_close { ": too close to call" } else { "" };
         format!(
-            "with {stiffness} under one edge its tolerance is still exceeded in up to {}, against the accepted {}.",
+            "with {stiffness} under one edge its tolerance is still exceeded in up to {}, against the accepted \
+             {}{close}.",
             percent(p_exceed_high),
             percent(accepted_ratio)
         )
@@ -147,6 +153,7 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
         p_exceed_high: Some(p_exceed_high),
         p_overturn_high: Some(p_overturn_high),
         admissible,
+        is_close,
         note,
     };
     // Softer pads are compressed further, and objects fall from them sooner.
