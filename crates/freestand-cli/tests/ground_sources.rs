@@ -114,3 +114,42 @@ fn matched_records_are_those_of_motion_match() {
         }
     }
 }
+
+/// A suite that cannot be made stops `run` and `assess` before they write anything.
+#[test]
+fn a_suite_that_cannot_be_used_is_refused_before_anything_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("records")).unwrap();
+    for (name, period_s) in [("a", 0.3), ("b", 0.7)] {
+        let sample =
+            |i: usize| 3.0 * (std::f64::consts::TAU * i as f64 * 0.01 / period_s).sin() * (-0.003 * i as f64).exp();
+        let rows: String = (0..1000).map(|i| format!("{},{}\n", i as f64 * 0.01, sample(i))).collect();
+        fs::write(folder.path().join(format!("records/{name}.csv")), format!("time_s,accel_m_s2\n{rows}")).unwrap();
+    }
+    fs::write(folder.path().join("list.csv"), "id,level_ratio,height [mm],thickness [mm]\na,0,900,700\n").unwrap();
+    let commands = |study: &str| -> Vec<(Option<i32>, String)> {
+        fs::write(folder.path().join("s.toml"), format!("[ground]\nplace = \"Wellington\"\n{study}\n{OBJECTS}"))
+            .unwrap();
+        let with = |args: &[&str]| {
+            let output = Command::new(env!("CARGO_BIN_EXE_freestand"))
+                .args(args)
+                .args(["--quiet", "--out", "out"])
+                .current_dir(folder.path())
+                .output()
+                .unwrap();
+            (output.status.code(), String::from_utf8(output.stderr).unwrap())
+        };
+        vec![with(&["assess", "s.toml", "--inventory", "list.csv"]), with(&["run", "s.toml"])]
+    };
+    for (study, said) in [
+        ("suite = \"records\"\nsuite_count = 5", "s.toml:4: suite_count asks for 5 records, but 2 records of records"),
+        ("suite = \"nowhere\"", "s.toml:3: suite: nowhere: does not exist"),
+        ("suite = \"records\"\nseed = 3", "s.toml:4: seed and suite exclude each other"),
+    ] {
+        for (code, error) in commands(study) {
+            assert_eq!(code, Some(2), "{error}");
+            assert!(error.contains(said) && error.contains("hint: "), "{study}: {error}");
+        }
+        assert!(!folder.path().join("out").exists(), "{study}");
+    }
+}

@@ -211,7 +211,7 @@ fn chosen(
     }
     left_out.sort_by(|a, b| a.file.cmp(&b.file));
     let usable = records.len();
-    let because = because(&left_out, &skipped);
+    let because = because(usable, &left_out, &skipped);
     if let Some(count) = count.filter(|&count| count > usable && usable > 1) {
         let can = counted(usable, "record");
         let message = format!("`suite_count` asks for {count} records, but {can} of {folder} can be used{because}");
@@ -234,7 +234,7 @@ fn chosen(
 }
 
 /// Why files cannot be used, at the end of a sentence.
-fn because(left_out: &[LeftOut], skipped: &[String]) -> String {
+fn because(usable: usize, left_out: &[LeftOut], skipped: &[String]) -> String {
     let mut reasons: Vec<String> =
         left_out.iter().take(NAMED).map(|one| format!("{}: {}", one.file, one.reason)).collect();
     if left_out.len() > NAMED {
@@ -243,7 +243,11 @@ fn because(left_out: &[LeftOut], skipped: &[String]) -> String {
     if !skipped.is_empty() {
         reasons.push(format!("not records of horizontal motion: {}", some(skipped)));
     }
-    if reasons.is_empty() { " (it has no files)".to_owned() } else { format!(" ({})", reasons.join("; ")) }
+    match (reasons.as_slice(), usable) {
+        ([], 0) => " (it has no files)".to_owned(),
+        ([], _) => String::new(),
+        _ => format!(" ({})", reasons.join("; ")),
+    }
 }
 
 /// The motions, multiplied by their factors.
