@@ -353,12 +353,14 @@ pub(super) struct Sizes {
 }
 
 /// One size, with the letter that names it.
+#[derive(Clone, Copy)]
 struct Side<'t> {
     text: &'t str,
     letter: Option<char>,
 }
 
-/// `1800 x 600 x 450 mm`, `H1800 × W600 × D450`, `6'2" x 2'6" x 18"`, `Ø230 x 1500`.
+/// `1800 x 600 x 450 mm`, `H1800 × W600 × D450`, `H 1800, W 600, D 450`, `6'2" x 2'6" x 18"`,
+/// `Ø230 x 1500`; `H ? x W 600 x D 450` has no height.
 ///
 /// # Errors
 /// Anything but two or three lengths.
@@ -376,9 +378,15 @@ pub(super) fn sizes(
         Some((outer, inner)) if order_of(inner).is_some() => (outer.trim().to_owned(), order_of(inner)),
         _ => (lower, None),
     };
-    let separator = if lower.contains('x') { 'x' } else { '/' };
-    let mut sides: Vec<Side<'_>> = lower.split(separator).map(|part| side(part.trim())).collect();
-    if !(2..=3).contains(&sides.len()) || separator == '/' && sides.len() != 3 {
+    let parts: Vec<&str> = if lower.contains('x') {
+        lower.split('x').collect()
+    } else {
+        lettered(&lower)
+            .or_else(|| Some(lower.split('/').collect()).filter(|parts: &Vec<_>| parts.len() == 3))
+            .ok_or_else(unreadable)?
+    };
+    let sides: Vec<Side<'_>> = parts.into_iter().map(|part| side(part.trim())).collect();
+    if !(2..=3).contains(&sides.len()) {
         return Err(unreadable());
     }
     // The last unit holds for all that have none.
@@ -386,6 +394,10 @@ pub(super) fn sizes(
     let is_stated = sides.iter().any(|side| stated_unit(side.text, Dimension::Length).is_some());
     let is_bare = !is_stated;
     let unit = last.or(unit);
+    // A size that is named but not known: the others hold.
+    let known: Vec<Side<'_>> =
+        sides.iter().filter(|side| side.letter.is_none() || !is_missing(side.text)).copied().collect();
+    let mut sides = if known.is_empty() { sides } else { known };
     let values: Vec<f64> = sides
         .iter()
         .map(|side| one(side.text, Dimension::Length, unit, choice).map(|found| found.si))
@@ -439,25 +451,51 @@ pub(super) fn sizes(
     Ok(found)
 }
 
+/// `H 1800, W 600 mm D 450` or `1800h 600w 450d`, cut into its sizes; `None` where not each of them has
+/// its letter.
+fn lettered(text: &str) -> Option<Vec<&str>> {
+    let is_gap = |c: char| c.is_whitespace() || matches!(c, ',' | ';');
+    let starts_with_digit = |word: &str| word.starts_with(|c: char| c.is_ascii_digit() || c == '?');
+    let words: Vec<&str> = text.split(is_gap).filter(|word| !word.is_empty()).collect();
+    let mut starts: Vec<usize> = Vec::new();
+    let mut from = 0;
+    for (place, word) in words.iter().enumerate() {
+        let at = from + text.get(from..)?.find(word)?;
+        from = at + word.len();
+        let digits = word.find(|c: char| c.is_ascii_digit() || c == '?').unwrap_or(word.len());
+        let (before, rest) = word.split_at(digits);
+        let names_next = rest.is_empty() && words.get(place + 1).is_some_and(|next| starts_with_digit(next));
+        let is_named = axis(before.trim_end_matches([':', '=', '.'])).is_some() && (!rest.is_empty() || names_next);
+        if is_named || starts_with_digit(word) && side(word).letter.is_some() {
+            starts.push(at);
+        }
+    }
+    let ends = starts.iter().skip(1).copied().chain([text.len()]);
+    let parts = starts.iter().zip(ends).map(|(&start, end)| Some(text.get(start..end)?.trim_end_matches(is_gap)));
+    (starts.first() == Some(&0) && starts.len() > 1).then(|| parts.collect())?
+}
+
+/// The letter of a word that names a size; O: a diameter.
+fn axis(word: &str) -> Option<char> {
+    let word = word.trim_matches(|c: char| !c.is_alphabetic() && !matches!(c, '⌀' | 'ø'));
+    if matches!(word, "ø" | "⌀" | "dia" | "diam") {
+        return Some('O');
+    }
+    Some(match canonical(word).as_str() {
+        "h" | "a" | "ht" | "high" | "tall" | "hoch" | "height" | "alto" | "hauteur" | "haut" => 'H',
+        "w" | "b" | "wide" | "breit" | "width" | "ancho" | "largeur" | "larg" => 'W',
+        "l" | "long" | "lang" | "length" | "longueur" | "largo" => 'L',
+        "d" | "t" | "p" | "f" | "deep" | "tief" | "depth" | "fondo" | "profondeur" | "prof" => 'D',
+        _ => return None,
+    })
+}
+
 /// A size without the letter before or after it.
 fn side(text: &str) -> Side<'_> {
-    let is_round = |word: &str| matches!(word, "ø" | "⌀" | "dia" | "diam" | "dia." | "diam.");
-    let letter = |word: &str| -> Option<char> {
-        let word = word.trim_matches(|c: char| !c.is_alphabetic() && c != '⌀');
-        if is_round(word) {
-            return Some('O');
-        }
-        Some(match canonical(word).as_str() {
-            "h" | "a" | "ht" | "high" | "tall" | "hoch" | "height" | "alto" | "hauteur" | "haut" => 'H',
-            "w" | "b" | "wide" | "breit" | "width" | "ancho" | "largeur" | "larg" => 'W',
-            "l" | "long" | "lang" | "length" | "longueur" | "largo" => 'L',
-            "d" | "t" | "p" | "f" | "deep" | "tief" | "depth" | "fondo" | "profondeur" | "prof" => 'D',
-            _ => return None,
-        })
-    };
-    let start = text.find(|c: char| c.is_ascii_digit() || c == '.').unwrap_or(0);
+    let number = text.find(|c: char| c.is_ascii_digit() || matches!(c, '.' | '?'));
+    let start = number.or_else(|| text.find(char::is_whitespace)).unwrap_or(0);
     let (before, rest) = text.split_at(start);
-    if let Some(found) = letter(before.trim().trim_end_matches([':', '=', '.'])) {
+    if let Some(found) = axis(before.trim().trim_end_matches([':', '=', '.'])) {
         return Side { text: rest.trim(), letter: Some(found) };
     }
     // 1800h, 1800 mm h, 72"h, 1800 mm (h), but not the m of 1.8 m.
@@ -467,7 +505,7 @@ fn side(text: &str) -> Side<'_> {
         .map_or(0, |at| at + bare[at..].chars().next().map_or(1, char::len_utf8));
     let (rest, word) = bare.split_at(end);
     if find(word, Dimension::Length).is_err()
-        && let Some(found) = letter(word)
+        && let Some(found) = axis(word)
     {
         return Side { text: rest.trim().trim_end_matches('(').trim(), letter: Some(found) };
     }
@@ -570,6 +608,10 @@ mod tests {
             "h: 1800, w: 600, d: 450".replace(", ", " x ").as_str(),
             "600x450x1800 (WxDxH)",
             "L 600 x B 450 x H 1800",
+            "H1800 W600 D450",
+            "H 1800, W 600, D 450",
+            "H: 180 cm; W: 60 cm; D: 45 cm",
+            "1800h 600w 450d",
         ] {
             assert_eq!(read(text, None), plain_order, "{text}");
         }
@@ -579,7 +621,12 @@ mod tests {
         assert_eq!(read("6'0\" x 2'0\" x 18\"", None), (Some(1829.0), Some(610.0), Some(457.0), true));
         assert_eq!(read("Ø230 x 1500", None), (Some(1500.0), Some(230.0), Some(230.0), false));
         assert_eq!(read("600 x 450", None), (None, Some(600.0), Some(450.0), false));
-        for text in ["1800", "1 x 2 x 3 x 4", "H1800 x 600 x 450", "large"] {
+        for text in ["H ? x W 600 x D 450", "W 600 D 450", "H tbc x W600 x D450"] {
+            assert_eq!(read(text, None), (None, Some(600.0), Some(450.0), false), "{text}");
+        }
+        for text in
+            ["1800", "1 x 2 x 3 x 4", "H1800 x 600 x 450", "large", "H ? x W ?", "1800 600 450", "H1800 600 450"]
+        {
             assert!(sizes(text, mm, None, Choice::Sign(Decimal::Point)).is_err(), "{text}");
         }
     }

@@ -144,7 +144,7 @@ pub(super) enum Language {
 #[derive(Debug, Clone, Copy)]
 struct Entry {
     column: Column,
-    /// Its place among the headings of its name: the lower one is read.
+    /// Its place among the headings of its name in its language: the lower one is read.
     rank: u16,
     language: Language,
     unit: Option<&'static str>,
@@ -158,8 +158,9 @@ fn squashed(text: &str) -> String {
 static TABLE: LazyLock<HashMap<String, Vec<Entry>>> = LazyLock::new(|| {
     let mut table: HashMap<String, Vec<Entry>> = HashMap::new();
     for (column, languages) in HEADINGS {
-        let mut rank = 0;
         for (place, texts) in languages.iter().enumerate() {
+            // Each language has its usual heading: "Inv.-Nr." is no worse than "Asset tag".
+            let mut rank = 0;
             let language = match place {
                 0 => Language::English,
                 5 => Language::Japanese,
