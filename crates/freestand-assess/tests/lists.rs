@@ -60,7 +60,8 @@ fn read(path: &Path, storeys: Option<usize>) -> Reading {
     inspect_inventory(path, &options).unwrap()
 }
 
-/// A list, the number of storeys of its building, and its true values.
+/// A list (beside its true values, or one of the examples), the number of storeys of its building, and
+/// its true values.
 struct Truth {
     list: PathBuf,
     storeys: Option<usize>,
@@ -79,9 +80,13 @@ fn truths() -> Vec<Truth> {
             let text = std::fs::read_to_string(path).unwrap();
             let (first, table) = text.split_once('\n').unwrap();
             let mut reader = csv::Reader::from_reader(table.as_bytes());
+            let facts: BTreeMap<&str, &str> =
+                first.trim_start_matches("# ").split(' ').filter_map(|fact| fact.split_once('=')).collect();
+            let beside = || PathBuf::from(path.to_str().unwrap().strip_suffix(".true.csv").unwrap());
+            let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
             Truth {
-                list: PathBuf::from(path.to_str().unwrap().strip_suffix(".true.csv").unwrap()),
-                storeys: first.trim_start_matches("# storeys=").parse().ok(),
+                list: facts.get("list").map_or_else(beside, |list| root.join(list)),
+                storeys: facts.get("storeys").and_then(|storeys| storeys.parse().ok()),
                 rows: reader.deserialize().map(|row| row.unwrap()).collect(),
             }
         })
@@ -93,7 +98,7 @@ fn every_cell_of_every_list_is_read() {
     let (mut total, mut wrong_silently, mut refused, mut others) = (0, 0, 0, 0);
     let mut said = Vec::new();
     let all = truths();
-    assert!(all.len() >= 12, "a dozen lists");
+    assert!(all.len() >= 16, "a dozen lists, and those of the examples");
     for Truth { list, storeys, rows } in all {
         let reading = read(&list, storeys);
         let name = list.file_name().unwrap().to_string_lossy().into_owned();
