@@ -9,6 +9,7 @@ mod floor;
 mod inventory;
 mod library;
 mod motion;
+mod object;
 mod place;
 mod rock;
 mod run;
@@ -62,6 +63,7 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     Run(Box<run::RunArgs>),
     Assess(Box<assess::AssessArgs>),
+    Object(Box<object::ObjectArgs>),
     Check(check::CheckArgs),
     Shock(Box<shock::ShockArgs>),
     ShockSpectrum(Box<shock_spectrum::ShockSpectrumArgs>),
@@ -82,6 +84,7 @@ impl Command {
         match self {
             Self::Run(args) => run::run(args, global, printer),
             Self::Assess(args) => assess::run(args, global, printer),
+            Self::Object(args) => object::run(args, global, printer),
             Self::Check(args) => check::run(args, global, printer),
             Self::Shock(args) => shock::run(args, global, printer),
             Self::ShockSpectrum(args) => shock_spectrum::run(args, global, printer),
