@@ -28,6 +28,9 @@ pub const SCHEMA: &str = "freestand.object/1";
 /// The largest number of scales.
 pub const MAX_SCALES: usize = 100;
 
+/// Above any peak acceleration of a ground that was recorded, by far \[m/s²\]: 10 g.
+const MAX_PEAK_M_S2: f64 = 98.0665;
+
 /// One object, its floor and the earthquake.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectRequest {
@@ -237,6 +240,14 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
                 note("`storey_height` needs `storeys`", "add the number of storeys");
             }
         }
+    }
+    if let Earthquake::GroundAcceleration(peak_m_s2) = request.earthquake
+        && peak_m_s2 > MAX_PEAK_M_S2
+    {
+        note(
+            "`pga` is larger than that of any earthquake",
+            "check the unit: 1 g is 9.81 m/s², and 100 gal about 0.1 g",
+        );
     }
     if let FloorPlace::Share(ratio) = place
         && !(0.0..=1.0).contains(ratio)

@@ -50,7 +50,7 @@ pub(super) fn report(
         .key("answer_kind", answer.kind.name())
         .fact("earthquake", "earthquake", shaken.words.clone())
         .fact("building", "building", building)
-        .and(numbers(&found, &tally, withstands, is_given))
+        .and(numbers(&found, &tally, withstands, shaken.told.noun()))
         .key("level_ratio", level_ratio)
         .key("place", place)
         .key("scales", (!scales.is_empty()).then(|| scales.clone()))
@@ -100,7 +100,7 @@ fn floor(request: &ObjectRequest, row: &Row, study: &Study) -> ToldFloor {
 }
 
 /// The numbers: those with the names of `objects.csv` are the same.
-fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, is_given: bool) -> Facts<'static> {
+fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, noun: &'static str) -> Facts<'static> {
     let answers = found.answers.as_ref();
     let confidence = answers.map(|answers| answers.confidence);
     let interval = |p: Option<Probability>| {
@@ -110,11 +110,6 @@ fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, is
         Some(format!("{value} ({sure} interval: {low} to {high})"))
     };
     let [p_overturn, p_exceed] = [found.p_overturn, found.p_exceed];
-    let (of_motions, lift, fall) = if is_given {
-        ("motions", "motions that lift an edge", "motions that overturn it")
-    } else {
-        ("simulated earthquakes", "of them lift an edge", "of them overturn it")
-    };
     let response = found.response.as_ref();
     let (shock, on_pads) = (found.shock.as_ref(), found.on_pads.as_ref());
     let sliding = found.sliding.as_ref().map(|sliding| sliding.verdict);
@@ -124,9 +119,9 @@ fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, is
     Facts::default()
         .key("falls", answers.map(|answers| answers.falls.name()))
         .key("shock", answers.map(|answers| answers.shock.name()))
-        .fact("motions", of_motions, u64::from(tally.worlds))
-        .fact("motions_lifted", lift, u64::from(tally.lifted))
-        .fact("motions_overturned", fall, u64::from(tally.overturned))
+        .fact("motions", noun, u64::from(tally.worlds))
+        .fact("motions_lifted", "of them lift an edge", u64::from(tally.lifted))
+        .fact("motions_overturned", "of them overturn it", u64::from(tally.overturned))
         .and(shares(["p_overturn", "p_overturn_low", "p_overturn_high"], p_overturn))
         .line("probability that it falls", interval(p_overturn))
         .key("accepted_ratio", found.accepted_ratio)

@@ -108,11 +108,9 @@ fn problem(finding: &Finding, request: &ObjectRequest, study: &Study) -> Problem
     if let (Some(Column::Floor), FloorPlace::Name(name)) = (finding.column, &request.floor.place) {
         return no_floor(name, study);
     }
-    let message = match &finding.detail {
-        Some(detail) => format!("`{key}` {detail}"),
-        None => format!("`{key}` {}", finding.kind.words()),
-    };
-    Problem::value(message, finding.hint.clone())
+    let written = finding.examples.first().map_or_else(String::new, |text| format!(" \"{text}\""));
+    let what = finding.detail.as_deref().unwrap_or(finding.kind.words());
+    Problem::value(format!("`{key}`{written} {what}"), finding.hint.clone())
 }
 
 fn no_floor(name: &str, study: &Study) -> Problem {

@@ -286,7 +286,7 @@ impl Answer {
 
 impl Told {
     /// What is counted.
-    fn noun(&self) -> &'static str {
+    pub(super) fn noun(&self) -> &'static str {
         match self {
             Self::MotionsOfStudy { .. } => "simulations",
             Self::Motions => "motions",
@@ -301,7 +301,7 @@ impl ToldFloor {
             Self::Ground => "on the ground".to_owned(),
             Self::Roof => "on the roof".to_owned(),
             Self::Number { floor, storeys } => format!("on floor {floor} of {storeys}"),
-            Self::Name(name) => format!("on floor \"{name}\""),
+            Self::Name(name) => format!("on \"{name}\""),
             Self::Share(ratio) => format!("at {} of the height of the building", percent_significant(*ratio, 3)),
         }
     }
@@ -518,7 +518,7 @@ mod tests {
     fn floors_by_name_and_height() {
         let on = |floor| Answer { floor, ..answer(place("Oslo", "a code", None, None), counts(20, 20, 20)) }.sentence();
         assert!(on(ToldFloor::Roof).starts_with("In Oslo (a code) on the roof this object"));
-        assert!(on(ToldFloor::Name("Lobby".to_owned())).contains(" on floor \"Lobby\" this object"));
+        assert!(on(ToldFloor::Name("Lobby".to_owned())).contains(" on \"Lobby\" this object"));
         assert!(on(ToldFloor::Share(0.5)).contains(" at 50 % of the height of the building this object"));
     }
 }

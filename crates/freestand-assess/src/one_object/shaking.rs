@@ -5,10 +5,11 @@ use std::path::Path;
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{CodeSpectrum, GroundType, SpectrumShape, SpectrumType};
 use freestand::decision::Looks;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
-use freestand_study::places::Confidence;
+use freestand_study::places::{Confidence, Place, near};
 use freestand_study::resolve::{Overrides, load, resolve_with};
 use freestand_study::study::assessment::{Settings, Spread};
 use freestand_study::study::{Ground, Level, Study};
@@ -39,6 +40,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
     let made = |text: &str, hazard| resolve_with(text, None, Path::new(""), &overrides(hazard));
     let mut shaken = match &request.earthquake {
         Earthquake::Place(hazard) => {
+            check_hazard(hazard)?;
             let study = made(&building, hazard.clone())?;
             let mut shaken = of_study(study, hazard.get("site").is_some(), None);
             shaken.warnings = warnings(&shaken.study, &request.floor);
@@ -108,6 +110,20 @@ fn building(floor: &Floor) -> String {
     let storeys = floor.storeys.map(|storeys| format!("storeys = {storeys}\n"));
     let height = floor.storey_height_m.map(|height_m| format!("storey_height = \"{height_m} m\"\n"));
     format!("[building]\n{}{}", storeys.unwrap_or_default(), height.unwrap_or_default())
+}
+
+/// What is wrong with the hazard of a place, under its own keys and without the keys of a study.
+fn check_hazard(hazard: &Words) -> Result<(), Problems> {
+    let elsewhere = "freestand place list shows all places; for another hazard give `pga`, or a study";
+    let name = hazard.get("place").unwrap_or_default();
+    let told = |problem: Problem| {
+        if problem.keys.contains(&"return_period_years") && Place::find(name).is_some() {
+            return problem.hint("leave it out: this code has one intensity for each place");
+        }
+        if problem.keys.contains(&"place") && near(name).is_empty() { problem.hint(elsewhere) } else { problem }
+    };
+    let checked = Target::resolve(hazard, Path::new("")).map(|_| ());
+    checked.map_err(|problems| problems.into_iter().map(told).collect())
 }
 
 /// The warnings of a study without a file: on the ground, its building has no part in the answer.
@@ -217,7 +233,7 @@ mod tests {
     /// On the ground, nothing is said about a building that nobody named.
     #[test]
     fn warnings_are_those_of_the_hazard() {
-        let words = freestand_input::keys::Words::from_iter([("place", "Athens".to_owned())]);
+        let words = Words::from_iter([("place", "Athens".to_owned())]);
         let found = shaken_by(Earthquake::Place(words), None);
         assert!(found.warnings.iter().any(|warning| warning.contains("approximate")), "{:?}", found.warnings);
         assert!(found.study.warnings.len() > found.warnings.len());

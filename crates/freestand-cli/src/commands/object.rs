@@ -138,15 +138,20 @@ fn rests_on(text: &str) -> Result<RestsOn, Problem> {
 /// A peak, perhaps with the duration of its half-sine: `10 g`, `15g 11ms`.
 fn withstood(text: &str) -> Result<Withstood, Problem> {
     let peak = |text: &str| quantity::parse_positive(text, Dimension::Acceleration, "the value");
-    // The duration begins with the last number that follows a unit.
-    let second = text.trim().char_indices().rev().find(|(at, c)| {
-        let before = text.trim().get(..*at).unwrap_or_default().trim_end_matches([' ', ',']);
-        c.is_ascii_digit() && before.ends_with(char::is_alphabetic)
-    });
-    let Some((at, _)) = second else { return Ok(Withstood { peak_m_s2: peak(text)?, duration_s: None }) };
-    let (first, second) = text.trim().split_at(at);
-    let duration_s = quantity::parse_positive(second, Dimension::Time, "the duration")?;
-    Ok(Withstood { peak_m_s2: peak(first.trim_end_matches([' ', ',']))?, duration_s: Some(duration_s) })
+    let problem = match peak(text) {
+        Ok(peak_m_s2) => return Ok(Withstood { peak_m_s2, duration_s: None }),
+        Err(problem) => problem,
+    };
+    // The duration is the last number, where what is before it is a peak.
+    let begins = |at: usize| !text.get(..at).unwrap_or_default().ends_with(|c: char| c.is_ascii_digit() || c == '.');
+    let numbers = text.char_indices().rev().filter(|(at, c)| c.is_ascii_digit() && begins(*at));
+    for (first, second) in numbers.map(|(at, _)| text.split_at(at)) {
+        if let Ok(peak_m_s2) = peak(first.trim_end_matches([' ', ','])) {
+            let duration_s = quantity::parse_positive(second, Dimension::Time, "the duration")?;
+            return Ok(Withstood { peak_m_s2, duration_s: Some(duration_s) });
+        }
+    }
+    Err(problem)
 }
 
 pub(crate) fn run(args: &ObjectArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
