@@ -221,6 +221,15 @@ fn the_longest_answer() {
         ..bare(1.8, 0.6)
     };
     let floor = Floor { place: FloorPlace::Name("2".to_owned()), storeys: Some(5), storey_height_m: None };
+    // Of three worlds with few falls the interval holds 10 %.
+    let report = answer(&request(object.clone(), place("Basel"), floor.clone()));
+    assert!(
+        report.answer.starts_with("In Basel (Eurocode 8, approximate hazard, confirm) on floor 2 of 5 this object ")
+    );
+    assert!(report.warnings.iter().any(|warning| warning.contains("too close to call")), "{:?}", report.warnings);
+    let lines = report.facts.lines();
+    assert!(lines.len() > 16 && lines.len() <= 20, "{lines:?}");
+    assert!(lines.iter().any(|(_, text)| text == "ground type B, because no site was given"), "{lines:?}");
     let report = answer(&request(object, Earthquake::GroundAcceleration(0.4 * freestand::G0_M_S2), floor));
     assert!(report.answer.starts_with("At a ground acceleration of 0.4 g on floor 2 of 5 this object "));
     let lines = report.facts.lines();

@@ -6,12 +6,13 @@ use freestand_output::facts::{Facts, Value};
 use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::study::Study;
+use freestand_study::target::Target;
 
 use super::row::Row;
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands};
 use super::shaking::{Shaken, building_words};
 use super::{Earthquake, FloorPlace, ObjectReport, ObjectRequest};
-use crate::result::{Assessment, Probability, SlidingVerdict};
+use crate::result::{Assessment, FallsAnswer, Probability, SlidingVerdict};
 use crate::verdict::Tally;
 
 /// Makes the report; `scales` are the factors with what was found at each.
@@ -40,11 +41,19 @@ pub(super) fn report(
     if failed > 0 {
         warnings.push(format!("{failed} of {} histories failed: they widen the interval", tally.worlds));
     }
+    if !is_given && found.answers.as_ref().is_some_and(|answers| answers.falls == FallsAnswer::Close) {
+        let accepted = percent_significant(found.accepted_ratio, 2);
+        warnings.push(format!(
+            "the interval holds the accepted probability, {accepted}: too close to call; an assessment would count it as \
+             falling"
+        ));
+    }
     let scales: Vec<Facts> = scales.iter().map(|(scale, (found, tally))| at_scale(*scale, found, tally)).collect();
     let sentence = answer.sentence();
     let level_ratio = row.item.level_ratio.filter(|_| !is_given);
     let building = building_words(&shaken.study).filter(|_| level_ratio.is_some_and(|ratio| ratio > 0.0));
-    let place = shaken.study.ground.code_spectrum().and_then(|target| target.place).map(Place::facts);
+    let target = shaken.study.ground.code_spectrum();
+    let place = target.and_then(|target| target.place).map(Place::facts);
     let facts = Facts::default()
         .key("answer", sentence.clone())
         .key("answer_kind", answer.kind.name())
@@ -54,7 +63,7 @@ pub(super) fn report(
         .key("level_ratio", level_ratio)
         .key("place", place)
         .key("scales", (!scales.is_empty()).then(|| scales.clone()))
-        .fact("assumptions", "assumed", assumptions(request, row, is_given));
+        .fact("assumptions", "assumed", assumptions(request, row, target, is_given));
     ObjectReport { answer: sentence, kind: answer.kind, facts, scales, warnings }
 }
 
@@ -201,7 +210,7 @@ fn floor_acceleration(found: &Assessment) -> Facts<'static> {
 }
 
 /// What nobody stated, in sentences.
-fn assumptions(request: &ObjectRequest, row: &Row, is_given: bool) -> Vec<String> {
+fn assumptions(request: &ObjectRequest, row: &Row, target: Option<&Target>, is_given: bool) -> Vec<String> {
     let object = &request.object;
     let mut said = Vec::new();
     said.push(match (object.cg_height_m, object.width_m) {
@@ -210,6 +219,11 @@ fn assumptions(request: &ObjectRequest, row: &Row, is_given: bool) -> Vec<String
         (Some(_), None) => "without a width it rocks about one axis only".to_owned(),
         (Some(_), Some(_)) => String::new(),
     });
+    if let (Earthquake::Place(hazard), Some(target)) = (&request.earthquake, target)
+        && hazard.get("site").is_none()
+    {
+        said.push(format!("{}, because no site was given", target.site_words()));
+    }
     said.extend(row.item.cushion_source.as_ref().map(|source| format!("under one edge: {source}")));
     if object.rests_on.is_none() || object.mass_kg.is_none() {
         said.push("a rigid floor: without mass and pads no shock is calculated".to_owned());

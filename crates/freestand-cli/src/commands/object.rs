@@ -159,7 +159,10 @@ pub(crate) fn run(args: &ObjectArgs, global: &GlobalArgs, printer: &Printer) -> 
     let inputs: Vec<PathBuf> = args.read.inputs(&args.motion).into_iter().chain(args.study.clone()).collect();
     let files = Files::begin(global, &inputs)?;
     let stop = Stop::listen();
-    let report = one_object(&request, &|| stop.wanted())?;
+    let report = one_object(&request, &|| stop.wanted()).map_err(|problems| match problems.is_stopped() {
+        true => Failure::Stopped { printed: false },
+        false => problems.into(),
+    })?;
     files.print(printer, SCHEMA, &report.facts, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }
