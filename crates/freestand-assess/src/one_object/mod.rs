@@ -38,7 +38,7 @@ pub struct ObjectRequest {
     pub object: Object,
     /// The earthquake.
     pub earthquake: Earthquake,
-    /// Where it stands.
+    /// Where it is.
     pub floor: Floor,
     /// The most simulated earthquakes; `None`: as in an assessment.
     pub worlds: Option<u32>,
@@ -106,7 +106,7 @@ pub enum Earthquake {
     },
 }
 
-/// Where an object stands.
+/// Where an object is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Floor {
     /// The floor.
@@ -206,12 +206,12 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         Earthquake::Motions { scales, .. } => {
             if *place != FloorPlace::Ground || storeys.is_some() || storey_height_m.is_some() {
                 note(
-                    "the motions are those of the floor of the object: a floor or a building has no meaning beside them",
+                    "the motions are those of the floor of the object: no floor or building can be named as well",
                     "leave it out, or calculate the motion of a floor with freestand floor",
                 );
             }
             if request.worlds.is_some() {
-                note("`worlds` has no meaning beside motions: each motion counts once", "leave it out");
+                note("`worlds` does not apply to given motions: each motion counts once", "leave it out");
             }
             if let Some(scale) = scales.iter().find(|scale| !(**scale > 0.0 && scale.is_finite())) {
                 note(&format!("`scales` must be above 0, not {scale}"), "give factors such as \"0.5, 1, 2\"");
@@ -222,7 +222,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         }
         Earthquake::Study { .. } if storeys.is_some() || storey_height_m.is_some() => {
             note(
-                "the study describes the building: `storeys` and `storey_height` have no meaning beside it",
+                "the study describes the building: `storeys` and `storey_height` do not apply",
                 "leave them out, or change [building] of the study",
             );
         }

@@ -205,6 +205,7 @@ impl Answer {
             AnswerKind::DoesNotRock if floor_g_max >= lift_g => match self.earthquake {
                 Told::Motions if motions == 1 => "it lifts no edge".to_owned(),
                 Told::Motions => "none lifts an edge".to_owned(),
+                _ if motions == 1 => format!("the one {} lifts no edge", self.earthquake.noun().trim_end_matches('s')),
                 _ => format!("none of {motions} {} lifts an edge", self.earthquake.noun()),
             },
             AnswerKind::DoesNotRock => {
@@ -455,6 +456,21 @@ mod tests {
                 assert!(sentence.contains(noun) && sentence.ends_with('.') && !sentence.contains('\n'), "{sentence}");
             }
         }
+    }
+
+    /// As often as is accepted is accepted; half is not less than half.
+    #[test]
+    fn kinds_at_their_limits() {
+        let kind = |asked, overturned, accepted_ratio| {
+            AnswerKind::of(&Counts { asked, lifted: asked, overturned, ..Counts::default() }, accepted_ratio).name()
+        };
+        assert_eq!([2, 3].map(|overturned| kind(20, overturned, 0.1)), ["probably-stands", "may-fall"]);
+        assert_eq!([4, 5].map(|overturned| kind(20, overturned, 0.2)), ["probably-stands", "may-fall"]);
+        assert_eq!([9, 10, 20].map(|overturned| kind(20, overturned, 0.1)), ["may-fall", "falls", "falls"]);
+        assert_eq!(kind(1, 1, 0.1), "falls");
+        // On pads it can fall where an edge of a rigid floor lifts in no world.
+        let fallen = Counts { asked: 20, lifted: 0, overturned: 1, ..Counts::default() };
+        assert_eq!(AnswerKind::of(&fallen, 0.1), AnswerKind::ProbablyStands);
     }
 
     #[test]

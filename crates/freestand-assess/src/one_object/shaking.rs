@@ -8,7 +8,7 @@ use freestand::decision::Looks;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
+use freestand_input::words::{counted, number};
 use freestand_study::places::{Confidence, Place, near};
 use freestand_study::resolve::{Overrides, load, resolve_with};
 use freestand_study::study::assessment::{Settings, Spread};
@@ -191,8 +191,8 @@ pub(super) fn building_words(study: &Study) -> Option<String> {
         .storey_height_m
         .map_or_else(String::new, |height_m| format!(" of {}", format_si(height_m, Dimension::Length)));
     Some(format!(
-        "{} storeys{storey}, first period {} s by {}",
-        building.storeys,
+        "{}{storey}, first period {} s by {}",
+        counted(building.storeys, "storey"),
         number(building.along.period_s(), 3),
         building.period_note
     ))

@@ -47,6 +47,7 @@ Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 
 130 stopped by Ctrl-C.
 
 Examples:
+  freestand object --height \"2 m\" --thickness \"300 mm\" --place Melbourne
   freestand run
   freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
     --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
