@@ -261,6 +261,12 @@ impl Answer {
         let of = format!("{exceeded} of {motions}");
         let times = if motions == 1 { String::new() } else { format!(" in {of}") };
         let limit = withstands.words();
+        // Where nothing lands harder, it is the floor itself that is too much.
+        let lands_harder = shock_g_max.is_some_and(|shock_g| shock_g > withstands.peak_g);
+        if exceeded > 0 && !lands_harder && floor_g_max > withstands.peak_g {
+            let floor = number(floor_g_max, 2);
+            return format!("; the floor alone, {floor} g, exceeds the {limit} that it withstands{times}");
+        }
         match shock_g_max {
             Some(shock_g) if exceeded == 0 && withstands.duration_s.is_none() && shock_g < withstands.peak_g => {
                 let (shock, peak) = apart(shock_g, withstands.peak_g);
@@ -274,10 +280,6 @@ impl Answer {
                     "; its landings reach {} g and exceed the {limit} that it withstands{times}",
                     number(shock_g, 2)
                 )
-            }
-            // Nothing lands: only the floor itself is compared.
-            None if exceeded > 0 => {
-                format!("; the floor alone, {} g, exceeds the {limit} that it withstands", number(floor_g_max, 2))
             }
             None if self.kind == AnswerKind::DoesNotRock => format!("; it withstands {limit}"),
             None => String::new(),
@@ -524,7 +526,14 @@ mod tests {
         assert!(tell(still, TEN_G).ends_with("to lift an edge; it withstands 10 g."), "{}", tell(still, TEN_G));
         let weak = Some(Withstands { peak_g: 0.1, duration_s: None });
         let shaken = Counts { exceeded: Some(20), ..still };
-        assert!(tell(shaken, weak).ends_with("; the floor alone, 0.15 g, exceeds the 0.1 g that it withstands."));
+        assert!(
+            tell(shaken, weak)
+                .ends_with("; the floor alone, 0.15 g, exceeds the 0.1 g that it withstands in 20 of 20.")
+        );
+        let soft = Counts { shock_g_max: Some(0.08), exceeded: Some(3), ..counts(20, 9, 0) };
+        assert!(
+            tell(soft, weak).ends_with("; the floor alone, 0.3 g, exceeds the 0.1 g that it withstands in 3 of 20.")
+        );
         // What falls over does not land on its edges.
         let fallen = Counts { exceeded: Some(0), ..counts(20, 20, 20) };
         assert!(tell(fallen, TEN_G).ends_with("overturn it."));
