@@ -8,6 +8,7 @@
 pub mod inventory;
 pub mod job;
 pub mod library;
+pub mod one_object;
 pub mod output;
 mod restraint;
 pub mod result;

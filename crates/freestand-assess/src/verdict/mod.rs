@@ -18,6 +18,7 @@ mod per_year;
 mod response;
 mod shares;
 mod softer;
+mod tally;
 mod trial;
 
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -29,7 +30,7 @@ use crate::output::outcomes_rows;
 use crate::result::{AcceptedFor, Assessment, Decision};
 use crate::worlds::Worlds;
 use freestand::G0_M_S2;
-use freestand_input::problem::{Problem, Problems};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::{Questions, Settings};
 
@@ -37,6 +38,7 @@ use trial::Trial;
 
 pub(crate) use decision::listed;
 pub(crate) use object::Subject;
+pub(crate) use tally::Tally;
 
 /// What all objects share.
 pub(crate) struct Context<'a> {
@@ -125,15 +127,33 @@ pub(crate) fn assess_group(
     members: &[Member],
     outcomes: Option<&mut Vec<u8>>,
 ) -> Result<Vec<Assessment>, Problems> {
-    let mut trials: Vec<Trial> =
-        members.iter().map(|member| Trial::new(context, member, member.subject.clone())).collect();
-    trial::live(context, &mut trials)?;
+    let trials = lived(context, members)?;
     if let Some(rows) = outcomes {
         *rows = outcomes_rows(trials.iter().flat_map(outcomes::outcomes))?;
     }
-    let softened = softer::softer(context, &trials)?;
-    let shares = shares::shares(context, &trials)?;
-    let per_year = per_year::per_year(context, &trials)?;
+    assessed(context, &trials)
+}
+
+/// The assessment of one object, the same as in a list, with what its worlds add up to.
+pub(crate) fn assess_one(context: &Context, member: &Member) -> Result<(Assessment, Tally), Problems> {
+    let trials = lived(context, std::slice::from_ref(member))?;
+    let nothing = || Problem::new(ProblemKind::Computation, "the object was not assessed");
+    let tally = trials.first().map(|trial| tally::tally(context, trial)).ok_or_else(nothing)?;
+    Ok((assessed(context, &trials)?.pop().ok_or_else(nothing)?, tally))
+}
+
+/// Objects in as many worlds as their questions need.
+fn lived<'a>(context: &Context, members: &'a [Member<'a>]) -> Result<Vec<Trial<'a>>, Problems> {
+    let mut trials: Vec<Trial> =
+        members.iter().map(|member| Trial::new(context, member, member.subject.clone())).collect();
+    trial::live(context, &mut trials)?;
+    Ok(trials)
+}
+
+fn assessed(context: &Context, trials: &[Trial]) -> Result<Vec<Assessment>, Problems> {
+    let softened = softer::softer(context, trials)?;
+    let shares = shares::shares(context, trials)?;
+    let per_year = per_year::per_year(context, trials)?;
     let done: Vec<Result<Assessment, Problems>> = trials
         .par_iter()
         .zip(softened)

@@ -9,6 +9,7 @@ mod floor;
 mod inventory;
 mod library;
 mod motion;
+mod object;
 mod place;
 mod rock;
 mod run;
@@ -46,6 +47,7 @@ Exit status: 0 done; 1 done, but something failed or a criterion is exceeded; 2 
 130 stopped by Ctrl-C.
 
 Examples:
+  freestand object --height \"2 m\" --thickness \"300 mm\" --place Melbourne
   freestand run
   freestand shock --height \"2.3 m\" --thickness \"600 mm\" --mass \"140 kg\" \\
     --stiffness \"4380 N/mm\" --cg-rise \"16 mm\"
@@ -62,6 +64,7 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     Run(Box<run::RunArgs>),
     Assess(Box<assess::AssessArgs>),
+    Object(Box<object::ObjectArgs>),
     Check(check::CheckArgs),
     Shock(Box<shock::ShockArgs>),
     ShockSpectrum(Box<shock_spectrum::ShockSpectrumArgs>),
@@ -82,6 +85,7 @@ impl Command {
         match self {
             Self::Run(args) => run::run(args, global, printer),
             Self::Assess(args) => assess::run(args, global, printer),
+            Self::Object(args) => object::run(args, global, printer),
             Self::Check(args) => check::run(args, global, printer),
             Self::Shock(args) => shock::run(args, global, printer),
             Self::ShockSpectrum(args) => shock_spectrum::run(args, global, printer),

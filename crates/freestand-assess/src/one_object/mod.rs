@@ -1,0 +1,258 @@
+//! One object: whether an earthquake rocks it and whether it falls over, in one sentence.
+//!
+//! It is one row of an assessment. `row` makes the list of one object and reads it like any other
+//! list, `shaking` makes the study; [`one_object`] lets the object live through its worlds as
+//! [`crate::job`] does, and `sentence` says what comes out.
+
+mod report;
+mod row;
+mod sentence;
+mod shaking;
+
+use std::path::PathBuf;
+
+use freestand_input::keys::Words;
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_output::facts::Facts;
+use freestand_study::recorded::ReadMotion;
+
+use crate::result::Assessment;
+use crate::verdict::{Context, Member, Subject, Tally, assess_one, listed};
+use crate::worlds::Worlds;
+
+pub use sentence::AnswerKind;
+
+/// Schema of the document of `freestand object`.
+pub const SCHEMA: &str = "freestand.object/1";
+
+/// The largest number of scales.
+pub const MAX_SCALES: usize = 100;
+
+/// Above any peak acceleration of a ground that was recorded, by far \[m/s²\]: 10 g.
+const MAX_PEAK_M_S2: f64 = 98.0665;
+
+/// One object, its floor and the earthquake.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjectRequest {
+    /// The object.
+    pub object: Object,
+    /// The earthquake.
+    pub earthquake: Earthquake,
+    /// Where it is.
+    pub floor: Floor,
+    /// The most simulated earthquakes; `None`: as in an assessment.
+    pub worlds: Option<u32>,
+    /// Replaces every seed.
+    pub seed: Option<u64>,
+}
+
+/// An object as its owner describes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Object {
+    /// Height \[m\].
+    pub height_m: f64,
+    /// Horizontal size in the plane of rocking \[m\].
+    pub thickness_m: f64,
+    /// Horizontal size across it \[m\]; `None`: it rocks about one axis only.
+    pub width_m: Option<f64>,
+    /// Height of the centre of gravity \[m\]; `None`: half the height.
+    pub cg_height_m: Option<f64>,
+    /// Mass \[kg\].
+    pub mass_kg: Option<f64>,
+    /// What is under one edge.
+    pub rests_on: Option<RestsOn>,
+    /// What it withstands.
+    pub tolerance: Option<Withstood>,
+}
+
+/// What is under one edge of an object.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RestsOn {
+    /// A cushion of this stiffness \[N/m\].
+    Stiffness(f64),
+    /// An entry of the cushion library.
+    Entry(String),
+}
+
+/// A peak acceleration that an object withstands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Withstood {
+    /// The peak \[m/s²\].
+    pub peak_m_s2: f64,
+    /// Duration of the half-sine with that peak \[s\].
+    pub duration_s: Option<f64>,
+}
+
+/// The earthquake.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Earthquake {
+    /// The hazard of a place by its code: the keys `place`, `site`, `return_period_years` of a study.
+    Place(Words),
+    /// A peak acceleration of the ground \[m/s²\], with the spectrum of Eurocode 8, type 1, ground B.
+    GroundAcceleration(f64),
+    /// The ground motions and the building of a study, perhaps with the hazard of a place.
+    Study {
+        /// Its file.
+        path: PathBuf,
+        /// Keys that replace its hazard.
+        hazard: Words,
+    },
+    /// Motions of the floor, under which the object is taken as given.
+    Motions {
+        /// The motions.
+        motions: Vec<ReadMotion>,
+        /// Factors on them; empty: none.
+        scales: Vec<f64>,
+    },
+}
+
+/// Where an object is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Floor {
+    /// The floor.
+    pub place: FloorPlace,
+    /// Number of storeys; `None`: the study's.
+    pub storeys: Option<u16>,
+    /// Height of a storey \[m\]; `None`: the study's.
+    pub storey_height_m: Option<f64>,
+}
+
+/// A floor of a building.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FloorPlace {
+    /// The ground.
+    Ground,
+    /// By its name or number; floor 1 is the first above the ground.
+    Name(String),
+    /// By its height over that of the building.
+    Share(f64),
+}
+
+/// The answer about one object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjectReport {
+    /// One sentence.
+    pub answer: String,
+    /// What it says.
+    pub kind: AnswerKind,
+    /// The document, and what people read of it.
+    pub facts: Facts<'static>,
+    /// The object under its motions at each scale, one row each.
+    pub scales: Vec<Facts<'static>>,
+    /// Warnings.
+    pub warnings: Vec<String>,
+}
+
+/// Assesses one object, on the current thread pool. Nothing is written.
+///
+/// With motions of its floor the object is taken as given, and every motion counts once; otherwise
+/// worlds are added until the probability that it falls is settled, as in an assessment.
+///
+/// # Errors
+/// Everything that is wrong with the request; a motion that cannot be generated; a stop.
+pub fn one_object(
+    request: &ObjectRequest,
+    wants_to_stop: &(dyn Fn() -> bool + Sync),
+) -> Result<ObjectReport, Problems> {
+    check(request)?;
+    let shaken = shaking::shaken(request)?;
+    let row = row::row(request, &shaken.study)?;
+    let subject = Subject::new(&row.item)
+        .map_err(|missing| Problem::new(ProblemKind::Missing, format!("its {} is missing", listed(&missing))))?;
+    let member = Member::new(&row.item, subject, &shaken.study.assessment);
+    let go_on = || if wants_to_stop() { Err(Problem::stopped().into()) } else { Ok(()) };
+    let worlds = Worlds::new(&shaken.study, go_on)?;
+    if !worlds.has_floor(member.subject.level_ratio) {
+        let hint = "name a floor whose motions the study gives, or give the study a building";
+        return Err(Problem::value("the study has no motion for this floor", hint).into());
+    }
+    let at = |scale: f64| -> Result<(Assessment, Tally), Problems> {
+        assess_one(&Context::new(&shaken.study, worlds.at_intensity(scale), 1, wants_to_stop), &member)
+    };
+    let found = at(1.0)?;
+    let mut scales = Vec::new();
+    if let Earthquake::Motions { scales: factors, .. } = &request.earthquake {
+        for scale in factors {
+            scales.push((*scale, at(*scale)?));
+        }
+    }
+    Ok(report::report(request, &shaken, &row, found, scales))
+}
+
+/// Everything that the parts of a request contradict.
+fn check(request: &ObjectRequest) -> Result<(), Problems> {
+    let Object { height_m, thickness_m, mass_kg, rests_on, tolerance, .. } = &request.object;
+    let mut problems = Problems::default();
+    let mut note = |message: &str, hint: &str| problems.push(Problem::value(message, hint));
+    if thickness_m > height_m {
+        note(
+            "`thickness` is larger than `height`: were they swapped?",
+            "`thickness` is the smaller horizontal size; objects that are lower than thick are assessed in a list, \
+             with freestand assess",
+        );
+    }
+    if rests_on.is_some() && mass_kg.is_none() {
+        note("`on` needs `mass`: pads move with the mass on them", "add `mass`, or leave `on` out");
+    }
+    if tolerance.is_some() && (mass_kg.is_none() || rests_on.is_none()) {
+        note(
+            "`tolerance` needs `mass` and `on`: without them no shock can be calculated",
+            "add what is missing, such as `on = \"rubber-foot\"`, or leave `tolerance` out: whether it falls needs no \
+             tolerance",
+        );
+    }
+    let Floor { place, storeys, storey_height_m } = &request.floor;
+    match &request.earthquake {
+        Earthquake::Motions { scales, .. } => {
+            if *place != FloorPlace::Ground || storeys.is_some() || storey_height_m.is_some() {
+                note(
+                    "the motions are those of the floor of the object: no floor or building can be named as well",
+                    "leave it out, or calculate the motion of a floor with freestand floor",
+                );
+            }
+            if request.worlds.is_some() {
+                note("`worlds` does not apply to given motions: each motion counts once", "leave it out");
+            }
+            if let Some(scale) = scales.iter().find(|scale| !(**scale > 0.0 && scale.is_finite())) {
+                note(&format!("`scales` must be above 0, not {scale}"), "give factors such as \"0.5, 1, 2\"");
+            }
+            if scales.len() > MAX_SCALES {
+                note(&format!("`scales` has {} values", scales.len()), &format!("give at most {MAX_SCALES} scales"));
+            }
+        }
+        Earthquake::Study { .. } if storeys.is_some() || storey_height_m.is_some() => {
+            note(
+                "the study describes the building: `storeys` and `storey_height` do not apply",
+                "leave them out, or change [building] of the study",
+            );
+        }
+        Earthquake::Study { .. } => {}
+        Earthquake::Place(_) | Earthquake::GroundAcceleration(_) => {
+            if matches!(place, FloorPlace::Name(_)) && storeys.is_none() {
+                note("`floor` needs `storeys`: the number of storeys of the building", "add `storeys`, such as 6");
+            }
+            if *place == FloorPlace::Ground && (storeys.is_some() || storey_height_m.is_some()) {
+                note(
+                    "`storeys` and `storey_height` describe a building, but no floor of it is named",
+                    "add `floor` or `level_ratio`, or leave them out: the object is then on the ground",
+                );
+            } else if storey_height_m.is_some() && storeys.is_none() && matches!(place, FloorPlace::Share(_)) {
+                note("`storey_height` needs `storeys`", "add the number of storeys");
+            }
+        }
+    }
+    if let Earthquake::GroundAcceleration(peak_m_s2) = request.earthquake
+        && peak_m_s2 > MAX_PEAK_M_S2
+    {
+        note(
+            "`pga` is larger than that of any earthquake",
+            "check the unit: 1 g is 9.81 m/s², and 100 gal about 0.1 g",
+        );
+    }
+    if let FloorPlace::Share(ratio) = place
+        && !(0.0..=1.0).contains(ratio)
+    {
+        note(&format!("`level_ratio` must be from 0 (the ground) to 1 (the roof), not {ratio}"), "50 % is 0.5");
+    }
+    problems.finish(Some(()))
+}

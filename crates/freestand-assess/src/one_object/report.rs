@@ -1,0 +1,238 @@
+//! What is said about one object: the sentence, its numbers, and the document.
+
+use freestand::G0_M_S2;
+use freestand_input::words::{number, percent_significant};
+use freestand_output::facts::{Facts, Value};
+use freestand_study::places::Place;
+use freestand_study::result::Ranked;
+use freestand_study::study::Study;
+use freestand_study::target::Target;
+
+use super::row::Row;
+use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands};
+use super::shaking::{Shaken, building_words};
+use super::{Earthquake, FloorPlace, ObjectReport, ObjectRequest};
+use crate::result::{Assessment, FallsAnswer, Probability, SlidingVerdict};
+use crate::verdict::Tally;
+
+/// Makes the report; `scales` are the factors with what was found at each.
+pub(super) fn report(
+    request: &ObjectRequest,
+    shaken: &Shaken,
+    row: &Row,
+    (found, tally): (Assessment, Tally),
+    scales: Vec<(f64, (Assessment, Tally))>,
+) -> ObjectReport {
+    let counts = counts(&found, &tally);
+    let withstands =
+        request.object.tolerance.map(|one| Withstands { peak_g: one.peak_m_s2 / G0_M_S2, duration_s: one.duration_s });
+    let answer = Answer {
+        kind: AnswerKind::of(&counts, found.accepted_ratio),
+        earthquake: shaken.told.clone(),
+        floor: floor(request, row, &shaken.study),
+        counts,
+        probability: found.p_overturn,
+        withstands,
+    };
+    let is_given = matches!(request.earthquake, Earthquake::Motions { .. });
+    let mut warnings = shaken.warnings.clone();
+    warnings.extend(row.warnings.iter().cloned());
+    let failed = found.response.as_ref().map_or(tally.worlds as usize, |response| response.failed);
+    if failed > 0 {
+        warnings.push(format!("{failed} of {} histories failed: they widen the interval", tally.worlds));
+    }
+    if !is_given && found.answers.as_ref().is_some_and(|answers| answers.falls == FallsAnswer::Close) {
+        let accepted = percent_significant(found.accepted_ratio, 2);
+        warnings.push(format!(
+            "the interval holds the accepted probability, {accepted}: too close to call; an assessment would count it as \
+             falling"
+        ));
+    }
+    let scales: Vec<Facts> = scales.iter().map(|(scale, (found, tally))| at_scale(*scale, found, tally)).collect();
+    let sentence = answer.sentence();
+    let level_ratio = row.item.level_ratio.filter(|_| !is_given);
+    let building = building_words(&shaken.study).filter(|_| level_ratio.is_some_and(|ratio| ratio > 0.0));
+    let target = shaken.study.ground.code_spectrum();
+    let place = target.and_then(|target| target.place).map(Place::facts);
+    let facts = Facts::default()
+        .key("answer", sentence.clone())
+        .key("answer_kind", answer.kind.name())
+        .fact("earthquake", "earthquake", shaken.words.clone())
+        .fact("building", "building", building)
+        .and(numbers(&found, &tally, withstands, shaken.told.noun()))
+        .key("level_ratio", level_ratio)
+        .key("place", place)
+        .key("scales", (!scales.is_empty()).then(|| scales.clone()))
+        .fact("assumptions", "assumed", assumptions(request, row, target, is_given));
+    ObjectReport { answer: sentence, kind: answer.kind, facts, scales, warnings }
+}
+
+fn counts(found: &Assessment, tally: &Tally) -> Counts {
+    Counts {
+        motions: tally.worlds,
+        lifted: tally.lifted,
+        asked: tally.asked,
+        overturned: tally.overturned,
+        exceeded: tally.exceeded,
+        uplift_m_max: tally.uplift_m_max,
+        shock_g_max: tally.shock_g_max,
+        floor_g_max: found.floor.as_ref().map_or(0.0, |floor| floor.pfa_g_max),
+        lift_g: tally.lift_g,
+    }
+}
+
+/// The floor as people call it.
+fn floor(request: &ObjectRequest, row: &Row, study: &Study) -> ToldFloor {
+    let ratio = row.item.level_ratio.unwrap_or(0.0);
+    let roof = |other| if ratio >= 1.0 { ToldFloor::Roof } else { other };
+    match &request.floor.place {
+        FloorPlace::Ground => ToldFloor::Ground,
+        FloorPlace::Share(_) if ratio <= 0.0 => ToldFloor::Ground,
+        FloorPlace::Share(ratio) => roof(ToldFloor::Share(*ratio)),
+        FloorPlace::Name(name) => {
+            let is_named = study.floors.iter().any(|floor| floor.names.iter().any(|one| one == name));
+            let storeys = study.building.as_ref().map_or(0, |building| building.storeys);
+            let number = ratio * storeys as f64;
+            let is_whole = storeys > 0 && (number - number.round()).abs() < 1e-9;
+            let has_number = name.chars().any(|c| c.is_ascii_digit());
+            if is_named || !is_whole {
+                ToldFloor::Name(name.clone())
+            } else if ratio <= 0.0 {
+                ToldFloor::Ground
+            } else if ratio >= 1.0 && !has_number {
+                ToldFloor::Roof
+            } else {
+                ToldFloor::Number { floor: number.round() as u32, storeys }
+            }
+        }
+    }
+}
+
+/// The numbers: those with the names of `objects.csv` are the same.
+fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, noun: &'static str) -> Facts<'static> {
+    let answers = found.answers.as_ref();
+    let confidence = answers.map(|answers| answers.confidence);
+    let interval = |p: Option<Probability>| {
+        let (p, confidence) = p.zip(confidence)?;
+        let [value, low, high, sure] = [p.value, p.low, p.high, confidence].map(|share| percent_significant(share, 2));
+        let low = low.trim_end_matches(" %");
+        Some(format!("{value} ({sure} interval: {low} to {high})"))
+    };
+    let [p_overturn, p_exceed] = [found.p_overturn, found.p_exceed];
+    let response = found.response.as_ref();
+    let (shock, on_pads) = (found.shock.as_ref(), found.on_pads.as_ref());
+    let sliding = found.sliding.as_ref().map(|sliding| sliding.verdict);
+    let shares = |name: [&'static str; 3], p: Option<Probability>| {
+        Facts::default().key(name[0], p.map(|p| p.value)).key(name[1], p.map(|p| p.low)).key(name[2], p.map(|p| p.high))
+    };
+    Facts::default()
+        .key("falls", answers.map(|answers| answers.falls.name()))
+        .key("shock", answers.map(|answers| answers.shock.name()))
+        .fact("motions", noun, u64::from(tally.worlds))
+        .fact("motions_lifted", "of them lift an edge", u64::from(tally.lifted))
+        .fact("motions_overturned", "of them overturn it", u64::from(tally.overturned))
+        .and(shares(["p_overturn", "p_overturn_low", "p_overturn_high"], p_overturn))
+        .line("probability that it falls", interval(p_overturn))
+        .key("accepted_ratio", found.accepted_ratio)
+        .line("accepted probability", Some(percent_significant(found.accepted_ratio, 2)))
+        .key("accepted_for", found.accepted_for.name())
+        .key("confidence", confidence)
+        .fact("floor_acceleration_g", "", floor_acceleration(found))
+        .fact("lift_acceleration_g", "acceleration that lifts an edge", tally.lift_g)
+        .key("uplift_m_max", tally.uplift_m_max)
+        .line(
+            "largest uplift without a fall",
+            tally.uplift_m_max.map(|most_m| format!("{} mm", number(1e3 * most_m, 3))),
+        )
+        .key("uplift_m_median", ranked(response.map(|response| response.uplift_m[1])))
+        .key("rotation_ratio_median", ranked(response.map(|response| response.rotation_ratio[1])))
+        .key("edge_acceleration_g_median", ranked(shock.map(|shock| shock.edge_acceleration_g[1])))
+        .line("shock, median", shock.and_then(|shock| shock_words(shock.edge_acceleration_g[1])))
+        .key("edge_acceleration_g_p16", ranked(shock.map(|shock| shock.edge_acceleration_g[0])))
+        .key("edge_acceleration_g_p84", ranked(shock.map(|shock| shock.edge_acceleration_g[2])))
+        .key("edge_acceleration_compliant_g_median", ranked(on_pads.map(|pads| pads.edge_acceleration_g_median)))
+        .key("edge_acceleration_g_max", shock.and_then(|shock| shock.edge_acceleration_max_g))
+        .key("landing_acceleration_g_max", tally.shock_g_max)
+        .line("largest shock without a fall", tally.shock_g_max.and_then(|most_g| shock_words(Ranked::Value(most_g))))
+        .key("ceiling_g", shock.map(|shock| shock.ceiling_g))
+        .key("pulse_duration_s", shock.map(|shock| shock.pulse_duration_s))
+        .key("velocity_change_m_s", ranked(shock.map(|shock| shock.velocity_change_m_s)))
+        .key("pad_uplift_threshold_g", on_pads.and_then(|pads| pads.pad_uplift_threshold_g))
+        .key("rocking_frequency_hz", on_pads.and_then(|pads| pads.rocking_frequency_hz))
+        .line("withstands", withstands.map(|one| one.words()))
+        .key("tolerance_g", withstands.map(|one| one.peak_g))
+        .key("tolerance_duration_s", withstands.and_then(|one| one.duration_s))
+        .key("demand_capacity_ratio", ranked(found.capacity.as_ref().map(|capacity| capacity.demand_capacity)))
+        .and(shares(["p_exceed", "p_exceed_low", "p_exceed_high"], p_exceed))
+        .line("probability of more than that, or a fall", interval(p_exceed))
+        .key("models_agree", answers.and_then(|answers| answers.models_agree))
+        .key("clearance_m", found.clearance_m)
+        .key("sliding", sliding.map(SlidingVerdict::name))
+        .line("slides", sliding.filter(|one| *one != SlidingVerdict::No).map(|one| one.name().to_owned()))
+}
+
+/// A number, `overturned`, or nothing.
+fn ranked(value: Option<Ranked>) -> Value<'static> {
+    match value {
+        Some(Ranked::Value(value)) => value.into(),
+        Some(Ranked::Overturned) => "overturned".into(),
+        Some(Ranked::NoData) | None => Value::Missing,
+    }
+}
+
+fn shock_words(shock_g: Ranked) -> Option<String> {
+    match shock_g {
+        Ranked::Value(value) => Some(format!("{} g", number(value, 3))),
+        Ranked::Overturned => Some("most of them overturn it".to_owned()),
+        Ranked::NoData => None,
+    }
+}
+
+/// The object under its motions, all multiplied by a scale.
+fn at_scale(scale: f64, found: &Assessment, tally: &Tally) -> Facts<'static> {
+    Facts::default()
+        .key("scale_ratio", scale)
+        .key("floor_acceleration_g", floor_acceleration(found))
+        .key("motions", u64::from(tally.worlds))
+        .key("motions_lifted", u64::from(tally.lifted))
+        .key("motions_overturned", u64::from(tally.overturned))
+        .key("uplift_m_max", tally.uplift_m_max)
+        .key("landing_acceleration_g_max", tally.shock_g_max)
+}
+
+fn floor_acceleration(found: &Assessment) -> Facts<'static> {
+    let floor = found.floor.as_ref();
+    Facts::default().fact("median", "floor acceleration, median", floor.map(|floor| floor.pfa_g_median)).fact(
+        "max",
+        "floor acceleration, largest",
+        floor.map(|floor| floor.pfa_g_max),
+    )
+}
+
+/// What nobody stated, in sentences.
+fn assumptions(request: &ObjectRequest, row: &Row, target: Option<&Target>, is_given: bool) -> Vec<String> {
+    let object = &request.object;
+    let mut said = Vec::new();
+    said.push(match (object.cg_height_m, object.width_m) {
+        (None, None) => "centre of gravity at half the height; without a width it rocks about one axis only".to_owned(),
+        (None, Some(_)) => "centre of gravity at half the height".to_owned(),
+        (Some(_), None) => "without a width it rocks about one axis only".to_owned(),
+        (Some(_), Some(_)) => String::new(),
+    });
+    if let (Earthquake::Place(hazard), Some(target)) = (&request.earthquake, target)
+        && hazard.get("site").is_none()
+    {
+        said.push(format!("{}, because no site was given", target.site_words()));
+    }
+    said.extend(row.item.cushion_source.as_ref().map(|source| format!("under one edge: {source}")));
+    if object.rests_on.is_none() || object.mass_kg.is_none() {
+        said.push("a rigid floor: without mass and pads no shock is calculated".to_owned());
+    } else {
+        said.push("on a rigid floor and on its pads: the worse of the two counts".to_owned());
+    }
+    if is_given {
+        said.push("the object as given, without uncertainty; every motion counts once".to_owned());
+    }
+    said.retain(|one| !one.is_empty());
+    said
+}

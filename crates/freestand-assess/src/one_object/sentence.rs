@@ -1,0 +1,549 @@
+//! The answer about one object: one sentence, and its kind.
+
+use freestand_input::words::{number, percent_significant};
+
+use crate::result::Probability;
+
+/// What the answer says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AnswerKind {
+    /// Nothing lifts an edge.
+    DoesNotRock,
+    /// Something lifts an edge, nothing overturns it.
+    Rocks,
+    /// It is overturned, at most as often as is accepted.
+    ProbablyStands,
+    /// It is overturned more often than is accepted, and less often than not.
+    MayFall,
+    /// It is overturned at least as often as not.
+    Falls,
+}
+
+impl AnswerKind {
+    /// Every kind, from the best to the worst.
+    pub const ALL: [Self; 5] = [Self::DoesNotRock, Self::Rocks, Self::ProbablyStands, Self::MayFall, Self::Falls];
+
+    /// The kind that belongs to these counts.
+    pub(super) fn of(counts: &Counts, accepted_ratio: f64) -> Self {
+        let share = f64::from(counts.overturned) / f64::from(counts.asked.max(1));
+        match (counts.overturned, counts.lifted) {
+            (0, 0) => Self::DoesNotRock,
+            (0, _) => Self::Rocks,
+            _ if share <= accepted_ratio => Self::ProbablyStands,
+            _ if share < 0.5 => Self::MayFall,
+            _ => Self::Falls,
+        }
+    }
+
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::DoesNotRock => "does-not-rock",
+            Self::Rocks => "rocks",
+            Self::ProbablyStands => "probably-stands",
+            Self::MayFall => "may-fall",
+            Self::Falls => "falls",
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            Self::DoesNotRock => "does not rock",
+            Self::Rocks => "stays standing",
+            Self::ProbablyStands => "will probably stay standing",
+            Self::MayFall => "may fall over",
+            Self::Falls => "falls over",
+        }
+    }
+}
+
+/// The earthquake that a sentence names.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Told {
+    /// The hazard of a place.
+    Place {
+        /// Its name.
+        name: String,
+        /// Its code in print.
+        code: String,
+        /// The return period, if the code has one \[years\].
+        years: Option<u32>,
+        /// The site, such as `site De`.
+        site: Option<String>,
+        /// Whether the hazard was recalled and not read.
+        is_approximate: bool,
+    },
+    /// A peak acceleration of the ground.
+    GroundAcceleration {
+        /// The peak \[g\].
+        peak_g: f64,
+    },
+    /// The earthquake of a study that names no place, such as `the earthquake of hospital.toml (…)`.
+    Study {
+        /// The earthquake in words.
+        words: String,
+    },
+    /// The records or simulated motions of a study, which its worlds use in turn.
+    MotionsOfStudy {
+        /// How many.
+        motions: usize,
+        /// The study.
+        study: String,
+    },
+    /// Motions of the floor itself.
+    Motions,
+}
+
+/// The floor that a sentence names.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum ToldFloor {
+    /// The ground.
+    Ground,
+    /// The roof.
+    Roof,
+    /// A floor above the ground by its number.
+    Number {
+        /// Its number; 1 is the first above the ground.
+        floor: u32,
+        /// The storeys of the building.
+        storeys: usize,
+    },
+    /// A floor by its name.
+    Name(String),
+    /// A height over that of the building.
+    Share(f64),
+}
+
+/// How often, and how much.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Counts {
+    /// Simulated earthquakes, or motions.
+    pub(super) motions: u32,
+    /// Those that lift an edge.
+    pub(super) lifted: u32,
+    /// Those by the model that decides whether it falls.
+    pub(super) asked: u32,
+    /// Those of them that overturn it.
+    pub(super) overturned: u32,
+    /// Those that exceed what it withstands without overturning it; `None`: it has no tolerance.
+    pub(super) exceeded: Option<u32>,
+    /// Largest uplift without overturning \[m\].
+    pub(super) uplift_m_max: Option<f64>,
+    /// Largest shock without overturning \[g\].
+    pub(super) shock_g_max: Option<f64>,
+    /// Largest acceleration of the floor \[g\].
+    pub(super) floor_g_max: f64,
+    /// Acceleration that lifts an edge \[g\].
+    pub(super) lift_g: f64,
+}
+
+/// What an object withstands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Withstands {
+    /// Peak acceleration \[g\].
+    pub(super) peak_g: f64,
+    /// Duration of its half-sine \[s\].
+    pub(super) duration_s: Option<f64>,
+}
+
+/// Everything that a sentence says.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Answer {
+    pub(super) kind: AnswerKind,
+    pub(super) earthquake: Told,
+    pub(super) floor: ToldFloor,
+    pub(super) counts: Counts,
+    /// That it is overturned.
+    pub(super) probability: Option<Probability>,
+    pub(super) withstands: Option<Withstands>,
+}
+
+impl Answer {
+    /// The sentence, on one line.
+    pub(super) fn sentence(&self) -> String {
+        // Before "does not rock" the floor is set off, because numbers of the floor follow.
+        let comma = if self.kind == AnswerKind::DoesNotRock { "," } else { "" };
+        let evidence = match self.evidence() {
+            text if text.is_empty() => text,
+            text => format!(": {text}"),
+        };
+        let (under, kind, landings) = (self.under(), self.kind.words(), self.landings());
+        format!("{under}{comma} this object {kind}{evidence}{landings}.")
+    }
+
+    /// `In Melbourne (AS 1170.4, 500 years, site De) on the ground`.
+    fn under(&self) -> String {
+        let floor = self.floor.words();
+        match &self.earthquake {
+            Told::Place { name, code, years, site, is_approximate } => {
+                let mut details = vec![code.clone()];
+                details.extend(years.map(|years| format!("{years} years")));
+                details.extend(site.clone());
+                if *is_approximate {
+                    details.push("approximate hazard, confirm".to_owned());
+                }
+                format!("In {name} ({}) {floor}", details.join(", "))
+            }
+            Told::GroundAcceleration { peak_g } => {
+                let peak = format!("At a ground acceleration of {} g", number(*peak_g, 4));
+                // The ground that accelerates is the floor.
+                if self.floor == ToldFloor::Ground { peak } else { format!("{peak} {floor}") }
+            }
+            Told::Study { words } => format!("Under {words} {floor}"),
+            Told::MotionsOfStudy { motions: 1, study } => format!("Under the motion of {study} {floor}"),
+            Told::MotionsOfStudy { motions, study } => format!("Under the {motions} motions of {study} {floor}"),
+            Told::Motions if self.counts.motions == 1 => "Under this motion".to_owned(),
+            Told::Motions => format!("Under these {} motions", self.counts.motions),
+        }
+    }
+
+    /// What shows it.
+    fn evidence(&self) -> String {
+        let Counts { motions, lifted, asked, overturned, uplift_m_max, floor_g_max, lift_g, .. } = self.counts;
+        match self.kind {
+            // A peak may pass the threshold on its way to no uplift: across an edge, or on pads.
+            AnswerKind::DoesNotRock if floor_g_max >= lift_g => match self.earthquake {
+                Told::Motions if motions == 1 => "it lifts no edge".to_owned(),
+                Told::Motions => "none lifts an edge".to_owned(),
+                _ if motions == 1 => format!("the one {} lifts no edge", self.earthquake.noun().trim_end_matches('s')),
+                _ => format!("none of {motions} {} lifts an edge", self.earthquake.noun()),
+            },
+            AnswerKind::DoesNotRock => {
+                let (floor, lift) = apart(floor_g_max, lift_g);
+                let at_most = if motions == 1 { "" } else { " at most" };
+                format!("the floor reaches {floor} g{at_most} and it takes {lift} g to lift an edge")
+            }
+            AnswerKind::Rocks => {
+                let at_most = if lifted == 1 { "" } else { " at most" };
+                let by = uplift_m_max.map_or_else(String::new, |uplift_m| {
+                    format!(", by {} mm{at_most}", number(1e3 * uplift_m, if uplift_m < 0.1 { 2 } else { 3 }))
+                });
+                // With what it withstands, the landings follow.
+                let none = if self.withstands.is_some() { "" } else { ", and none overturns it" };
+                match self.earthquake {
+                    Told::Motions if motions == 1 => format!("it lifts an edge{by}"),
+                    _ => format!("{} an edge{by}{none}", self.count(lifted, motions, ("lifts", "lift"))),
+                }
+            }
+            AnswerKind::Falls if motions == 1 && self.earthquake == Told::Motions => String::new(),
+            AnswerKind::ProbablyStands | AnswerKind::MayFall | AnswerKind::Falls => {
+                let counted = self.count(overturned, asked, ("overturns", "overturn"));
+                // Few motions are all there is to say; all is all.
+                let interval = self.probability.filter(|_| self.earthquake != Told::Motions && overturned < asked);
+                let interval = interval.map_or_else(String::new, |p| {
+                    let [low, high] = [p.low, p.high].map(|end| percent_significant(end, 2));
+                    let low = low.trim_end_matches(" %");
+                    format!(" ({}, between {low} and {high})", percent_significant(p.value, 2))
+                });
+                format!("{counted} it{interval}")
+            }
+        }
+    }
+
+    /// `9 of 320 simulated earthquakes overturn`, `all 20 simulated earthquakes overturn`, `4 lift`.
+    fn count(&self, hits: u32, of: u32, (one, many): (&str, &str)) -> String {
+        let noun = self.earthquake.noun();
+        let verb = if hits == 1 { one } else { many };
+        match &self.earthquake {
+            Told::Motions if hits == of => format!("all {of} {verb}"),
+            Told::Motions => format!("{hits} {verb}"),
+            _ if of == 1 => format!("the one {} {verb}", noun.trim_end_matches('s')),
+            _ if hits == of => format!("all {of} {noun} {verb}"),
+            _ => format!("{hits} of {of} {noun} {verb}"),
+        }
+    }
+
+    /// `; its landings reach 6.4 g, under the 10 g that it withstands`.
+    fn landings(&self) -> String {
+        let Some(withstands) = self.withstands else { return String::new() };
+        let Counts { motions, exceeded, shock_g_max, floor_g_max, .. } = self.counts;
+        let exceeded = exceeded.unwrap_or(0);
+        let of = format!("{exceeded} of {motions}");
+        let times = if motions == 1 { String::new() } else { format!(" in {of}") };
+        let limit = withstands.words();
+        // Where nothing lands harder, it is the floor itself that is too much.
+        let lands_harder = shock_g_max.is_some_and(|shock_g| shock_g > withstands.peak_g);
+        if exceeded > 0 && !lands_harder && floor_g_max > withstands.peak_g {
+            let floor = number(floor_g_max, 2);
+            return format!("; the floor alone, {floor} g, exceeds the {limit} that it withstands{times}");
+        }
+        match shock_g_max {
+            Some(shock_g) if exceeded == 0 && withstands.duration_s.is_none() && shock_g < withstands.peak_g => {
+                let (shock, peak) = apart(shock_g, withstands.peak_g);
+                format!("; its landings reach {shock} g, under the {peak} g that it withstands")
+            }
+            Some(shock_g) if exceeded == 0 => {
+                format!("; its landings reach {} g and stay below the {limit} that it withstands", number(shock_g, 2))
+            }
+            Some(shock_g) => {
+                format!(
+                    "; its landings reach {} g and exceed the {limit} that it withstands{times}",
+                    number(shock_g, 2)
+                )
+            }
+            None if self.kind == AnswerKind::DoesNotRock => format!("; it withstands {limit}"),
+            None => String::new(),
+        }
+    }
+}
+
+impl Told {
+    /// What is counted.
+    pub(super) fn noun(&self) -> &'static str {
+        match self {
+            Self::MotionsOfStudy { .. } => "simulations",
+            Self::Motions => "motions",
+            Self::Place { .. } | Self::GroundAcceleration { .. } | Self::Study { .. } => "simulated earthquakes",
+        }
+    }
+}
+
+impl ToldFloor {
+    fn words(&self) -> String {
+        match self {
+            Self::Ground => "on the ground".to_owned(),
+            Self::Roof => "on the roof".to_owned(),
+            Self::Number { floor, storeys } => format!("on floor {floor} of {storeys}"),
+            Self::Name(name) => format!("on \"{name}\""),
+            Self::Share(ratio) => format!("at {} of the height of the building", percent_significant(*ratio, 3)),
+        }
+    }
+}
+
+impl Withstands {
+    /// `10 g`, `15 g of 11 ms`.
+    pub(super) fn words(&self) -> String {
+        let peak = format!("{} g", number(self.peak_g, 4));
+        self.duration_s.map_or(peak.clone(), |seconds| format!("{peak} of {} ms", number(1e3 * seconds, 4)))
+    }
+}
+
+/// Two numbers with the digits that tell them apart, two or more.
+fn apart(one: f64, other: f64) -> (String, String) {
+    let both = |digits| (number(one, digits), number(other, digits));
+    (2..=6).map(both).find(|(one, other)| one != other).unwrap_or_else(|| both(6))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn place(name: &str, code: &str, years: Option<u32>, site: Option<&str>) -> Told {
+        let (name, code, site) = (name.to_owned(), code.to_owned(), site.map(str::to_owned));
+        Told::Place { name, code, years, site, is_approximate: false }
+    }
+
+    fn counts(motions: u32, lifted: u32, overturned: u32) -> Counts {
+        Counts { motions, lifted, asked: motions, overturned, lift_g: 0.21, floor_g_max: 0.3, ..Counts::default() }
+    }
+
+    fn answer(earthquake: Told, counts: Counts) -> Answer {
+        let kind = AnswerKind::of(&counts, 0.1);
+        Answer { kind, earthquake, floor: ToldFloor::Ground, counts, probability: None, withstands: None }
+    }
+
+    fn p(value: f64, low: f64, high: f64) -> Option<Probability> {
+        Some(Probability { value, low, high })
+    }
+
+    const TEN_G: Option<Withstands> = Some(Withstands { peak_g: 10.0, duration_s: None });
+
+    /// The six sentences of the specification, word for word.
+    #[test]
+    fn the_sentences_that_were_asked_for() {
+        let melbourne = place("Melbourne", "AS 1170.4", Some(500), Some("site De"));
+        let one = answer(melbourne, Counts { floor_g_max: 0.13, ..counts(20, 0, 0) });
+        let two = answer(Told::Motions, Counts { uplift_m_max: Some(0.0312), ..counts(6, 4, 0) });
+        let wellington = place("Wellington", "NZS 1170.5", Some(500), Some("site C"));
+        let three = Answer {
+            floor: ToldFloor::Number { floor: 1, storeys: 7 },
+            probability: p(9.0 / 320.0, 0.0109, 0.0577),
+            ..answer(wellington, counts(320, 200, 9))
+        };
+        let los_angeles = place("Los Angeles", "ASCE 7-16", None, Some("site D"));
+        let four = Answer {
+            floor: ToldFloor::Number { floor: 3, storeys: 6 },
+            probability: p(0.45, 0.2, 0.72),
+            ..answer(los_angeles, counts(20, 20, 9))
+        };
+        let five = Answer {
+            probability: p(1.0, 0.79, 1.0),
+            ..answer(Told::GroundAcceleration { peak_g: 0.8 }, counts(20, 20, 20))
+        };
+        let athens = Told::Place {
+            name: "Athens".to_owned(),
+            code: "Eurocode 8".to_owned(),
+            years: None,
+            site: None,
+            is_approximate: true,
+        };
+        let lands =
+            Counts { uplift_m_max: Some(0.009), shock_g_max: Some(6.41), exceeded: Some(0), ..counts(160, 31, 0) };
+        let six = Answer { withstands: TEN_G, ..answer(athens, lands) };
+        let expected = [
+            (
+                one,
+                "does-not-rock",
+                "In Melbourne (AS 1170.4, 500 years, site De) on the ground, this object does not rock: the floor \
+                 reaches 0.13 g at most and it takes 0.21 g to lift an edge.",
+            ),
+            (
+                two,
+                "rocks",
+                "Under these 6 motions this object stays standing: 4 lift an edge, by 31 mm at most, and none \
+                 overturns it.",
+            ),
+            (
+                three,
+                "probably-stands",
+                "In Wellington (NZS 1170.5, 500 years, site C) on floor 1 of 7 this object will probably stay \
+                 standing: 9 of 320 simulated earthquakes overturn it (2.8 %, between 1.1 and 5.8 %).",
+            ),
+            (
+                four,
+                "may-fall",
+                "In Los Angeles (ASCE 7-16, site D) on floor 3 of 6 this object may fall over: 9 of 20 simulated \
+                 earthquakes overturn it (45 %, between 20 and 72 %).",
+            ),
+            (
+                five,
+                "falls",
+                "At a ground acceleration of 0.8 g this object falls over: all 20 simulated earthquakes overturn it.",
+            ),
+            (
+                six,
+                "rocks",
+                "In Athens (Eurocode 8, approximate hazard, confirm) on the ground this object stays standing: 31 of \
+                 160 simulated earthquakes lift an edge, by 9 mm at most; its landings reach 6.4 g, under the 10 g \
+                 that it withstands.",
+            ),
+        ];
+        for (answer, kind, sentence) in expected {
+            assert_eq!((answer.kind.name(), answer.sentence().as_str()), (kind, sentence));
+        }
+    }
+
+    /// Every kind under every earthquake: one line, one full stop, and what is named.
+    #[test]
+    fn every_kind_under_every_earthquake() {
+        let earthquakes = [
+            (place("Oslo", "a code", None, None), "In Oslo (a code) on the ground", "simulated earthquakes"),
+            (Told::GroundAcceleration { peak_g: 0.3 }, "At a ground acceleration of 0.3 g", "simulated earthquakes"),
+            (
+                Told::Study { words: "the earthquake of s.toml (EC8)".to_owned() },
+                "Under the earthquake of s.toml (EC8) on the ground",
+                "simulated earthquakes",
+            ),
+            (
+                Told::MotionsOfStudy { motions: 7, study: "s.toml".to_owned() },
+                "Under the 7 motions of s.toml on the ground",
+                "simulations",
+            ),
+            (Told::Motions, "Under these 40 motions", ""),
+        ];
+        let of_kind = [
+            (counts(40, 0, 0), "does not rock: none"),
+            (counts(40, 1, 0), "stays standing: 1"),
+            (counts(40, 9, 2), "will probably stay standing: 2"),
+            (counts(40, 30, 12), "may fall over: 12"),
+            (counts(40, 40, 40), "falls over: all 40"),
+        ];
+        for (earthquake, under, noun) in earthquakes {
+            for ((counts, words), kind) in of_kind.into_iter().zip(AnswerKind::ALL) {
+                let told = answer(earthquake.clone(), counts);
+                let sentence = told.sentence();
+                assert_eq!(told.kind, kind);
+                let comma = if kind == AnswerKind::DoesNotRock { "," } else { "" };
+                assert!(sentence.starts_with(&format!("{under}{comma} this object {words}")), "{sentence}");
+                assert!(sentence.contains(noun) && sentence.ends_with('.') && !sentence.contains('\n'), "{sentence}");
+            }
+        }
+    }
+
+    /// As often as is accepted is accepted; half is not less than half.
+    #[test]
+    fn kinds_at_their_limits() {
+        let kind = |asked, overturned, accepted_ratio| {
+            AnswerKind::of(&Counts { asked, lifted: asked, overturned, ..Counts::default() }, accepted_ratio).name()
+        };
+        assert_eq!([2, 3].map(|overturned| kind(20, overturned, 0.1)), ["probably-stands", "may-fall"]);
+        assert_eq!([4, 5].map(|overturned| kind(20, overturned, 0.2)), ["probably-stands", "may-fall"]);
+        assert_eq!([9, 10, 20].map(|overturned| kind(20, overturned, 0.1)), ["may-fall", "falls", "falls"]);
+        assert_eq!(kind(1, 1, 0.1), "falls");
+        // On pads it can fall where an edge of a rigid floor lifts in no world.
+        let fallen = Counts { asked: 20, lifted: 0, overturned: 1, ..Counts::default() };
+        assert_eq!(AnswerKind::of(&fallen, 0.1), AnswerKind::ProbablyStands);
+    }
+
+    #[test]
+    fn one_and_all_are_told_as_people_do() {
+        let tell = |earthquake: &Told, counts| answer(earthquake.clone(), counts).sentence();
+        let one = Counts { uplift_m_max: Some(0.1234), ..counts(1, 1, 0) };
+        assert_eq!(
+            tell(&Told::Motions, one),
+            "Under this motion this object stays standing: it lifts an edge, by 123 mm."
+        );
+        assert_eq!(tell(&Told::Motions, counts(1, 1, 1)), "Under this motion this object falls over.");
+        let still = Counts { floor_g_max: 0.1, ..counts(1, 0, 0) };
+        let said = "Under this motion, this object does not rock: the floor reaches 0.1 g and it takes 0.21 g to lift an \
+                    edge.";
+        assert_eq!(tell(&Told::Motions, still), said);
+        assert!(tell(&Told::Motions, counts(6, 6, 0)).ends_with(": all 6 lift an edge, and none overturns it."));
+        assert!(tell(&Told::Motions, counts(6, 6, 1)).ends_with(": 1 overturns it."));
+        assert!(tell(&Told::Motions, counts(6, 6, 6)).ends_with(": all 6 overturn it."));
+        let peak = Told::GroundAcceleration { peak_g: 0.5 };
+        assert!(tell(&peak, counts(1, 1, 1)).ends_with("falls over: the one simulated earthquake overturns it."));
+        let two = tell(&peak, counts(20, 1, 0));
+        assert!(two.ends_with(": 1 of 20 simulated earthquakes lifts an edge, and none overturns it."), "{two}");
+    }
+
+    /// A peak of the floor above the threshold does not contradict the sentence.
+    #[test]
+    fn no_uplift_above_the_threshold() {
+        let told = answer(Told::Motions, Counts { floor_g_max: 0.25, ..counts(6, 0, 0) });
+        assert_eq!(told.sentence(), "Under these 6 motions, this object does not rock: none lifts an edge.");
+        let near = answer(Told::Motions, Counts { floor_g_max: 0.2096, ..counts(6, 0, 0) });
+        assert!(near.sentence().contains("reaches 0.2096 g at most and it takes 0.21 g"), "{}", near.sentence());
+    }
+
+    #[test]
+    fn what_it_withstands() {
+        let tell = |counts: Counts, withstands: Option<Withstands>| {
+            Answer { withstands, ..answer(Told::GroundAcceleration { peak_g: 0.3 }, counts) }.sentence()
+        };
+        let hard = Counts { shock_g_max: Some(14.2), exceeded: Some(12), ..counts(160, 31, 9) };
+        assert!(
+            tell(hard, TEN_G)
+                .ends_with("; its landings reach 14 g and exceed the 10 g that it withstands in 12 of 160."),
+        );
+        let near = Counts { shock_g_max: Some(9.97), exceeded: Some(0), ..counts(160, 31, 0) };
+        assert!(tell(near, TEN_G).ends_with("; its landings reach 9.97 g, under the 10 g that it withstands."));
+        let pulse = Some(Withstands { peak_g: 15.0, duration_s: Some(0.011) });
+        let harder = Counts { shock_g_max: Some(18.0), exceeded: Some(0), ..counts(160, 31, 0) };
+        let said = "; its landings reach 18 g and stay below the 15 g of 11 ms that it withstands.";
+        assert!(tell(harder, pulse).ends_with(said), "{}", tell(harder, pulse));
+        let still = Counts { floor_g_max: 0.15, exceeded: Some(0), ..counts(20, 0, 0) };
+        assert!(tell(still, TEN_G).ends_with("to lift an edge; it withstands 10 g."), "{}", tell(still, TEN_G));
+        let weak = Some(Withstands { peak_g: 0.1, duration_s: None });
+        let shaken = Counts { exceeded: Some(20), ..still };
+        assert!(
+            tell(shaken, weak)
+                .ends_with("; the floor alone, 0.15 g, exceeds the 0.1 g that it withstands in 20 of 20.")
+        );
+        let soft = Counts { shock_g_max: Some(0.08), exceeded: Some(3), ..counts(20, 9, 0) };
+        assert!(
+            tell(soft, weak).ends_with("; the floor alone, 0.3 g, exceeds the 0.1 g that it withstands in 3 of 20.")
+        );
+        // What falls over does not land on its edges.
+        let fallen = Counts { exceeded: Some(0), ..counts(20, 20, 20) };
+        assert!(tell(fallen, TEN_G).ends_with("overturn it."));
+    }
+
+    #[test]
+    fn floors_by_name_and_height() {
+        let on = |floor| Answer { floor, ..answer(place("Oslo", "a code", None, None), counts(20, 20, 20)) }.sentence();
+        assert!(on(ToldFloor::Roof).starts_with("In Oslo (a code) on the roof this object"));
+        assert!(on(ToldFloor::Name("Lobby".to_owned())).contains(" on \"Lobby\" this object"));
+        assert!(on(ToldFloor::Share(0.5)).contains(" at 50 % of the height of the building this object"));
+    }
+}

@@ -1,0 +1,241 @@
+//! The study of one object: what shakes it.
+
+use std::path::Path;
+
+use freestand::G0_M_S2;
+use freestand::code_spectrum::{CodeSpectrum, GroundType, SpectrumShape, SpectrumType};
+use freestand::decision::Looks;
+use freestand_input::keys::Words;
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::{counted, number};
+use freestand_study::places::{Confidence, Place, near};
+use freestand_study::resolve::{Overrides, load, resolve_with};
+use freestand_study::study::assessment::{Settings, Spread};
+use freestand_study::study::{Ground, Level, Study};
+use freestand_study::target::Target;
+
+use super::sentence::Told;
+use super::{Earthquake, Floor, FloorPlace, ObjectRequest};
+
+/// The ground of a peak acceleration: the type of Eurocode 8 whose spectrum is scaled.
+const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B);
+
+/// A study, and its earthquake in a sentence.
+pub(super) struct Shaken {
+    pub(super) study: Study,
+    pub(super) told: Told,
+    /// Its earthquake in full.
+    pub(super) words: String,
+    pub(super) warnings: Vec<String>,
+}
+
+/// The study that a request describes.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
+    let overrides = |hazard| Overrides { seed: request.seed, hazard, ..Overrides::default() };
+    let building = building(&request.floor);
+    let made = |text: &str, hazard| resolve_with(text, None, Path::new(""), &overrides(hazard));
+    let mut shaken = match &request.earthquake {
+        Earthquake::Place(hazard) => {
+            check_hazard(hazard)?;
+            let study = made(&building, hazard.clone())?;
+            let mut shaken = of_study(study, hazard.get("site").is_some(), None);
+            shaken.warnings = warnings(&shaken.study, &request.floor);
+            shaken
+        }
+        Earthquake::GroundAcceleration(peak_m_s2) => {
+            // a_g S is the value of the spectrum at T = 0: EN 1998-1:2004, Eq. (3.2).
+            let soil = SpectrumShape::recommended(SPECTRUM.0, SPECTRUM.1).soil_factor_ratio;
+            let text = format!(
+                "[ground]\ncode = \"eurocode8\"\nspectrum_type = 1\nsite = \"B\"\nground_acceleration = \"{} m/s2\"\n\
+                 {building}",
+                peak_m_s2 / soil
+            );
+            let peak_g = peak_m_s2 / G0_M_S2;
+            let words = format!(
+                "a ground acceleration of {} g, with the spectrum of Eurocode 8, type 1, ground B, scaled to it",
+                number(peak_g, 4)
+            );
+            let study = made(&text, Default::default())?;
+            let told = Told::GroundAcceleration { peak_g };
+            Shaken { warnings: warnings(&study, &request.floor), study, told, words }
+        }
+        Earthquake::Study { path, hazard } => {
+            let study = load(path, &overrides(hazard.clone()))?;
+            let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            of_study(study, true, Some(name))
+        }
+        Earthquake::Motions { motions, .. } => {
+            let mut study = made("", Default::default())?;
+            let mut warnings = Vec::new();
+            let mut levels = Vec::new();
+            for read in motions {
+                let name = &read.motion.name;
+                warnings.extend(read.notes.iter().map(|note| format!("{name}: {note}")));
+                levels.push(read.motion.clone());
+            }
+            let words = match motions.as_slice() {
+                [one] => format!("the motion {}", one.motion.name),
+                several => format!("{} motions of the floor", several.len()),
+            };
+            study.ground = Ground::OnFloors;
+            study.building = None;
+            study.levels = vec![Level { name: "floor".to_owned(), level_ratio: Some(0.0), motions: levels }];
+            as_given(&mut study.assessment, motions.len())?;
+            Shaken { study, told: Told::Motions, words, warnings }
+        }
+    };
+    let settings = &mut shaken.study.assessment;
+    settings.seed = request.seed.unwrap_or(settings.seed);
+    // What the answer depends on takes longer than the answer.
+    settings.worlds.shares = Some(false);
+    settings.is_annual = false;
+    if let Some(worlds) = request.worlds {
+        let looks = settings.worlds.looks;
+        settings.worlds.looks = looks_of(looks.first().min(worlds), worlds, looks.confidence())?;
+    }
+    Ok(shaken)
+}
+
+fn looks_of(first: u32, most: u32, confidence: f64) -> Result<Looks, Problem> {
+    Looks::new(first, most, confidence)
+        .map_err(|error| Problem::value(format!("`worlds`: {error}"), "give a whole number, at least 1"))
+}
+
+/// `[building]`, as far as it is given; the rest as in the built-in study.
+fn building(floor: &Floor) -> String {
+    let storeys = floor.storeys.map(|storeys| format!("storeys = {storeys}\n"));
+    let height = floor.storey_height_m.map(|height_m| format!("storey_height = \"{height_m} m\"\n"));
+    format!("[building]\n{}{}", storeys.unwrap_or_default(), height.unwrap_or_default())
+}
+
+/// What is wrong with the hazard of a place, under its own keys and without the keys of a study.
+fn check_hazard(hazard: &Words) -> Result<(), Problems> {
+    let elsewhere = "freestand place list shows all places; for another hazard give `pga`, or a study";
+    let name = hazard.get("place").unwrap_or_default();
+    let told = |problem: Problem| {
+        if problem.keys.contains(&"return_period_years") && Place::find(name).is_some() {
+            return problem.hint("leave it out: this code has one intensity for each place");
+        }
+        if problem.keys.contains(&"place") && near(name).is_empty() { problem.hint(elsewhere) } else { problem }
+    };
+    let checked = Target::resolve(hazard, Path::new("")).map(|_| ());
+    checked.map_err(|problems| problems.into_iter().map(told).collect())
+}
+
+/// The warnings of a study without a file: on the ground, its building has no part in the answer.
+fn warnings(study: &Study, floor: &Floor) -> Vec<String> {
+    match (&floor.place, study.ground.code_spectrum()) {
+        (FloorPlace::Ground, Some(target)) => target.warnings.clone(),
+        _ => study.warnings.clone(),
+    }
+}
+
+/// Nothing is drawn, and every motion is used once.
+fn as_given(settings: &mut Settings, motions: usize) -> Result<(), Problem> {
+    settings.spread = Spread { restitution: 0.0, stiffness: 0.0, mass: 0.0, geometry: 0.0, model: 0.0, compliant: 0.0 };
+    // The middle of what an assessment draws, on its logarithmic scale.
+    let (low, high) = settings.pad_damping_ratio;
+    settings.pad_damping_ratio = ((low * high).sqrt(), (low * high).sqrt());
+    let motions = u32::try_from(motions).unwrap_or(u32::MAX);
+    settings.worlds.looks = looks_of(motions, motions, settings.worlds.looks.confidence())?;
+    Ok(())
+}
+
+/// The earthquake of a study; `name` is its file. A site that nobody named is left to the numbers
+/// where the code alone assumes it.
+fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
+    let target = study.ground.code_spectrum();
+    let own = name.unwrap_or_else(|| "the built-in study".to_owned());
+    let (told, words) = match (&study.ground, target) {
+        (Ground::Synthetic(_), Some(target)) => (told_target(target, names_site, &own), target.one_line()),
+        _ => {
+            let motions = study.ground.names(&study.levels).len();
+            let told = Told::MotionsOfStudy { motions, study: own.clone() };
+            (told, format!("the motions of {own}"))
+        }
+    };
+    Shaken { warnings: study.warnings.clone(), study, told, words }
+}
+
+fn told_target(target: &Target, names_site: bool, study: &str) -> Told {
+    let years = target.spectrum.return_period_years();
+    let is_eurocode8 = matches!(target.spectrum, CodeSpectrum::Eurocode8(_));
+    let noun = if is_eurocode8 { "ground" } else { "site" };
+    let site = target.spectrum.site_name().filter(|_| names_site || !is_eurocode8);
+    let site = site.map(|site| format!("{noun} {site}"));
+    match target.place {
+        Some(place) => Told::Place {
+            name: place.name.to_owned(),
+            code: place.hazard.code_title().to_owned(),
+            years,
+            site,
+            is_approximate: place.confidence == Confidence::Approximate,
+        },
+        None => {
+            let years = years.map(|years| format!("{years} years"));
+            let details: Vec<String> =
+                [Some(target.spectrum.name().to_owned()), years, site].into_iter().flatten().collect();
+            Told::Study { words: format!("the earthquake of {study} ({})", details.join(", ")) }
+        }
+    }
+}
+
+/// The building in words: `30 storeys of 3.2 m, T₁ = 1.92 s (…)`.
+pub(super) fn building_words(study: &Study) -> Option<String> {
+    let building = study.building.as_ref()?;
+    let storey = building
+        .storey_height_m
+        .map_or_else(String::new, |height_m| format!(" of {}", format_si(height_m, Dimension::Length)));
+    Some(format!(
+        "{}{storey}, first period {} s by {}",
+        counted(building.storeys, "storey"),
+        number(building.along.period_s(), 3),
+        building.period_note
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::one_object::Object;
+
+    fn shaken_by(earthquake: Earthquake, seed: Option<u64>) -> Shaken {
+        let object = Object {
+            height_m: 2.0,
+            thickness_m: 0.3,
+            width_m: None,
+            cg_height_m: None,
+            mass_kg: None,
+            rests_on: None,
+            tolerance: None,
+        };
+        let floor = Floor { place: FloorPlace::Ground, storeys: None, storey_height_m: None };
+        shaken(&ObjectRequest { object, earthquake, floor, worlds: Some(7), seed }).unwrap()
+    }
+
+    /// The peak acceleration of the ground is the spectrum at T = 0, with the soil factor in it.
+    #[test]
+    fn a_ground_acceleration_is_the_value_at_no_period() {
+        let found = shaken_by(Earthquake::GroundAcceleration(0.4 * G0_M_S2), Some(5));
+        let target = found.study.ground.code_spectrum().unwrap();
+        assert!((target.spectrum.sa_g(0.0) - 0.4).abs() < 1e-15, "{}", target.spectrum.sa_g(0.0));
+        // 2.5 times on the plateau, at 5 % damping.
+        assert!((target.spectrum.sa_g(0.3) - 1.0).abs() < 1e-15);
+        let settings = &found.study.assessment;
+        assert_eq!((found.study.ground.seed(), settings.seed), (Some(5), 5));
+        assert_eq!((settings.worlds.looks.first(), settings.worlds.looks.most()), (7, 7));
+    }
+
+    /// On the ground, nothing is said about a building that nobody named.
+    #[test]
+    fn warnings_are_those_of_the_hazard() {
+        let words = Words::from_iter([("place", "Athens".to_owned())]);
+        let found = shaken_by(Earthquake::Place(words), None);
+        assert!(found.warnings.iter().any(|warning| warning.contains("approximate")), "{:?}", found.warnings);
+        assert!(found.study.warnings.len() > found.warnings.len());
+    }
+}

@@ -1,0 +1,81 @@
+//! What the worlds of one object add up to, for those who tell it in a sentence.
+
+use freestand::G0_M_S2;
+
+use super::Context;
+use super::object::Hit;
+use super::response::{Lived, lifts, overturned};
+use super::trial::{Model, Question, Trial};
+
+/// The worlds of one object, counted. In a world both models are asked where it has pads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Tally {
+    /// Worlds.
+    pub(crate) worlds: u32,
+    /// Worlds in which an edge lifts, by either model.
+    pub(crate) lifted: u32,
+    /// Worlds by the model that decides whether it falls.
+    pub(crate) asked: u32,
+    /// Worlds in which it falls by that model.
+    pub(crate) overturned: u32,
+    /// Worlds in which it is left standing and its tolerance is exceeded, by the model with more of
+    /// them; `None`: it has no tolerance.
+    pub(crate) exceeded: Option<u32>,
+    /// Largest uplift of the worlds that do not overturn it \[m\]; `None`: no edge lifts there.
+    pub(crate) uplift_m_max: Option<f64>,
+    /// Largest shock of the worlds that do not overturn it, with the errors of the models \[g\];
+    /// `None`: mass or pads are not known, or nothing lands.
+    pub(crate) shock_g_max: Option<f64>,
+    /// Steady floor acceleration that lifts an edge on a rigid base, half the base over the height
+    /// of the centre of gravity, about the axis where it is smaller \[g\].
+    pub(crate) lift_g: f64,
+}
+
+/// Counts the worlds of a trial.
+pub(super) fn tally(context: &Context, trial: &Trial) -> Tally {
+    let count = |is_one: &dyn Fn(&Lived) -> bool| trial.lived.iter().filter(|lived| is_one(lived)).count() as u32;
+    let models: Vec<Model> = trial.models(context).collect();
+    let fallen = |lived: &Lived, model| trial.answer(lived, Question::Falls, model) == Some(Some(true));
+    // The model with the larger upper end decides, as in the verdict; of two equal ones the first.
+    let high = |model: &Model| trial.probability(context, Question::Falls, *model).high;
+    let deciding = models.iter().copied().reduce(|most, next| if high(&next) > high(&most) { next } else { most });
+    let deciding = deciding.unwrap_or(Model::Rigid);
+    let exceeds =
+        |lived: &Lived, model| !fallen(lived, model) && trial.answer(lived, Question::Shock, model) == Some(Some(true));
+    let exceeded = models.iter().map(|model| count(&|lived| exceeds(lived, *model))).max();
+    let stood = || trial.lived.iter().map(|lived| (lived, uplift_and_shock(lived)));
+    Tally {
+        worlds: trial.worlds(),
+        lifted: count(&has_lifted),
+        asked: count(&|lived| trial.answer(lived, Question::Falls, deciding).is_some()),
+        overturned: count(&|lived| fallen(lived, deciding)),
+        exceeded: trial.subject.capacity.as_ref().and(exceeded),
+        uplift_m_max: stood().filter_map(|(_, (uplift_m, _))| uplift_m).reduce(f64::max),
+        shock_g_max: stood().filter_map(|(_, (_, shock_g))| shock_g).reduce(f64::max),
+        lift_g: trial
+            .subject
+            .axes
+            .iter()
+            .map(|axis| axis.block.pivot().slenderness_angle_rad.tan())
+            .fold(f64::INFINITY, f64::min),
+    }
+}
+
+fn has_lifted(lived: &Lived) -> bool {
+    let on_rigid = lived.rigid.as_ref().is_ok_and(|axes| lifts(axes));
+    on_rigid || lived.pads.iter().flatten().flatten().any(|one| one.has_let_go)
+}
+
+/// The largest uplift \[m\] and the largest shock \[g\] in a world, of the models by which an edge
+/// lifts and it stays standing.
+fn uplift_and_shock(lived: &Lived) -> (Option<f64>, Option<f64>) {
+    let rigid = lived.rigid.as_ref().ok().filter(|axes| lifts(axes) && !overturned(axes));
+    let pads = lived.pads.as_ref().and_then(|pads| pads.as_ref().ok());
+    let pads = pads.filter(|axes| axes.iter().any(|one| one.has_let_go) && !axes.iter().any(|one| one.has_overturned));
+    let rigid = || rigid.into_iter().flatten();
+    let pads = || pads.into_iter().flatten().filter(|one| one.has_let_go);
+    let uplift_m = rigid().map(|one| one.rocking.uplift_m).chain(pads().map(|one| one.lift_m)).reduce(f64::max);
+    let hits = rigid().filter_map(|one| one.hit.as_ref().map(Hit::larger_g)).filter(|shock_g| *shock_g > 0.0);
+    let shocks = hits.map(|shock_g| lived.draw.model * shock_g).chain(pads().map(|one| one.edge_m_s2 / G0_M_S2));
+    (uplift_m, shocks.reduce(f64::max))
+}
