@@ -160,16 +160,14 @@ static TABLE: LazyLock<HashMap<String, Vec<Entry>>> = LazyLock::new(|| {
     for (column, languages) in HEADINGS {
         for (place, texts) in languages.iter().enumerate() {
             // Each language has its usual heading: "Inv.-Nr." is no worse than "Asset tag".
-            let mut rank = 0;
             let language = match place {
                 0 => Language::English,
                 5 => Language::Japanese,
                 _ => Language::Comma,
             };
-            for text in texts.split('|').filter(|text| !text.is_empty()) {
+            for (rank, text) in (1..).zip(texts.split('|').filter(|text| !text.is_empty())) {
                 let (name, unit) = text.split_once('=').map_or((text, None), |(name, unit)| (name, Some(unit)));
                 let key = squashed(name);
-                rank += 1;
                 let is_long_side = *column == Column::Width && LONG_SIDES.contains(&key.as_str());
                 let entries = table.entry(key).or_default();
                 if !entries.iter().any(|entry| entry.column == *column) {

@@ -9,6 +9,7 @@ use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::hazard::HazardArgs;
 use crate::printer::{Printer, lines};
 
 /// Check a study without running it, and show how it was understood
@@ -17,15 +18,18 @@ use crate::printer::{Printer, lines};
 Examples:
   freestand check study.toml
   freestand check study.toml --json
-  freestand check            (the built-in study)")]
+  freestand check            (the built-in study)
+  freestand check study.toml --place Wellington --site D")]
 pub(crate) struct CheckArgs {
     /// Study file (TOML) [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
+    #[command(flatten)]
+    hazard: HazardArgs,
 }
 
 pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let overrides = Overrides { seed: global.seed, ..Overrides::default() };
+    let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), ..Overrides::default() };
     let study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,

@@ -174,6 +174,14 @@ impl Resolver<'_> {
                     if written.is_incomplete && problem.kind == ProblemKind::Missing {
                         continue;
                     }
+                    // What a flag put in place of the study's is on no line of it.
+                    let is_flag =
+                        |(key, line): (&'static str, Option<usize>)| line.is_none() && problem.keys.contains(&key);
+                    if written.target.lines().any(is_flag) {
+                        let hint = problem.hint.as_deref().map(|hint| KeyStyle::File.shown(hint));
+                        self.problems.push(Problem { hint, ..problem });
+                        continue;
+                    }
                     let line = written.target.line_of(&problem.keys).or(written.line);
                     self.fault(line, "spectrum", problem);
                 }

@@ -161,7 +161,7 @@ pub fn resolve_with(
             objects,
             outputs,
             assessment,
-            warnings: resolver.warnings,
+            warnings: resolver.warnings.iter().map(|warning| KeyStyle::File.shown(warning)).collect(),
         }),
         _ => {
             resolver.problems.problems.sort_by_key(|problem| problem.line);

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use freestand::building::Building;
 use freestand::motion::{Motion, MotionError};
 use freestand::suite::SuiteScale;
-use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
@@ -156,7 +155,7 @@ impl Resolver<'_> {
         let coarsest_s = members.iter().map(|(read, _)| read.motion.motion.dt_s()).fold(0.0, f64::max);
         let coarse = short_period_warning("the suite", &suite.periods_s, coarsest_s);
         let notes = notes.into_iter().map(|(note, names)| format!("{}: {note}", some(&names)));
-        self.warnings.extend(notes.chain(coarse).map(|note| KeyStyle::File.shown(&note)));
+        self.warnings.extend(notes.chain(coarse));
     }
 }
 
