@@ -79,6 +79,28 @@ pub enum Column {
     Anchored,
     /// What it stands on.
     RestsOn,
+    /// `wall_gap`
+    WallGap,
+    /// `neighbour_gap`
+    NeighbourGap,
+    /// `wall_height`
+    WallHeight,
+    /// `wall_stiffness`
+    WallStiffness,
+    /// `wall_restitution`
+    WallRestitution,
+    /// `casters`
+    Casters,
+    /// `rolling_resistance`
+    RollingResistance,
+    /// `clearance`
+    Clearance,
+    /// `upper_height`
+    UpperHeight,
+    /// `upper_thickness`
+    UpperThickness,
+    /// `upper_mass`
+    UpperMass,
     /// `notes`
     Notes,
     /// Height, width and depth in one cell.
@@ -100,6 +122,8 @@ pub enum Holds {
     Range,
     /// Yes or no.
     Answer,
+    /// Whether it stands on casters, and whether they are braked.
+    Casters,
     /// Height, width and depth: `1800 x 600 x 450 mm`.
     Sizes,
 }
@@ -161,7 +185,7 @@ const fn of(spec: ColumnSpec, holds: Holds) -> ColumnSpec {
 use Dimension::{Acceleration, Length, Mass, Ratio, Stiffness, Time, Velocity};
 
 /// All columns, in the order of the template and of [`Column`].
-pub static COLUMNS: [ColumnSpec; 39] = [
+pub static COLUMNS: [ColumnSpec; 50] = [
     said(
         text(Column::Id, "id"),
         "Identifier of the object, unique in the file; without it the row number is used",
@@ -296,6 +320,53 @@ pub static COLUMNS: [ColumnSpec; 39] = [
         "no",
     ),
     said(text(Column::RestsOn, "rests_on"), "What it stands on, in words", "four levelling feet"),
+    said(
+        quantity(Column::WallGap, "wall_gap", Length, "mm"),
+        "Distance from its back to the wall; 0: it touches; empty: there is no wall",
+        "50",
+    ),
+    said(
+        quantity(Column::NeighbourGap, "neighbour_gap", Length, "mm"),
+        "Distance to what stands on either side of it; empty: nothing does",
+        "20",
+    ),
+    alternative(said(
+        quantity(Column::WallHeight, "wall_height", Length, "mm"),
+        "Height of that wall or neighbour; empty: taller than the object",
+        "1100",
+    )),
+    alternative(said(
+        quantity(Column::WallStiffness, "wall_stiffness", Stiffness, "N/mm"),
+        "Stiffness of the wall where the top of the object strikes it",
+        "2000",
+    )),
+    alternative(said(
+        quantity(Column::WallRestitution, "wall_restitution", Ratio, ""),
+        "Angular velocity after an impact at the wall over the one before, from 0 to below 1; empty: drawn from 0 to 0.5",
+        "0.2",
+    )),
+    said(of(text(Column::Casters, "casters"), Holds::Casters), "Casters: no, free or braked", "no"),
+    alternative(said(
+        quantity(Column::RollingResistance, "rolling_resistance", Ratio, ""),
+        "Resistance of its free casters over its weight; empty: 0.02",
+        "0.02",
+    )),
+    said(
+        quantity(Column::Clearance, "clearance", Length, "mm"),
+        "How far it may slide or roll before it strikes something",
+        "400",
+    ),
+    alternative(said(
+        quantity(Column::UpperHeight, "upper_height", Length, "mm"),
+        "Height of what stands on the object, such as a statue on its pedestal",
+        "900",
+    )),
+    alternative(said(
+        quantity(Column::UpperThickness, "upper_thickness", Length, "mm"),
+        "Thickness of what stands on the object",
+        "300",
+    )),
+    alternative(said(quantity(Column::UpperMass, "upper_mass", Mass, "kg"), "Mass of what stands on the object", "60")),
     said(text(Column::Notes, "notes"), "Notes", "photo 12"),
     alternative(said(
         of(text(Column::Dimensions, "dimensions"), Holds::Sizes),

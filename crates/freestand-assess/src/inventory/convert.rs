@@ -104,7 +104,7 @@ enum Kind {
 fn kind(text: &str) -> Kind {
     let holds = meaning(text).and_then(|found| COLUMNS.get(found.column as usize)).map(|spec| spec.holds);
     match holds {
-        Some(Holds::Text | Holds::Rating | Holds::Answer | Holds::Sizes) => Kind::Words,
+        Some(Holds::Text | Holds::Rating | Holds::Answer | Holds::Casters | Holds::Sizes) => Kind::Words,
         _ => Kind::Numbers,
     }
 }

@@ -8,7 +8,7 @@ use crate::library::{Confidence, Lookup, Tolerance};
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
-use freestand_input::words::{canonical, nearest};
+use freestand_input::words::nearest;
 use freestand_study::cushion::{self, EdgeCushion};
 use freestand_study::shape::Shape;
 
@@ -18,8 +18,8 @@ use super::plausible;
 use super::problems::Kind;
 use super::template::EXAMPLE;
 use super::values::Values;
-use super::vocabulary::names_wheels;
-use super::{Consequences, Item};
+use super::vocabulary::{casters, names_wheels};
+use super::{Casters, Consequences, Item, Surroundings, UpperBody};
 use freestand_study::restitution::checked;
 
 /// What a row is read with besides its cells.
@@ -38,11 +38,7 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     let quantity = values.whole(Column::Quantity).unwrap_or(1);
     let (floor, level_ratio) = floor(values, reading);
     let rests_on = values.text(Column::RestsOn);
-    if names_wheels(&rests_on)
-        && !["braked", "locked", "gebremst", "frein"].iter().any(|word| canonical(&rests_on).contains(word))
-    {
-        values.report(Column::RestsOn, Kind::Casters, None);
-    }
+    let surroundings = surroundings(values, &rests_on);
     let mut item = Item {
         row: values.row.number,
         section: reading.section.to_owned(),
@@ -77,6 +73,7 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
         questions: values.questions(Column::Questions),
         anchored: values.answer(Column::Anchored),
         rests_on,
+        surroundings,
         notes: values.text(Column::Notes),
         doubts: Vec::new(),
         carried,
@@ -89,6 +86,51 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     }
     item.doubts = values.doubts.clone();
     item
+}
+
+/// What is around it and on it. What it stands on says whether it rolls, where no column does.
+fn surroundings(values: &mut Values<'_>, rests_on: &str) -> Surroundings {
+    let wheels = casters(rests_on).filter(|_| names_wheels(rests_on));
+    let stated = values.casters(Column::Casters);
+    if stated.is_none() && wheels == Some(Casters::Free) {
+        values.report(Column::RestsOn, Kind::Casters, None);
+    }
+    Surroundings {
+        wall_gap_m: values.not_negative(Column::WallGap),
+        neighbour_gap_m: values.not_negative(Column::NeighbourGap),
+        wall_height_m: values.positive(Column::WallHeight),
+        wall_stiffness_n_m: values.positive(Column::WallStiffness),
+        wall_restitution: values.not_negative(Column::WallRestitution).filter(|ratio| {
+            let is_below = *ratio < 1.0;
+            if !is_below {
+                values.report(Column::WallRestitution, Kind::OutOfRange, Some("must be from 0 to below 1".to_owned()));
+            }
+            is_below
+        }),
+        casters: stated.or(wheels),
+        rolling_resistance_ratio: values.share(Column::RollingResistance),
+        clearance_m: values.not_negative(Column::Clearance),
+        upper: upper(values),
+    }
+}
+
+/// What stands on it: both sizes, or nothing.
+fn upper(values: &mut Values<'_>) -> Option<UpperBody> {
+    let (height, thickness) = (values.positive(Column::UpperHeight), values.positive(Column::UpperThickness));
+    let mass_kg = values.positive(Column::UpperMass);
+    match (height, thickness) {
+        (Some(height_m), Some(thickness_m)) => Some(UpperBody { height_m, thickness_m, mass_kg }),
+        (None, None) if mass_kg.is_none() => None,
+        (height, _) => {
+            let (column, lacks) = match height {
+                Some(_) => (Column::UpperHeight, "its thickness"),
+                None if values.is_filled(Column::UpperThickness) => (Column::UpperThickness, "its height"),
+                None => (Column::UpperMass, "its height and thickness"),
+            };
+            values.report(column, Kind::UpperAlone, Some(format!("what stands on the object lacks {lacks}")));
+            None
+        }
+    }
 }
 
 fn id(values: &mut Values<'_>) -> String {

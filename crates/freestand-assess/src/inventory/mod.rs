@@ -153,12 +153,70 @@ pub struct Item {
     pub anchored: Option<bool>,
     /// What it stands on, in words.
     pub rests_on: String,
+    /// What is around it and on it, and whether it rolls.
+    pub surroundings: Surroundings,
     /// Notes.
     pub notes: String,
     /// What is doubtful about the values of its row.
     pub doubts: Vec<Kind>,
     /// Cells of the other columns, in the order of [`Inventory::carried`].
     pub carried: Vec<String>,
+}
+
+/// What is around an object and on it, and whether it rolls.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Surroundings {
+    /// Distance from its back to the wall, in the direction of the thickness; `None`: no wall \[m\].
+    pub wall_gap_m: Option<f64>,
+    /// Distance to what stands on both sides of it, in the direction of the width; `None`: nothing \[m\].
+    pub neighbour_gap_m: Option<f64>,
+    /// Height of the wall and of the neighbours; `None`: taller than the object \[m\].
+    pub wall_height_m: Option<f64>,
+    /// Stiffness of the wall where the object strikes it \[N/m\].
+    pub wall_stiffness_n_m: Option<f64>,
+    /// Restitution of an impact at the wall, from 0 to below 1.
+    pub wall_restitution: Option<f64>,
+    /// Its casters; `None`: the list does not say.
+    pub casters: Option<Casters>,
+    /// Resistance of its casters over its weight.
+    pub rolling_resistance_ratio: Option<f64>,
+    /// How far it may slide or roll \[m\].
+    pub clearance_m: Option<f64>,
+    /// What stands on it.
+    pub upper: Option<UpperBody>,
+}
+
+/// The casters of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Casters {
+    /// It has none.
+    None,
+    /// They roll.
+    Free,
+    /// They are braked.
+    Braked,
+}
+
+impl Casters {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "no",
+            Self::Free => "free",
+            Self::Braked => "braked",
+        }
+    }
+}
+
+/// A body that stands on an object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UpperBody {
+    /// Height \[m\].
+    pub height_m: f64,
+    /// Thickness \[m\].
+    pub thickness_m: f64,
+    /// Mass; `None`: not known \[kg\].
+    pub mass_kg: Option<f64>,
 }
 
 /// An inventory that was read.

@@ -111,6 +111,8 @@ kinds! {
         "give the mass";
     PadAlone Doubt "pad-alone" "describes a pad without its stiffness; it is ignored"
         "give the stiffness of the pad";
+    UpperAlone Doubt "upper-alone" "describes what stands on the object in part only; it is ignored"
+        "give upper_height and upper_thickness, and upper_mass";
     PulseAlone Doubt "pulse-alone" "is the duration of a pulse without its peak"
         "give the peak of that pulse as the tolerance";
     Example Doubt "example" "is an example of the template"

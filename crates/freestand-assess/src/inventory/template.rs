@@ -92,7 +92,10 @@ fn table() -> Table {
     let row = |example: &&[(Column, &str)]| {
         let cell = |spec: &ColumnSpec| {
             let text = example.iter().find(|(column, _)| *column == spec.column).map_or("", |(_, text)| text);
-            Written::of(text, !matches!(spec.holds, Holds::Text | Holds::Rating | Holds::Range | Holds::Answer))
+            Written::of(
+                text,
+                !matches!(spec.holds, Holds::Text | Holds::Rating | Holds::Range | Holds::Answer | Holds::Casters),
+            )
         };
         columns().map(cell).collect()
     };
@@ -157,6 +160,7 @@ fn cells(spec: &ColumnSpec) -> &'static str {
         (_, Holds::Count) => "a whole number, at least 1",
         (_, Holds::Rating) => "H, M or L",
         (_, Holds::Answer) => "yes or no",
+        (_, Holds::Casters) => "no, free or braked",
         (_, Holds::Sizes) => "height, width and depth",
         (_, Holds::Range) => "one value, or a range such as 0.3-0.5",
         (Column::Accepted, _) => "between 0 and 1, or 10 %",

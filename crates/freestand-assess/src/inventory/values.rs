@@ -6,7 +6,6 @@ use freestand_input::words::canonical;
 
 use freestand_study::study::assessment::Questions;
 
-use super::Rating;
 use super::cell::{Cell, Row};
 use super::cells::{Choice, Measured, Sizes, Wrong, number_text, quantity, sizes, with_pulse};
 use super::columns::Column;
@@ -14,8 +13,9 @@ use super::headings::dimension;
 use super::numbers::Decimal;
 use super::problems::{Findings, Kind, Place, Severity};
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
-use super::vocabulary::{is_missing, rating};
+use super::vocabulary::{casters, is_missing, rating};
 use super::workbook::Merges;
+use super::{Casters, Rating};
 
 /// A row with everything that is needed to read its cells.
 pub(super) struct Values<'a> {
@@ -270,6 +270,16 @@ impl<'a> Values<'a> {
         self.positive_text(column).map(|(value, _)| value)
     }
 
+    /// A quantity in SI that may be 0.
+    pub(super) fn not_negative(&mut self, column: Column) -> Option<f64> {
+        let value = self.number(column)?;
+        if value >= 0.0 {
+            return Some(value);
+        }
+        self.report(column, Kind::OutOfRange, Some("must not be below 0".to_owned()));
+        None
+    }
+
     /// The duration in a tolerance such as `15g 11ms` \[s\].
     pub(super) fn pulse(&mut self) -> Option<f64> {
         let columns = self.columns;
@@ -358,6 +368,23 @@ impl<'a> Values<'a> {
             other => super::vocabulary::yes_or_no(&other.shown()),
         });
         self.count(one, found.is_some());
+        found
+    }
+
+    /// Whether it stands on casters, and whether they are braked.
+    pub(super) fn casters(&mut self, column: Column) -> Option<Casters> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return None;
+        }
+        let found = casters(&text);
+        if found.is_none() {
+            self.report(
+                column,
+                Kind::Unreadable,
+                Some("does not say whether it rolls: write no, free or braked".to_owned()),
+            );
+        }
         found
     }
 

@@ -2,6 +2,8 @@
 
 use freestand_input::words::canonical;
 
+use super::Casters;
+
 /// Whether a text says that the value is not known.
 pub(super) fn is_missing(text: &str) -> bool {
     // No such word has a digit or is long: most cells need no comparison.
@@ -258,6 +260,38 @@ pub(super) fn names_wheels(text: &str) -> bool {
         .any(|word| words.contains(word))
 }
 
+/// Whether something rolls: by a word of its own, or by what is said about its wheels.
+pub(super) fn casters(text: &str) -> Option<Casters> {
+    const BRAKED: [&str; 12] = [
+        "braked",
+        "brakes on",
+        "locked",
+        "gebremst",
+        "festgestellt",
+        "frein",
+        "bloque",
+        "frenad",
+        "bloquead",
+        "frenat",
+        "bloccat",
+        "ロック",
+    ];
+    const FREE: [&str; 9] =
+        ["free", "unlocked", "unbraked", "frei", "libre", "libero", "libera", "ungebremst", "フリー"];
+    let words = canonical(text);
+    if FREE.iter().any(|word| words.contains(word)) {
+        return Some(Casters::Free);
+    }
+    if BRAKED.iter().any(|word| words.contains(word)) {
+        return Some(Casters::Braked);
+    }
+    match yes_or_no(text) {
+        Some(true) => Some(Casters::Free),
+        Some(false) => Some(Casters::None),
+        None => names_wheels(text).then_some(Casters::Free),
+    }
+}
+
 /// The text without the words that make its number a rough one, and whether there were any.
 pub(super) fn without_approximation(text: &str) -> (&str, bool) {
     const BEFORE: [&str; 26] = [
@@ -368,6 +402,24 @@ mod tests {
         }
         for text in ["", "?", "partly bolted", "to be checked", "anchored at top, not at base"] {
             assert_eq!(yes_or_no(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn casters_by_their_words() {
+        use Casters::{Braked, Free, None as No};
+        for (text, expected) in [
+            ("free", Some(Free)),
+            ("yes", Some(Free)),
+            ("4 castors, 75 mm", Some(Free)),
+            ("Rollen, gebremst", Some(Braked)),
+            ("roulettes bloquées", Some(Braked)),
+            ("wheels locked", Some(Braked)),
+            ("castors unlocked", Some(Free)),
+            ("no", Some(No)),
+            ("four levelling feet", None),
+        ] {
+            assert_eq!(casters(text), expected, "{text}");
         }
     }
 

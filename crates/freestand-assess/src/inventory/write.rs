@@ -126,7 +126,7 @@ fn number_format(heading_text: &str) -> Option<Format> {
         (Column::Accepted, _) if found.unit == HeadingUnit::None => Some(Format::new().set_num_format("0.##%")),
         (_, Holds::Quantity(Dimension::Ratio)) => Some(Format::new().set_num_format("0.00##")),
         (_, Holds::Quantity(_)) => Some(Format::new().set_num_format("0.######")),
-        (_, Holds::Text | Holds::Rating | Holds::Range | Holds::Answer | Holds::Sizes) => {
+        (_, Holds::Text | Holds::Rating | Holds::Range | Holds::Answer | Holds::Casters | Holds::Sizes) => {
             Some(Format::new().set_num_format("@"))
         }
         (_, Holds::Count) => Some(Format::new().set_num_format("0")),

@@ -93,6 +93,7 @@ pub(super) fn item(index: usize) -> Item {
         questions: None,
         anchored: None,
         rests_on: String::new(),
+        surroundings: Default::default(),
         notes: String::new(),
         doubts: Vec::new(),
         carried: vec![format!("A{index}"), "-12".to_owned()],

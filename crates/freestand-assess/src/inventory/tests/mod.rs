@@ -447,3 +447,37 @@ fn the_sheet_with_the_headings_is_found() {
         .is_err()
     );
 }
+
+#[test]
+fn what_is_around_an_object() {
+    let list = "id,height [mm],depth [mm],Gap to wall [mm],neighbour gap (in),wall_restitution,casters,feet,clearance,\
+                upper_height [mm],upper_thickness [mm],upper_mass [kg]\n\
+                a,1800,450,0,2,0.2,,four castors,40 cm,,,\n\
+                b,1800,450,50,,0,braked,castors,,900,300,60\n\
+                c,1800,450,,,1,,\"castors, locked\",,,,\n\
+                d,1800,450,-5,,,perhaps,feet,,900,,\n";
+    let reading = read(list).unwrap();
+    let of = |n: usize| reading.inventory.items[n].surroundings;
+    let plain = Surroundings::default();
+    assert_eq!(
+        of(0),
+        Surroundings {
+            wall_gap_m: Some(0.0),
+            neighbour_gap_m: Some(0.0508),
+            wall_restitution: Some(0.2),
+            casters: Some(Casters::Free),
+            clearance_m: Some(0.4),
+            ..plain
+        }
+    );
+    let upper = Some(UpperBody { height_m: 0.9, thickness_m: 0.3, mass_kg: Some(60.0) });
+    let b =
+        Surroundings { wall_gap_m: Some(0.05), wall_restitution: Some(0.0), casters: Some(Casters::Braked), ..plain };
+    assert_eq!(of(1), Surroundings { upper, ..b });
+    assert_eq!(of(2), Surroundings { casters: Some(Casters::Braked), ..plain });
+    assert_eq!(of(3), plain);
+    let mut said: Vec<String> =
+        reading.inventory.findings.iter().map(|one| format!("{} {}", one.kind.name(), one.cells().join(" "))).collect();
+    said.sort();
+    assert_eq!(said, ["casters H2", "out-of-range D5", "out-of-range F4", "unreadable G5", "upper-alone J5"]);
+}

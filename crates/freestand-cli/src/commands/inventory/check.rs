@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand_assess::inventory::{
-    Finding, Inventory, Item, Mapping, Rating, ReadOptions, Reading, console_lines, inspect_inventory, marked_copy,
+    Casters, Finding, Inventory, Item, Mapping, Rating, ReadOptions, Reading, console_lines, inspect_inventory,
+    marked_copy,
 };
 use freestand_assess::job::floors_of;
 use freestand_assess::library::Libraries;
@@ -157,6 +158,10 @@ struct ObjectReport {
     property: Option<&'static str>,
     function: Option<&'static str>,
     rests_on: Option<String>,
+    wall_gap_m: Option<f64>,
+    neighbour_gap_m: Option<f64>,
+    casters: Option<&'static str>,
+    clearance_m: Option<f64>,
     doubts: Vec<&'static str>,
 }
 
@@ -294,6 +299,10 @@ fn object(item: &Item) -> ObjectReport {
         property: rated(item.consequences.property),
         function: rated(item.consequences.function),
         rests_on: text(&item.rests_on),
+        wall_gap_m: item.surroundings.wall_gap_m,
+        neighbour_gap_m: item.surroundings.neighbour_gap_m,
+        casters: item.surroundings.casters.map(Casters::name),
+        clearance_m: item.surroundings.clearance_m,
         doubts: item.doubts.iter().map(|kind| kind.name()).collect(),
     }
 }
