@@ -14,7 +14,7 @@ use freestand_study::study::{Ground, Study};
 
 /// Version of the text that is hashed; raise it with every change of that text or of the content of
 /// a part.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.
@@ -106,6 +106,7 @@ fn settings(settings: &Settings) -> Value {
         pad_strain_ratio,
         compliant,
         restraint,
+        restraint_code,
     } = settings;
     let Accepted { other_ratio, small_item_ratio, life_safety_ratio, function_ratio, property_ratio } = accepted;
     let WorldSettings {
@@ -124,6 +125,9 @@ fn settings(settings: &Settings) -> Value {
         overstrength_ratio,
         amplification_ratio,
         response_ratio,
+        resonance_ratio,
+        strength_ratio,
+        building_ductility_ratio,
         importance_ratio,
         bracket_height_m,
         bracket,
@@ -148,6 +152,11 @@ fn settings(settings: &Settings) -> Value {
         "pad_strain_ratio": pad_strain_ratio,
         "compliant": compliant,
         "restraint": [Some(*dead_load_ratio), *overstrength_ratio, *amplification_ratio, *response_ratio, *importance_ratio],
+        "restraint_asce7_22": [resonance_ratio, strength_ratio, building_ductility_ratio],
+        // What the clauses use of a spectrum.
+        "restraint_code": restraint_code.as_ref().map(|target| {
+            (target.spectrum.name(), target.place_name(), target.spectrum.sa_g(0.0), target.spectrum.plateau_g())
+        }),
         "bracket_height_m": bracket_height_m,
         "bracket": bracket,
     })

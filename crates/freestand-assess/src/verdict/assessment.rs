@@ -10,6 +10,7 @@ use crate::result::{
     Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FloorFacts,
     ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
+use crate::restraint::beyond_code_words;
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
@@ -137,6 +138,11 @@ pub(super) fn assessment(
     }
     if decision == Decision::Restrain {
         assessed.restraint = context.restraint(trial);
+        if let Some(p) = assessed.p_overturn.filter(|_| answers.falls != FallsAnswer::Stays) {
+            let overturned = (p.value * f64::from(answers.worlds)).round() as usize;
+            let words = beyond_code_words(&assessed.restraint, overturned, answers.worlds as usize);
+            assessed.why.extend(words.map(|words| format!(" {words}")));
+        }
     }
     assessed.context = context.comparisons(trial, &floor);
     assessed.answers = Some(answers);

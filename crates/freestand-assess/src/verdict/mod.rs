@@ -35,6 +35,7 @@ use freestand_study::study::assessment::{Questions, Settings};
 
 use trial::Trial;
 
+pub(crate) use comparisons::restraint_of;
 pub(crate) use decision::listed;
 pub(crate) use object::Subject;
 

@@ -27,6 +27,8 @@ const DEFAULT_ASCE7_SITE: Asce7Site = Asce7Site::D;
 /// The long-period transition of ASCE 7, where a place gives the hazard \[s\]: 4 to 16 s on the maps,
 /// 8 s in most of California and much of the west.
 const DEFAULT_LONG_PERIOD_S: f64 = 8.0;
+/// The same as a person writes it.
+pub(super) const DEFAULT_LONG_PERIOD_WORDS: &str = "8 s";
 
 /// A fact of a report.
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {

@@ -4,6 +4,7 @@ mod figure;
 
 pub use figure::code_spectrum_figure;
 mod codes;
+mod parts;
 mod spectrum;
 mod table;
 mod words;
@@ -129,11 +130,7 @@ impl Target {
 
     /// The parameters on one line, without the code.
     pub fn parameters(&self) -> String {
-        let place = match self.place {
-            None => String::new(),
-            Some(Place { name, confidence: Confidence::Read, .. }) => format!(" ({name})"),
-            Some(Place { name, confidence: Confidence::Approximate, .. }) => format!(" ({name}, approximate)"),
-        };
+        let place = self.place_in_brackets();
         match &self.spectrum {
             CodeSpectrum::As1170_4(code) => format!(
                 "site {}, Z = {}{place}, {} years, kpZ = {} g",
@@ -175,6 +172,15 @@ impl Target {
                 number(table.first_period_s(), 4),
                 number(table.last_period_s(), 4)
             ),
+        }
+    }
+
+    /// ` (Melbourne)`, ` (Athens, approximate)`; empty without a place.
+    fn place_in_brackets(&self) -> String {
+        match self.place {
+            None => String::new(),
+            Some(Place { name, confidence: Confidence::Read, .. }) => format!(" ({name})"),
+            Some(Place { name, confidence: Confidence::Approximate, .. }) => format!(" ({name}, approximate)"),
         }
     }
 
