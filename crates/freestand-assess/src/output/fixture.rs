@@ -13,8 +13,8 @@ use crate::inventory::{Consequences, Inventory, Item, Rating};
 use crate::library::{Confidence, Tolerance};
 use crate::result::{
     AcceptedFor, Answers, Assessment, Axis, AxisResponse, CapacityCheck, Cause, Chain, Criterion, Decision,
-    FallsAnswer, FloorFacts, ModelAnswers, OnPads, Probability, Response, RestraintForce, RestraintKind, Shares, Shock, ShockAnswer,
-    Sliding, SlidingVerdict, Softening,
+    FallsAnswer, FloorFacts, ModelAnswers, OnPads, Probability, Response, RestraintForce, RestraintKind, Shares, Shock,
+    ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_output::folder::OutputFolder;

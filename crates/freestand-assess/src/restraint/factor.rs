@@ -78,6 +78,7 @@ pub(super) fn said(factors: &[Factor], stated: &str) -> String {
         let each: Vec<String> = each.collect();
         if each.is_empty() { String::new() } else { format!(" {title}: {}.", each.join(", ")) }
     };
-    let assumed = list("Assumed", |source| if let FactorSource::Assumed(reason) = source { Some(reason) } else { None });
+    let assumed =
+        list("Assumed", |source| if let FactorSource::Assumed(reason) = source { Some(reason) } else { None });
     assumed + &list(stated, |source| (source == FactorSource::Given).then_some(""))
 }

@@ -15,8 +15,9 @@ use crate::result::RestraintKind;
 use super::RestraintQuestion;
 use super::factor::{Factor, FactorSource, said};
 
-/// Height of a building that every code counts as tall \[m\].
-const TALL_M: f64 = 30.0;
+/// Height of a building that every code counts as tall \[m\]: from 12 m on the factor of AS 1170.4
+/// depends on z/h alone, from 60 m on that of NZS 1170.5, where it is largest.
+const TALL_M: f64 = 60.0;
 
 /// What is said about AS 1170.4 and NZS 1170.5.
 const RECALLED: &str = "This clause is quoted from memory: check it in your edition of the code.";
@@ -88,6 +89,16 @@ impl Source {
     }
 }
 
+impl Source {
+    /// ` (0.2 S_DS is deducted for vertical shaking)`; empty where nothing is.
+    pub(crate) fn deduction_words(&self) -> String {
+        if self.vertical_words.is_empty() {
+            return String::new();
+        }
+        format!(" ({} is deducted for vertical shaking)", self.vertical_words)
+    }
+}
+
 /// `; the lower limit governs: 0.05 W`, where a limit does.
 fn governs(force: &PartForce) -> String {
     let limit = |name: &str| format!("; the {name} limit governs: {} W", number(force.force_ratio, 4));
@@ -113,7 +124,7 @@ struct Asked<'a> {
 
 impl<'a> Asked<'a> {
     fn new(question: &'a RestraintQuestion) -> Self {
-        let tall = "The height of the building was not given; 12 m or more is assumed.";
+        let tall = "The height of the building was not given; a tall one is assumed.";
         let place = PartsQuestion {
             level_ratio: question.object.level_ratio,
             building_height_m: Some(question.building_height_m.unwrap_or(TALL_M)),
@@ -250,7 +261,14 @@ impl<'a> Asked<'a> {
                     "F_p = 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W".to_owned();
                 let height = Factor::found("height", "1 + 2 z/h", height, "1", "the floor");
                 let factors = vec![sds, level, height, amplification, response, importance, overstrength];
-                ("ASCE 7-16", "ASCE 7-16, 13.3.1", asce7_16_force(sds_g, height.value, &part), equation, numbers, factors)
+                (
+                    "ASCE 7-16",
+                    "ASCE 7-16, 13.3.1",
+                    asce7_16_force(sds_g, height.value, &part),
+                    equation,
+                    numbers,
+                    factors,
+                )
             }
             Asce7Edition::Asce7_22 => {
                 let settings = &self.question.settings;
@@ -390,13 +408,7 @@ impl<'a> Asked<'a> {
             vertical_words: "",
             overstrength_ratio: overstrength.value,
             equation: "F_ph = C(0) C_Hi C_i C_ph R_p W, at most 3.6 W".to_owned(),
-            numbers: format!(
-                "{} × {} × {} × {}",
-                number(floor_g, 4),
-                shape.number(),
-                response.number(),
-                risk.number()
-            ),
+            numbers: format!("{} × {} × {} × {}", number(floor_g, 4), shape.number(), response.number(), risk.number()),
             factors: vec![
                 Factor::found("ground_acceleration", "C(0)", ground_g, "g", "the hazard"),
                 self.level(),

@@ -179,8 +179,11 @@ fn no_more_than_the_weight_is_deducted() {
 fn own_code_then_floor_then_comparisons() {
     for (edition, own) in [(Asce7Edition::Asce7_16, "ASCE 7-16"), (Asce7Edition::Asce7_22, "ASCE 7-22")] {
         let forces = restraint_forces(&cabinet(Some(america(edition))));
-        let study: Vec<&str> =
-            forces.iter().take_while(|force| force.kind != RestraintKind::OtherCode).map(|force| force.source.as_str()).collect();
+        let study: Vec<&str> = forces
+            .iter()
+            .take_while(|force| force.kind != RestraintKind::OtherCode)
+            .map(|force| force.source.as_str())
+            .collect();
         assert_eq!(study, [format!("{own}, 13.3.1").as_str(), "computed floor acceleration"]);
         assert!(forces[2..].iter().all(|force| {
             force.kind == RestraintKind::OtherCode && force.note.starts_with("For comparison, on your spectrum. F_")

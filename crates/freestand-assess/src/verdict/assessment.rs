@@ -6,11 +6,11 @@ use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
 use freestand::rocking::{Base, Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::spectra::landings;
 
+use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FloorFacts,
     ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
-use crate::restraint::beyond_code_words;
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
 use freestand_study::statistics::{QUANTILES, ranked_quantile};

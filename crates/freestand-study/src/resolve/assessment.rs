@@ -315,7 +315,8 @@ mod tests {
     /// The motions of floors are by no code: [restraint] names the one of the forces.
     #[test]
     fn the_code_of_restraints_stands_where_the_motions_have_none() {
-        let study = |ground: &str, restraint: &str| resolve(&format!("{ground}[restraint]\n{restraint}"), None, "".as_ref());
+        let study =
+            |ground: &str, restraint: &str| resolve(&format!("{ground}[restraint]\n{restraint}"), None, "".as_ref());
         let table = "[ground]\ncode = \"table\"\nspectrum = \"gone.csv\"\n";
         let problems = study("", "code = \"asce7\"\nsds = \"1 g\"\n").unwrap_err().problems;
         assert!(problems[0].message.contains("the motions are by AS 1170.4"), "{problems:?}");

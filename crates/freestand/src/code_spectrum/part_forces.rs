@@ -182,8 +182,7 @@ pub const LEAST_BUILDING_DUCTILITY_RATIO: f64 = 1.3;
 /// ```
 pub fn asce7_22_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_22Part) -> PartForce {
     let unit = sds_g * part.importance_ratio;
-    let ratio =
-        height_factor_ratio / part.used_building_ductility_ratio() * part.resonance_ratio / part.strength_ratio;
+    let ratio = height_factor_ratio / part.used_building_ductility_ratio() * part.resonance_ratio / part.strength_ratio;
     PartForce::within(0.4 * ratio * unit, 0.3 * unit, 1.6 * unit)
 }
 

@@ -4,7 +4,9 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 
 use crate::inventory::{Item, Rating};
-use crate::result::{Answers, Assessment, Cause, ModelAnswers, Probability, RestraintForce, design_force, reported_force};
+use crate::result::{
+    Answers, Assessment, Cause, ModelAnswers, Probability, RestraintForce, design_force, reported_force,
+};
 use freestand_study::cushion::cushion_words;
 
 use super::{Cell, Column, Kind, Line};
@@ -230,9 +232,11 @@ pub(crate) const COLUMNS: &[Column] = &[
     text("restraint_source", "clause of this force", |l| {
         of_text(l, |found| Some(reported_force(&found.restraint)?.source.as_str()))
     }),
-    text("anchor_source", "source of the anchors and the bracket: the floor where the code's force lifts nothing", |l| {
-        of_text(l, |found| Some(design_force(&found.restraint)?.source.as_str()))
-    }),
+    text(
+        "anchor_source",
+        "source of the anchors and the bracket: the floor where the code's force lifts nothing",
+        |l| of_text(l, |found| Some(design_force(&found.restraint)?.source.as_str())),
+    ),
     number("held_weight_ratio", "1", "weight that holds it down against the force, over its weight", |l| {
         restraint(l, |force| force.held_weight_ratio)
     }),
