@@ -13,9 +13,9 @@ use freestand::code_spectrum::part_forces::LEAST_BUILDING_DUCTILITY_RATIO;
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
+use freestand_input::words::{counted, number};
 use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
+use freestand_study::places::Place;
 use freestand_study::shape::Shape;
 use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
@@ -194,13 +194,17 @@ fn case(request: RestrainRequest) -> Result<Case, Problems> {
         assumptions.extend(assumed_hazard(words, target));
     }
     if request.cg_height_m.is_none() {
-        let cg = format_si(question.object.cg_height_m, Dimension::Length);
+        let cg = report::length_words(question.object.cg_height_m);
         assumptions.push(format!("The centre of gravity is at half of the height, {cg}."));
     }
     if request.width_m.is_none() {
         assumptions.push("No width was given: only tipping across the thickness is checked.".to_owned());
     }
-    let warnings = target.iter().flat_map(|target| target.warnings.iter().cloned()).collect();
+    let warnings = match (&request.hazard, &target) {
+        // A study tells its own; here only what concerns the place counts.
+        (RestrainHazard::Study(_), Some(target)) => target.place.and_then(Place::doubt).into_iter().collect(),
+        (_, target) => target.iter().flat_map(|target| target.warnings.iter().cloned()).collect(),
+    };
     let others = if request.is_compared { others } else { Vec::new() };
     Ok(Case { request, question, target, floor, assumptions, warnings, own, others })
 }
@@ -324,14 +328,14 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
     let (level, words) = match (name, level_ratio) {
         (Some(name), _) => {
             let ratio = level_of_floor(&floors, name)?;
-            let of = floors.storeys.map_or_else(String::new, |storeys| format!(" of {storeys}"));
-            (ratio, format!("floor {}{of}, z/h = {}", name.trim(), number(ratio, 3)))
+            let of = floors.storeys.map_or_else(String::new, |storeys| format!(" ({})", counted(storeys, "storey")));
+            (ratio, format!("{}{of}, z/h = {}", name.trim(), number(ratio, 3)))
         }
         (None, Some(ratio)) => (*ratio, format!("z/h = {}", number(*ratio, 3))),
         (None, None) if matches!(request.hazard, RestrainHazard::FloorAcceleration(_)) => (0.0, String::new()),
         (None, None) => {
             assumptions.push("No floor was given: the object is on the ground.".to_owned());
-            (0.0, "on the ground".to_owned())
+            (0.0, "the ground".to_owned())
         }
     };
     if storeys.is_some() && storey_height_m.is_none() {

@@ -1,7 +1,7 @@
 //! What `freestand restrain` prints, and its document.
 
 use freestand::code_spectrum::part_forces::Governing;
-use freestand_input::quantity::{Dimension, format_si, lookup};
+use freestand_input::quantity::lookup;
 use freestand_input::words::number;
 use freestand_output::facts::Facts;
 use freestand_study::places::Place;
@@ -39,6 +39,11 @@ pub(super) fn report(case: &Case) -> RestrainReport {
         sheet: sheet::sheet(case),
         warnings: case.warnings.clone(),
     }
+}
+
+/// A length as engineers read it, to a tenth of a millimetre or a millimetre: `914.4 mm`, `1.646 m`.
+pub(super) fn length_words(length_m: f64) -> String {
+    if length_m < 1.0 { format!("{} mm", number(1e3 * length_m, 4)) } else { format!("{} m", number(length_m, 4)) }
 }
 
 /// A force as engineers read it: `659 N`, `1.29 kN`.
@@ -104,7 +109,7 @@ fn answer(case: &Case) -> String {
         "Design its restraint for {} ({} % of its weight), {} above its floor, by {}: {anchors}.",
         force_words(force.force_n),
         number(100.0 * force.force_ratio, 3),
-        format_si(case.question.object.cg_height_m, Dimension::Length),
+        length_words(case.question.object.cg_height_m),
         clause_words(&case.own),
     )
 }
@@ -140,7 +145,7 @@ fn facts(case: &Case) -> Facts<'static> {
         each(force.anchor_tension_n),
         each(force.anchor_tension_concrete_n),
     );
-    let bracket_height = format_si(force.bracket_height_m, Dimension::Length);
+    let bracket_height = length_words(force.bracket_height_m);
     let bracket = format!(
         "{} at {bracket_height}, with {} at the feet",
         force_words(force.bracket_force_n),
@@ -161,7 +166,8 @@ fn facts(case: &Case) -> Facts<'static> {
             "force",
             Some(format!("{}, {} of its weight", force_in_both(force.force_n), number(force.force_ratio, 4))),
         )
-        .fact("acts_at_height_m", "acts at a height of", object.cg_height_m)
+        .key("acts_at_height_m", object.cg_height_m)
+        .line("acts at a height of", Some(length_words(object.cg_height_m)))
         .key("overturning_moment_n_m", own.overturning_moment_n_m)
         .line("overturning moment", moment(own.overturning_moment_n_m))
         .key("resisting_moment_n_m", own.resisting_moment_n_m)

@@ -5,7 +5,9 @@ use freestand_input::words::number;
 use freestand_output::html::{self, CLOSING, Cell, escape, figure, heading, list, opening, properties, words};
 
 use super::Case;
-use super::report::{clause_words, factor_words, force_in_both, force_words, limits_words, tension_words};
+use super::report::{
+    clause_words, factor_words, force_in_both, force_words, length_words, limits_words, tension_words,
+};
 use super::sketch::sketch;
 
 /// The sheet fits on one page, A4 or Letter.
@@ -58,7 +60,8 @@ pub(super) fn sheet(case: &Case) -> String {
     html.push_str(&anchors(case));
     if !case.others.is_empty() {
         html.push_str(&heading("For comparison, on the same spectrum"));
-        let titles = ["clause", "force", "force/weight", "tension along one edge", "in concrete"];
+        let mut titles = vec![words("clause")];
+        titles.extend(["force", "force/weight", "tension along one edge", "in concrete"].map(figure));
         let row = |other: &crate::restraint::Demand| {
             let force = &other.force;
             vec![
@@ -70,7 +73,7 @@ pub(super) fn sheet(case: &Case) -> String {
             ]
         };
         let rows: Vec<Vec<Cell>> = case.others.iter().map(row).collect();
-        html.push_str(&html::table("", &[titles.map(words).to_vec()], &rows));
+        html.push_str(&html::table("", &[titles], &rows));
     }
     html.push_str(&heading("Assumed, and to be confirmed"));
     let doubt = case.target.as_ref().and_then(|target| target.place).and_then(|place| place.doubt());
@@ -79,7 +82,7 @@ pub(super) fn sheet(case: &Case) -> String {
     notes.extend(own.source.remarks.iter().cloned());
     notes.push(
         "The sheet gives what the restraint must carry. Anchors, base plates, and the floor or wall that they are in \
-         need a design of their own; so does what the object itself is held by."
+         need a design of their own, and so does the part of the object that is held."
             .to_owned(),
     );
     html.push_str(&list(&notes));
@@ -97,7 +100,7 @@ fn sentence(warning: &str) -> String {
 
 fn object_and_results(case: &Case) -> String {
     let (own, force, object) = (&case.own, &case.own.force, &case.question.object);
-    let length = |length_m: f64| format_si(length_m, Dimension::Length);
+    let length = length_words;
     let sides: Vec<String> = [Some(case.request.height_m), Some(case.request.thickness_m), case.request.width_m]
         .into_iter()
         .flatten()
@@ -126,7 +129,8 @@ fn object_and_results(case: &Case) -> String {
 fn anchors(case: &Case) -> String {
     let force = &case.own.force;
     let count = case.request.anchors_per_edge;
-    let titles = ["", "tension", "tension in concrete", "shear"].map(words).to_vec();
+    let mut titles = vec![words("")];
+    titles.extend(["tension", "tension in concrete", "shear"].map(figure));
     let row = |name: &str, forces: [f64; 3]| {
         let mut row = vec![words(name)];
         row.extend(forces.map(|force_n| figure(force_in_both(force_n))));
@@ -137,7 +141,7 @@ fn anchors(case: &Case) -> String {
     let each = [case.anchor_n(edge[0]), case.anchor_n(edge[1]), case.anchor_shear_n()];
     let table = html::table("", &[titles], &[row("all along one edge", all), row(&format!("each of {count}"), each)]);
     let Some(axis) = &case.own.axis else { return table };
-    let length = |length_m: f64| format_si(length_m, Dimension::Length);
+    let length = length_words;
     let tension = format!(
         "T = (F c − H e)/B, at least 0, with c = {}, e = {}, B = {} (the {}) and H = {} W, the weight that holds it \
          down{}. In concrete, Ω_0 F takes the place of F, with Ω_0 = {}.",

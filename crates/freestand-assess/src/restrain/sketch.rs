@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
-use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::html::escape;
 
 use super::Case;
-use super::report::force_words;
+use super::report::{force_words, length_words};
 
 /// Size of the picture \[px\].
 const WIDTH_PX: f64 = 380.0;
@@ -27,7 +26,7 @@ pub(super) fn sketch(case: &Case) -> String {
     let (width, height) = (side_m * scale, object.height_m * scale);
     let (left, right, top) = (MIDDLE_PX - width / 2.0, MIDDLE_PX + width / 2.0, FLOOR_PX - height);
     let (cg, bracket) = (FLOOR_PX - object.cg_height_m * scale, FLOOR_PX - force.bracket_height_m * scale);
-    let length = |length_m: f64| format_si(length_m, Dimension::Length);
+    let length = length_words;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH_PX} {HEIGHT_PX}\" role=\"img\" \
          aria-label=\"The object with its forces\" font-family=\"Arial, sans-serif\" font-size=\"12\">\n\
@@ -71,7 +70,7 @@ pub(super) fn sketch(case: &Case) -> String {
     line([right + 24.0, top, right + 24.0, FLOOR_PX], both);
     line([right + 4.0, cg, right + 44.0, cg], thin);
     line([right + 38.0, cg, right + 38.0, FLOOR_PX], both);
-    line([left, FLOOR_PX + 24.0, right, FLOOR_PX + 24.0], both);
+    line([left, FLOOR_PX + 52.0, right, FLOOR_PX + 52.0], both);
     let mut text = |[x, y]: [f64; 2], anchor: &str, colour: &str, words: &str| {
         let words = escape(words);
         let _ =
@@ -81,10 +80,10 @@ pub(super) fn sketch(case: &Case) -> String {
     text([MIDDLE_PX + 7.0, cg + 26.0], "start", "#1a1a1a", "W");
     text([right + 20.0, top - 5.0], "middle", "#444", &length(object.height_m));
     text([right + 44.0, (cg + FLOOR_PX) / 2.0], "start", "#444", &length(object.cg_height_m));
-    text([MIDDLE_PX, FLOOR_PX + 20.0], "middle", "#444", &length(side_m));
+    text([MIDDLE_PX, FLOOR_PX + 47.0], "middle", "#444", &length(side_m));
     if force.anchor_tension_n > 0.0 {
         let words = format!("T = {}", force_words(force.anchor_tension_n));
-        text([left - 2.0, FLOOR_PX + 38.0], "end", "#00558c", &words);
+        text([left - 2.0, FLOOR_PX + 34.0], "end", "#00558c", &words);
     }
     text([316.0, bracket - 6.0], "end", "#00558c", &format!("or P = {}", force_words(force.bracket_force_n)));
     svg + "</svg>\n"

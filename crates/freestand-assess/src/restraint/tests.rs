@@ -5,7 +5,7 @@ use freestand::code_spectrum::{
 use freestand_study::study::assessment::Bracket;
 
 use super::*;
-use crate::result::reported_force;
+use crate::result::{design_force, reported_force};
 
 const WEIGHT_N: f64 = 140.0 * 9.80665;
 
@@ -358,4 +358,25 @@ fn clearance_is_that_of_the_farthest_corner() {
 fn the_clearance_is_that_of_the_top_or_of_the_fallen_object() {
     assert!((clearance_m(2.3, 0.6, 5.0_f64.to_radians()) - 0.2005).abs() < 5e-5);
     assert_eq!(clearance_m(2.3, 0.6, 0.3), 2.3);
+}
+
+/// Mid-height: 0.176 W by the code, (0.176 · 1.15 − 0.27)/0.6 < 0; the floor has 0.4 W = 549 N and
+/// (0.46 − 0.27)/0.6 W: the anchors are those of the floor.
+#[test]
+fn what_the_code_does_not_lift_is_designed_for_the_floor() {
+    let at =
+        |level_ratio| restraint_forces(&other(cabinet(Some(melbourne())), |object| object.level_ratio = level_ratio));
+    let middle = at(0.5);
+    assert_eq!((middle[0].kind, middle[0].anchor_tension_n), (RestraintKind::OwnCode, 0.0));
+    assert_eq!(reported_force(&middle), middle.first());
+    assert_eq!(design_force(&middle).unwrap().kind, RestraintKind::Floor);
+    let expected = "The code's force alone would not lift it, but 7 of 20 simulated earthquakes overturn it: design for \
+                    0.55 kN.";
+    assert_eq!(beyond_code_words(&middle, 7, 20).unwrap(), expected);
+    assert!(beyond_code_words(&middle, 1, 20).unwrap().contains("1 of 20 simulated earthquakes overturns it"));
+    // On the roof the code asks for anchors itself; nothing falls; no code.
+    assert_eq!(beyond_code_words(&at(1.0), 7, 20), None);
+    assert_eq!(design_force(&at(1.0)).unwrap().kind, RestraintKind::OwnCode);
+    assert_eq!(beyond_code_words(&middle, 0, 20), None);
+    assert_eq!(beyond_code_words(&restraint_forces(&cabinet(None)), 7, 20), None);
 }

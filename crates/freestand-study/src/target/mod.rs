@@ -44,6 +44,9 @@ pub struct Target {
     pub table_csv: Option<String>,
     /// What the reader must know.
     pub warnings: Vec<String>,
+    /// What the reader must know about periods above about 1 s, and about nothing else;
+    /// [`Self::resolve`] adds it to the warnings.
+    period_warnings: Vec<String>,
 }
 
 impl Target {
@@ -67,7 +70,10 @@ impl Target {
     /// # Ok::<(), freestand_input::problem::Problems>(())
     /// ```
     pub fn resolve(words: &Words, base_dir: &Path) -> Result<Self, Problems> {
-        words::resolve(words, base_dir)
+        words::resolve(words, base_dir).map(|mut target| {
+            target.warnings.append(&mut target.period_warnings);
+            target
+        })
     }
 
     /// The name of the code in flags and studies.

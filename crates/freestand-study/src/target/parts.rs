@@ -8,7 +8,7 @@ use freestand_input::words::number;
 
 use super::Target;
 use super::codes::DEFAULT_LONG_PERIOD_WORDS;
-use super::words::{CODES, Code};
+use super::words::{self, CODES, Code};
 
 impl Target {
     /// The code for parts that words with the keys of a spectrum describe.
@@ -46,6 +46,12 @@ impl Target {
                 .of(&["hazard_factor", "code"]);
             return Err(problem.into());
         }
+        if code == Some(Code::Asce7) && !has_place && !has("sds") && !has("ss") {
+            let problem = Problem::new(ProblemKind::Missing, "ASCE 7 needs `sds`")
+                .hint("give `sds = \"1 g\"`, or a place: freestand place list")
+                .of(&["sds", "code"]);
+            return Err(problem.into());
+        }
         let mut words = words.clone();
         let mut filled = Vec::new();
         if code == Some(Code::Asce7) && !has_place {
@@ -61,11 +67,15 @@ impl Target {
                 words.set("long_period", DEFAULT_LONG_PERIOD_WORDS);
             }
         }
-        Self::resolve(&words, "".as_ref()).map_err(|mut problems| {
-            // The value that stands in is wrong where the value that it repeats is.
-            problems.problems.retain(|problem| !problem.keys.first().is_some_and(|key| filled.contains(key)));
-            problems
-        })
+        match words::resolve(&words, "".as_ref()) {
+            // The clauses use no long periods.
+            Ok(target) => Ok(Self { period_warnings: Vec::new(), ..target }),
+            Err(mut problems) => {
+                // The value that stands in is wrong where the value that it repeats is.
+                problems.problems.retain(|problem| !problem.keys.first().is_some_and(|key| filled.contains(key)));
+                Err(problems)
+            }
+        }
     }
 
     /// What the clauses for parts use of it: `S_DS = 1 g`, `site De, Z = 0.08 (Melbourne), 500
