@@ -5,7 +5,7 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::CodeSpectrum;
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::{counted, number};
+use freestand_input::words::{counted, number, significant};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
 
@@ -228,7 +228,7 @@ pub(crate) fn beyond_code_words(forces: &[RestraintForce], overturned: usize, wo
         format!(
             "The code's force alone would not lift it, but {overturned} of {} {verb} it: design for {} kN.",
             counted(worlds, "simulated earthquake"),
-            number(1e-3 * design.force_n, 2)
+            significant(1e-3 * design.force_n, 2)
         )
     })
 }
