@@ -26,6 +26,11 @@ use crate::job::floors_of;
 use crate::restraint::{Demand, HeldObject, RestraintQuestion, demands};
 use crate::result::{Axis, RestraintKind};
 
+/// What is said where the force of a code lifts nothing.
+const NO_TENSION: &str = "No tension does not mean that the object stands without anchors: the force of a code is \
+                          reduced for ductility, and an earthquake may lift it all the same; freestand assess simulates \
+                          that.";
+
 /// Most storeys of a building.
 const MAX_STOREYS: usize = 500;
 
@@ -189,7 +194,7 @@ fn case(request: RestrainRequest) -> Result<Case, Problems> {
     if own.is_empty() {
         return Err(without_code().into());
     }
-    let own = own.swap_remove(0);
+    let mut own = own.swap_remove(0);
     if let (RestrainHazard::Code(words), Some(target)) = (&request.hazard, &target) {
         assumptions.extend(assumed_hazard(words, target));
     }
@@ -200,11 +205,15 @@ fn case(request: RestrainRequest) -> Result<Case, Problems> {
     if request.width_m.is_none() {
         assumptions.push("No width was given: only tipping across the thickness is checked.".to_owned());
     }
-    let warnings = match (&request.hazard, &target) {
+    let mut warnings: Vec<String> = match (&request.hazard, &target) {
         // A study tells its own; here only what concerns the place counts.
         (RestrainHazard::Study(_), Some(target)) => target.place.and_then(Place::doubt).into_iter().collect(),
         (_, target) => target.iter().flat_map(|target| target.warnings.iter().cloned()).collect(),
     };
+    if own.force.anchor_tension_n <= 0.0 && own.source.kind == RestraintKind::OwnCode {
+        warnings.push(NO_TENSION.to_owned());
+        own.source.remarks.insert(0, NO_TENSION.to_owned());
+    }
     let others = if request.is_compared { others } else { Vec::new() };
     Ok(Case { request, question, target, floor, assumptions, warnings, own, others })
 }

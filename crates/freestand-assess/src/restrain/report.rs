@@ -137,14 +137,16 @@ fn facts(case: &Case) -> Facts<'static> {
         .key("tension_concrete_n", case.anchor_n(force.anchor_tension_concrete_n))
         .key("shear_n", case.anchor_shear_n());
     let [tension, in_concrete] = [force.anchor_tension_n, force.anchor_tension_concrete_n].map(tension_words);
-    let each = |tension_n: f64| force_words(case.anchor_n(tension_n));
     let shear = force_words(case.anchor_shear_n());
     let anchors = case.request.anchors_per_edge;
-    let each = format!(
-        "{} of tension, in concrete {}; {shear} of shear ({anchors} along each of two edges)",
-        each(force.anchor_tension_n),
-        each(force.anchor_tension_concrete_n),
-    );
+    let of_each = [force.anchor_tension_n, force.anchor_tension_concrete_n].map(|edge_n| case.anchor_n(edge_n));
+    let pull = match of_each {
+        [tension_n, concrete_n] if tension_n > 0.0 || concrete_n > 0.0 => {
+            format!("{} of tension, in concrete {}; ", force_words(tension_n), force_words(concrete_n))
+        }
+        _ => String::new(),
+    };
+    let each = format!("{pull}{shear} of shear ({anchors} along each of two edges)");
     let bracket_height = length_words(force.bracket_height_m);
     let bracket = format!(
         "{} at {bracket_height}, with {} at the feet",
