@@ -2,7 +2,7 @@
 
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
-use freestand_output::html::{self, CLOSING, Cell, escape, figure, heading, list, opening, properties, words};
+use freestand_output::html::{self, CLOSING, Cell, escape, figure, heading, list, markup, opening, properties, words};
 
 use super::Case;
 use super::report::{
@@ -19,6 +19,7 @@ const CSS: &str = "\
 .formula { font: 1.02em Cambria, Georgia, \"Times New Roman\", serif; margin: .3rem 0 .2rem 1rem; }
 .sign { display: flex; gap: 1.5rem; margin-top: 1.6rem; }
 .sign span { flex: 1; border-top: 1px solid #1a1a1a; padding-top: .2rem; font-size: .85rem; color: #444; }
+sub { font-size: .72em; line-height: 0; }
 @media print {
   body { font-size: 8.6pt; line-height: 1.28; }
   h1 { font-size: 15pt; margin: 0; }
@@ -47,13 +48,16 @@ pub(super) fn sheet(case: &Case) -> String {
     let ratio = number(own.source.force.formula_ratio, 4);
     html.push_str(&format!(
         "<p class=\"formula\">{}</p>\n<p class=\"formula\">= {} = {ratio} W</p>\n",
-        escape(&own.source.equation),
+        symbols(&own.source.equation),
         escape(&own.source.numbers)
     ));
     if let Some(limits) = limits_words(own) {
         html.push_str(&format!("<p>Limits: {}: F = {} W.</p>\n", escape(&limits), number(force.force_ratio, 4)));
     }
-    let row = |factor| factor_words(factor).map(|text| words(&text)).to_vec();
+    let row = |factor| {
+        let [symbol, value, source] = factor_words(factor);
+        vec![markup(symbols(&symbol), ""), words(&value), words(&source)]
+    };
     let rows: Vec<Vec<Cell>> = own.source.factors.iter().map(row).collect();
     html.push_str(&html::table("", &[vec![words("factor"), words("value"), words("who says so")]], &rows));
     html.push_str(&heading("The anchors"));
@@ -153,5 +157,17 @@ fn anchors(case: &Case) -> String {
         case.own.source.deduction_words(),
         number(force.overstrength_ratio, 4)
     );
-    table + &html::paragraph(&tension)
+    format!("{table}<p>{}</p>\n", symbols(&tension))
+}
+
+/// A text with its symbols as in print: `a_p` has an index.
+fn symbols(text: &str) -> String {
+    let (mut html, mut rest) = (String::new(), text);
+    while let Some((before, after)) = rest.split_once('_') {
+        let index = after.find(|c: char| !c.is_alphanumeric()).unwrap_or(after.len());
+        let (index, tail) = after.split_at(index);
+        html.push_str(&format!("{}<sub>{}</sub>", escape(before), escape(index)));
+        rest = tail;
+    }
+    html + &escape(rest)
 }

@@ -76,7 +76,7 @@ pub(super) fn sketch(case: &Case) -> String {
         let _ =
             writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" fill=\"{colour}\">{words}</text>");
     };
-    text([left - 6.0, cg - 8.0], "end", "#b00020", &format!("F = {}", force_words(force.force_n)));
+    text([left - 10.0, cg - 12.0], "end", "#b00020", &format!("F = {}", force_words(force.force_n)));
     text([MIDDLE_PX + 7.0, cg + 26.0], "start", "#1a1a1a", "W");
     text([right + 20.0, top - 5.0], "middle", "#444", &length(object.height_m));
     text([right + 44.0, (cg + FLOOR_PX) / 2.0], "start", "#444", &length(object.cg_height_m));

@@ -163,7 +163,9 @@ fn other_codes_and_the_sheet() {
     assert_eq!(others, ["AS 1170.4, section 8", "ASCE 7-16, 13.3.1", "ASCE 7-22, 13.3.1"]);
     assert!(restrain(request(false)).unwrap().others.is_empty());
     let sheet = &report.sheet;
-    for part in ["<svg", "F_a = α S", "who says so", "approximate: confirm", "Date and signature", "For comparison"] {
+    for part in
+        ["<svg", "F<sub>a</sub> = α S", "who says so", "approximate: confirm", "Date and signature", "For comparison"]
+    {
         assert!(sheet.contains(part), "{part}");
     }
     assert!(

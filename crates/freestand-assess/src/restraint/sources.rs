@@ -23,7 +23,7 @@ const TALL_M: f64 = 60.0;
 const RECALLED: &str = "This clause is quoted from memory: check it in your edition of the code.";
 
 /// What is said about ASCE 7 and EN 1998-1, whose formulas and limits agree with public programs.
-const FACTORS_RECALLED: &str = "Its factors are quoted from memory: check them in your edition of the code.";
+const FACTORS_RECALLED: &str = "The factors are quoted from memory: check them in your edition of the code.";
 
 /// Amplification of a part on a flexible bracket, whose period is not known: 2.5 in AS 1170.4 (a_c)
 /// and in ASCE 7-16 (a_p), and of the computed floor.
