@@ -201,10 +201,15 @@ mod tests {
             usual,
             key("[building]\nstoreys = 8\n[outputs]\nreport = false\n[assessment]\npages = 7\n", |_, _| ())
         );
-        let changes: [fn(&mut Study, &mut Inventory); 6] = [
+        let changes: [fn(&mut Study, &mut Inventory); 8] = [
             |study, _| study.assessment.seed = 2,
             |study, _| study.assessment.spread.mass = 0.2,
             |study, _| study.directions_deg.push(90.0),
+            |study, _| study.assessment.restraint.strength_ratio = Some(2.0),
+            |study, _| {
+                let words = [("code", "asce7"), ("sds", "1 g")].into_iter().collect();
+                study.assessment.restraint_code = freestand_study::target::Target::for_parts(&words).ok();
+            },
             |_, inventory| inventory.sha256 = "01".to_owned(),
             |_, inventory| inventory.sheet = Some("Ward".to_owned()),
             |_, inventory| inventory.libraries.push(InputFile::new(Path::new("ours.csv"), b"id")),

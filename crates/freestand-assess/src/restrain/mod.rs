@@ -27,9 +27,9 @@ use crate::restraint::{Demand, HeldObject, RestraintQuestion, demands};
 use crate::result::{Axis, RestraintKind};
 
 /// What is said where the force of a code lifts nothing.
-const NO_TENSION: &str = "No tension does not mean that the object stands without anchors: the force of a code is \
-                          reduced for ductility, and an earthquake may lift it all the same; freestand assess simulates \
-                          that.";
+const NO_TENSION: &str = "No tension does not mean that the object stands without anchors: the force of a code may be \
+                          reduced for ductility, and an earthquake may lift the object all the same. freestand assess \
+                          simulates that.";
 
 /// Most storeys of a building.
 const MAX_STOREYS: usize = 500;
