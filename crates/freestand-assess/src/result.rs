@@ -531,6 +531,8 @@ pub struct Softening {
 /// weight and the base B, about the axis that needs more.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RestraintForce {
+    /// What kind of source it is by.
+    pub kind: RestraintKind,
     /// The clause.
     pub source: String,
     /// Horizontal force F at the centre of gravity \[N\].
@@ -555,16 +557,44 @@ pub struct RestraintForce {
     pub bracket_force_concrete_n: f64,
     /// Horizontal force at the feet beside that bracket, F |1 − c/z_b| \[N\].
     pub bracket_base_shear_n: f64,
-    /// Whether it is by a code other than the study's own, on the study's spectrum.
-    pub is_for_comparison: bool,
     /// The formula with its numbers, the factors, and what was assumed.
     pub note: String,
+}
+
+/// The kind of source of a force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum RestraintKind {
+    /// A clause of the study's own code.
+    OwnCode,
+    /// The acceleration of its floor.
+    Floor,
+    /// A clause of another code, on the study's spectrum.
+    OtherCode,
+}
+
+impl RestraintKind {
+    /// What a number by such a source is.
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::OwnCode => "a clause of the study's code",
+            Self::Floor => "the floor of the simulated earthquakes",
+            Self::OtherCode => "a clause of another code, for comparison",
+        }
+    }
 }
 
 /// The force that counts for an object: by the study's own code, or by the computed floor where the
 /// study has no code. `None`: there is none, or only forces for comparison.
 pub fn reported_force(forces: &[RestraintForce]) -> Option<&RestraintForce> {
-    forces.iter().find(|force| !force.is_for_comparison)
+    forces.iter().find(|force| force.kind != RestraintKind::OtherCode)
+}
+
+/// The force that anchors and a bracket are designed for: [`reported_force`], or that of the floor
+/// where the code's force would not lift the object and that of the floor does.
+pub fn design_force(forces: &[RestraintForce]) -> Option<&RestraintForce> {
+    let reported = reported_force(forces)?;
+    let floor = forces.iter().find(|force| force.kind == RestraintKind::Floor && force.anchor_tension_n > 0.0);
+    Some(floor.filter(|_| reported.anchor_tension_n <= 0.0).unwrap_or(reported))
 }
 
 /// Eqs. (5)–(8) at one motion about one axis, with the numbers that a reader needs to repeat them.

@@ -17,6 +17,7 @@ use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
 use freestand::synthesis::{SynthesisOptions, synthesize};
 use freestand_assess::job::{Job, JobReport, ListRequest, assess_into, inventory_of};
+use freestand_assess::restrain::{RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain};
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Stage, Step, no_progress};
@@ -345,4 +346,44 @@ fn missing_data_is_no_verdict() {
         why["no-tolerance"]
     );
     assert!(why["no-height"].contains("because the height was not given"), "{}", why["no-height"]);
+}
+
+/// An object in a list has the force, the tension and the bracket of `restrain` on the same study, to
+/// the last digit: one that falls, and one that is anchored and not simulated.
+#[test]
+fn a_list_and_restrain_agree() {
+    let text = "[ground]\nplace = \"Wellington\"\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 3\nmost = \
+                6\nshares = false\n[assessment]\ncompliant = false\n[restraint]\nresponse_ratio = 1.5\n";
+    let study = resolve(text, None, Path::new("")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let (list, out) = (folder.path().join("list.csv"), folder.path().join("out"));
+    let rows = "id,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],anchored\n\
+                free,0.5,2300,400,900,140,no\nheld,1,1800,500,700,90,yes\n";
+    fs::write(&list, rows).unwrap();
+    let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
+    assess_into(&study, &inventory, &out, &Job::default(), &no_progress).unwrap();
+    assert_eq!(column(&out, "decision")["free"], "restrain");
+    let sizes = [("free", 0.5, 2.3, 0.4, 0.9, 140.0), ("held", 1.0, 1.8, 0.5, 0.7, 90.0)];
+    for (id, level_ratio, height_m, thickness_m, width_m, mass_kg) in sizes {
+        let report = restrain(RestrainRequest {
+            mass_kg,
+            height_m,
+            thickness_m,
+            width_m: Some(width_m),
+            cg_height_m: None,
+            hazard: RestrainHazard::Study(Box::new(study.clone())),
+            floor: RestrainFloor { level_ratio: Some(level_ratio), ..RestrainFloor::default() },
+            factors: RestrainFactors::default(),
+            anchors_per_edge: 2,
+            is_compared: false,
+        })
+        .unwrap();
+        let names = ["anchor_tension_n", "anchor_tension_concrete_n", "bracket_force_n", "bracket_base_shear_n"];
+        for (listed, alone) in names.map(|name| (name, name)).into_iter().chain([("restraint_force_n", "force_n")]) {
+            let listed: f64 = column(&out, listed)[id].parse().unwrap();
+            assert_eq!(Some(listed), report.facts.number(alone), "{id}: {alone}");
+            assert!(listed > 0.0, "{id}: {alone}");
+        }
+        assert_eq!(column(&out, "restraint_source")[id], "NZS 1170.5:2004, section 8");
+    }
 }

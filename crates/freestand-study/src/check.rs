@@ -34,6 +34,8 @@ pub fn check(study: &Study) -> Facts<'static> {
     let levels: Vec<String> = study.levels.iter().map(level_words).collect();
     let level_facts =
         |level: &Level| Facts::default().key("name", level.name.clone()).key("level_ratio", level.level_ratio);
+    let restraint = study.assessment.restraint_code.as_ref();
+    let restraint = restraint.map(|code| format!("{}, {}", code.spectrum.name(), code.parts_words()));
     let cushion = cushion_words(&objects.cushion.cushion);
     let (count, mass) = (objects.blocks.len(), format_si(objects.mass_kg, Dimension::Mass));
     facts
@@ -41,6 +43,7 @@ pub fn check(study: &Study) -> Facts<'static> {
         .line("levels", Some(levels.join(", ")))
         .line("heights", Some(range(&objects.heights_m)))
         .line("thicknesses", Some(range(&objects.thicknesses_m)))
+        .fact("restraint_code", "restraints by", restraint)
         .line("objects", Some(format!("{count} of {mass} on {cushion} under one edge")))
         .key("levels", study.levels.iter().map(level_facts).collect::<Vec<_>>())
         .key("heights_m", objects.heights_m.as_slice())

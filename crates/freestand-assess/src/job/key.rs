@@ -14,7 +14,7 @@ use freestand_study::study::{Ground, Study};
 
 /// Version of the text that is hashed; raise it with every change of that text or of the content of
 /// a part.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.
@@ -106,6 +106,7 @@ fn settings(settings: &Settings) -> Value {
         pad_strain_ratio,
         compliant,
         restraint,
+        restraint_code,
     } = settings;
     let Accepted { other_ratio, small_item_ratio, life_safety_ratio, function_ratio, property_ratio } = accepted;
     let WorldSettings {
@@ -124,6 +125,9 @@ fn settings(settings: &Settings) -> Value {
         overstrength_ratio,
         amplification_ratio,
         response_ratio,
+        resonance_ratio,
+        strength_ratio,
+        building_ductility_ratio,
         importance_ratio,
         bracket_height_m,
         bracket,
@@ -148,6 +152,11 @@ fn settings(settings: &Settings) -> Value {
         "pad_strain_ratio": pad_strain_ratio,
         "compliant": compliant,
         "restraint": [Some(*dead_load_ratio), *overstrength_ratio, *amplification_ratio, *response_ratio, *importance_ratio],
+        "restraint_asce7_22": [resonance_ratio, strength_ratio, building_ductility_ratio],
+        // What the clauses use of a spectrum.
+        "restraint_code": restraint_code.as_ref().map(|target| {
+            (target.spectrum.name(), target.place_name(), target.spectrum.sa_g(0.0), target.spectrum.plateau_g())
+        }),
         "bracket_height_m": bracket_height_m,
         "bracket": bracket,
     })
@@ -192,10 +201,15 @@ mod tests {
             usual,
             key("[building]\nstoreys = 8\n[outputs]\nreport = false\n[assessment]\npages = 7\n", |_, _| ())
         );
-        let changes: [fn(&mut Study, &mut Inventory); 6] = [
+        let changes: [fn(&mut Study, &mut Inventory); 8] = [
             |study, _| study.assessment.seed = 2,
             |study, _| study.assessment.spread.mass = 0.2,
             |study, _| study.directions_deg.push(90.0),
+            |study, _| study.assessment.restraint.strength_ratio = Some(2.0),
+            |study, _| {
+                let words = [("code", "asce7"), ("sds", "1 g")].into_iter().collect();
+                study.assessment.restraint_code = freestand_study::target::Target::for_parts(&words).ok();
+            },
             |_, inventory| inventory.sha256 = "01".to_owned(),
             |_, inventory| inventory.sheet = Some("Ward".to_owned()),
             |_, inventory| inventory.libraries.push(InputFile::new(Path::new("ours.csv"), b"id")),

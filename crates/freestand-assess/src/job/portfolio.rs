@@ -8,7 +8,7 @@ use std::path::Path;
 use crate::inventory::{Consequences, Inventory, Item};
 use crate::output::{Lived, Row};
 use crate::result::{Assessment, Decision};
-use crate::verdict::{Context, Member, Subject, assess_group, blank, listed};
+use crate::verdict::{Context, Member, Subject, assess_group, blank, listed, restraint_of};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;
@@ -154,7 +154,11 @@ fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>
     for (place, item) in items.iter().enumerate() {
         let nothing = |why| Some(Assessment { why, ..blank(item, settings) });
         if item.anchored == Some(true) {
-            found[place] = nothing("Reported as anchored; its anchors were not checked.".to_owned());
+            // The force to check them for: by the code alone, because nothing is simulated.
+            let restraint =
+                Subject::new(item).map_or_else(|_| Vec::new(), |held| restraint_of(context.study, item, &held, None));
+            let why = "Reported as anchored; its anchors were not checked.".to_owned();
+            found[place] = Some(Assessment { why, restraint, ..blank(item, settings) });
             continue;
         }
         match Subject::new(item) {

@@ -13,8 +13,8 @@ use crate::inventory::{Consequences, Inventory, Item, Rating};
 use crate::library::{Confidence, Tolerance};
 use crate::result::{
     AcceptedFor, Answers, Assessment, Axis, AxisResponse, CapacityCheck, Cause, Chain, Criterion, Decision,
-    FallsAnswer, FloorFacts, ModelAnswers, OnPads, Probability, Response, RestraintForce, Shares, Shock, ShockAnswer,
-    Sliding, SlidingVerdict, Softening,
+    FallsAnswer, FloorFacts, ModelAnswers, OnPads, Probability, Response, RestraintForce, RestraintKind, Shares, Shock,
+    ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_output::folder::OutputFolder;
@@ -283,6 +283,7 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
 
 fn forces() -> Vec<RestraintForce> {
     let force = |source: &str, force_n: f64, anchor_tension_n: f64| RestraintForce {
+        kind: if source.starts_with("ASCE") { RestraintKind::OtherCode } else { RestraintKind::OwnCode },
         source: source.to_owned(),
         force_n,
         force_ratio: 0.42,
@@ -294,7 +295,6 @@ fn forces() -> Vec<RestraintForce> {
         bracket_force_n: 0.5 * force_n,
         bracket_force_concrete_n: force_n,
         bracket_base_shear_n: 0.5 * force_n,
-        is_for_comparison: source.starts_with("ASCE"),
         note: "F = a_floor I_c a_c / R_c · W = 0.3 × 1.0 × 1.0 / 1.0 × W".to_owned(),
     };
     vec![force("AS 1170.4-2007, 8.2", 410.0, 950.0), force("ASCE 7-22, 13.3.1", 530.0, 720.0)]

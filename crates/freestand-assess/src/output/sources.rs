@@ -29,7 +29,7 @@ impl Sources {
             self.count("cushion", source, "an estimate, not a measurement");
         }
         for force in line.assessment().into_iter().flat_map(|found| &found.restraint) {
-            self.count("restraint force", &force.source, "clause");
+            self.count("restraint force", &force.source, force.kind.description());
         }
     }
 

@@ -2,17 +2,20 @@
 //! clearance of an object without a restraint.
 
 use freestand::G0_M_S2;
+use freestand::block::Block;
 use freestand::code_spectrum::CodeSpectrum;
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
+use freestand_input::words::{counted, number, significant};
+use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
 
-use crate::result::{Axis, RestraintForce};
+use crate::result::{Axis, RestraintForce, RestraintKind, reported_force};
 
 use self::sources::Source;
 use self::statics::{base_shear_n, bracket, bracket_force_n, bracket_words, held_weight_ratio, worst_tension};
 
-mod sources;
+pub(crate) mod factor;
+pub(crate) mod sources;
 mod statics;
 
 /// An object about one axis.
@@ -29,14 +32,14 @@ pub(crate) struct RestraintAxis {
 
 impl RestraintAxis {
     /// Lever of the weight about the nearer edge \[m\]: shaking acts in both directions.
-    fn least_lever_m(&self) -> f64 {
+    pub(crate) fn least_lever_m(&self) -> f64 {
         self.weight_lever_m.min(self.base_m - self.weight_lever_m)
     }
 }
 
-/// The object, its place and the hazard.
+/// The object that is held.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct RestraintQuestion {
+pub(crate) struct HeldObject {
     /// Mass \[kg\].
     pub mass_kg: f64,
     /// Height of the object \[m\].
@@ -47,29 +50,93 @@ pub(crate) struct RestraintQuestion {
     pub axes: Vec<RestraintAxis>,
     /// Height of its floor over that of the building.
     pub level_ratio: f64,
+    /// Whether it is critical to life safety: an importance factor of 1.5 where a code has one.
+    pub is_critical: bool,
+}
+
+impl HeldObject {
+    /// The object with these blocks, one about each axis.
+    pub(crate) fn new(mass_kg: f64, level_ratio: f64, is_critical: bool, blocks: &[(Axis, Block)]) -> Self {
+        let first = blocks.first().map(|(_, block)| block);
+        let axis = |(axis, block): &(Axis, Block)| RestraintAxis {
+            axis: *axis,
+            base_m: block.base_width_m(),
+            weight_lever_m: block.cg_from_right_m(),
+        };
+        Self {
+            mass_kg,
+            height_m: first.map_or(0.0, Block::height_m),
+            cg_height_m: first.map_or(0.0, Block::cg_height_m),
+            axes: blocks.iter().map(axis).collect(),
+            level_ratio,
+            is_critical,
+        }
+    }
+}
+
+/// The object, its place and the hazard.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RestraintQuestion {
+    pub object: HeldObject,
     /// Height of the building \[m\]; `None`: a tall one is assumed.
     pub building_height_m: Option<f64>,
     /// Fundamental period of the building \[s\].
     pub building_period_s: Option<f64>,
-    /// Spectrum of the study's hazard; `None`: the study has none, and no code can be applied.
+    /// Spectrum of the hazard; `None`: there is none, and no code can be applied.
     pub spectrum: Option<CodeSpectrum>,
-    /// PFA_q: peak acceleration of its floor that the accepted share of the worlds exceeds, the 1 −
-    /// a quantile over worlds \[g\]. Not the largest, which grows with the number of worlds.
+    /// Peak acceleration of its floor \[g\]: PFA_q, which the accepted share of the worlds exceeds,
+    /// the 1 − a quantile over worlds (not the largest, which grows with the number of worlds); or
+    /// the acceleration that the user gives.
     pub floor_acceleration_g: Option<f64>,
-    /// Whether it is critical to life safety: an importance factor of 1.5 where a code has one.
-    pub is_critical: bool,
+    /// Whether the user gives that acceleration.
+    pub is_floor_given: bool,
     /// The keys of `[restraint]`. A factor that is stated replaces that of every code.
     pub settings: RestraintSettings,
 }
 
-/// The forces for the design of a restraint, one for each source: first the study's own code, then
-/// the computed floor, then other codes for comparison.
+impl RestraintQuestion {
+    /// The question for an object in the building of a study.
+    pub(crate) fn in_study(study: &Study, object: HeldObject, floor_acceleration_g: Option<f64>) -> Self {
+        let building = study.building.as_ref();
+        Self {
+            object,
+            building_height_m: building.map(|building| building.height_m),
+            building_period_s: building.map(|building| building.along.period_s()),
+            spectrum: study.restraint_target().map(|target| target.spectrum.clone()),
+            floor_acceleration_g,
+            is_floor_given: false,
+            settings: study.assessment.restraint,
+        }
+    }
+}
+
+/// What a source demands of a restraint, with the numbers that lead to it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Demand {
+    pub(crate) source: Source,
+    /// Force, anchors and bracket.
+    pub(crate) force: RestraintForce,
+    /// The axis that needs more tension; `None` for an object without a side.
+    pub(crate) axis: Option<RestraintAxis>,
+    /// F c \[N m\].
+    pub(crate) overturning_moment_n_m: f64,
+    /// H e, of the weight that holds the object down \[N m\]; 0 without an axis.
+    pub(crate) resisting_moment_n_m: f64,
+}
+
+/// The forces for the design of a restraint: [`demands`] as outputs show them.
+pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
+    demands(question).into_iter().map(|demand| demand.force).collect()
+}
+
+/// What a restraint must carry, one demand for each source: first by the study's own code, then by
+/// the acceleration of the floor, then by other codes for comparison.
 ///
 /// The codes are AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13, and Eurocode 8 or NZS 1170.5
 /// if the hazard is by that code. A code other than the study's receives the study's spectrum: kpZ
-/// Ch(0) is then Sa(0), S_DS its plateau, and the note says so. The computed floor gives F = m A
-/// PFA_q, with A = 1 for a rigid bracket (a period below 0.06 s) and A = 2.5 for a flexible one,
-/// whose period is not known.
+/// Ch(0) is then Sa(0), S_DS its plateau, and the note says so. The floor gives F = m A PFA_q, with
+/// A = 1 for a rigid bracket (a period below 0.06 s) and A = 2.5 for a flexible one, whose period is
+/// not known.
 ///
 /// With F at the height c of the centre of gravity, the lever e of the weight, the base B and the
 /// weight H = max(0, d − v) W that holds the object down (d = 0.9 of the dead load; v = 0.2 S_DS in
@@ -83,58 +150,87 @@ pub(crate) struct RestraintQuestion {
 /// | the feet below it | V = F \|1 − c/z_b\| |
 ///
 /// There is no force for an object without mass or size.
-pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
+pub(crate) fn demands(question: &RestraintQuestion) -> Vec<Demand> {
     let is_positive = |value: f64| value > 0.0 && value.is_finite();
-    if ![question.mass_kg, question.height_m, question.cg_height_m].into_iter().all(is_positive) {
+    let HeldObject { mass_kg, height_m, cg_height_m, .. } = question.object;
+    if ![mass_kg, height_m, cg_height_m].into_iter().all(is_positive) {
         return Vec::new();
     }
-    let (own, others): (Vec<Source>, Vec<Source>) = sources::codes(question).into_iter().partition(|code| code.is_own);
+    let is_own = |code: &Source| code.kind == RestraintKind::OwnCode;
+    let (own, others): (Vec<Source>, Vec<Source>) = sources::codes(question).into_iter().partition(is_own);
     let pfa_g = question.floor_acceleration_g.filter(|&pfa_g| is_positive(pfa_g));
     let floor = pfa_g.map(|pfa_g| {
-        let mut floor = sources::computed_floor(question, pfa_g);
-        if let Some(code) = own.first().filter(|code| floor.force_ratio > code.force_ratio) {
-            let times = number(floor.force_ratio / code.force_ratio, 3);
-            floor.formula.push_str(&format!(" It is {times} times the force by {}.", code.name));
+        let mut floor = sources::floor(question, pfa_g);
+        let ratio = floor.force.force_ratio;
+        if let Some(code) = own.first().filter(|code| ratio > code.force.force_ratio) {
+            let times = number(ratio / code.force.force_ratio, 3);
+            floor.remarks.push(format!("It is {times} times the force by {}.", code.name));
         }
         floor
     });
-    let of_study = own.iter().chain(&floor).map(|source| force(question, source, false));
-    of_study.chain(others.iter().map(|source| force(question, source, true))).collect()
+    own.into_iter().chain(floor).chain(others).map(|source| demand(question, source)).collect()
 }
 
 /// What the force by a source asks of anchors and of a bracket.
-fn force(question: &RestraintQuestion, source: &Source, is_for_comparison: bool) -> RestraintForce {
-    let weight_n = question.mass_kg * G0_M_S2;
-    let force_n = source.force_ratio * weight_n;
+fn demand(question: &RestraintQuestion, source: Source) -> Demand {
+    let object = &question.object;
+    let weight_n = object.mass_kg * G0_M_S2;
+    let force_ratio = source.force.force_ratio;
+    let force_n = force_ratio * weight_n;
     let concrete_n = source.overstrength_ratio * force_n;
     let held_weight_ratio = held_weight_ratio(question.settings.dead_load_ratio, source.vertical_ratio);
     let held_n = held_weight_ratio * weight_n;
-    let tension = |force_n: f64| worst_tension(&question.axes, force_n, question.cg_height_m, held_n);
+    let tension = |force_n: f64| worst_tension(&object.axes, force_n, object.cg_height_m, held_n);
     let (worst, worst_in_concrete) = (tension(force_n), tension(concrete_n));
     let held = bracket(question);
+    let stated = if question.is_floor_given { "Given" } else { "Stated in the study" };
     let note = [
-        if is_for_comparison { "For comparison, on your spectrum. " } else { "" },
-        &source.formula,
-        &held_words(question, source, held_weight_ratio),
+        if source.kind == RestraintKind::OtherCode { "For comparison, on your spectrum. " } else { "" },
+        &source.note(stated),
+        &held_words(question, &source, held_weight_ratio),
         &worst.map_or_else(String::new, |(axis, _)| anchor_words(question, axis, held_weight_ratio)),
         &bracket_words(question, &held, force_n, held_n, source.overstrength_ratio),
         if source.overstrength_ratio == 1.0 { "" } else { " In concrete, Ω_0 F takes the place of F." },
     ];
-    RestraintForce {
+    let force = RestraintForce {
+        kind: source.kind,
         source: source.name.to_owned(),
         force_n,
-        force_ratio: source.force_ratio,
+        force_ratio,
         held_weight_ratio,
         overstrength_ratio: source.overstrength_ratio,
         anchor_tension_n: worst.map_or(0.0, |(_, tension_n)| tension_n),
         anchor_tension_concrete_n: worst_in_concrete.map_or(0.0, |(_, tension_n)| tension_n),
         bracket_height_m: held.height_m,
-        bracket_force_n: bracket_force_n(force_n, question.cg_height_m, held.height_m),
-        bracket_force_concrete_n: bracket_force_n(concrete_n, question.cg_height_m, held.height_m),
-        bracket_base_shear_n: base_shear_n(force_n, question.cg_height_m, held.height_m),
-        is_for_comparison,
+        bracket_force_n: bracket_force_n(force_n, object.cg_height_m, held.height_m),
+        bracket_force_concrete_n: bracket_force_n(concrete_n, object.cg_height_m, held.height_m),
+        bracket_base_shear_n: base_shear_n(force_n, object.cg_height_m, held.height_m),
         note: note.concat(),
+    };
+    let axis = worst.map(|(axis, _)| axis.clone());
+    Demand {
+        source,
+        force,
+        overturning_moment_n_m: force_n * object.cg_height_m,
+        resisting_moment_n_m: axis.as_ref().map_or(0.0, |axis| held_n * axis.least_lever_m()),
+        axis,
     }
+}
+
+/// What an object that falls needs, although the force of the code would not lift it: `The code's
+/// force alone would not lift it, but 7 of 20 simulated earthquakes overturn it: design for 3.1
+/// kN.` `None` where the code's force asks for anchors, or there is no code.
+pub(crate) fn beyond_code_words(forces: &[RestraintForce], overturned: usize, worlds: usize) -> Option<String> {
+    let design = crate::result::design_force(forces)?;
+    let own = reported_force(forces)?;
+    (design != own && overturned > 0).then(|| {
+        let verb = if overturned == 1 { "overturns" } else { "overturn" };
+        format!(
+            "The code's force alone would not lift it, but {overturned} of {} {verb} it: design for {} kN.",
+            counted(worlds, "simulated earthquake"),
+            significant(1e-3 * design.force_n, 2)
+        )
+    })
 }
 
 /// ` Held down by H = (0.9 − 0.2 S_DS) W = (0.9 − 0.2) W = 0.7 W.`
@@ -158,7 +254,7 @@ fn anchor_words(question: &RestraintQuestion, axis: &RestraintAxis, held_weight_
     format!(
         " Anchors along one edge, {}: (F × {} − {} W × {})/{}.",
         axis.axis.name(),
-        length(question.cg_height_m),
+        length(question.object.cg_height_m),
         number(held_weight_ratio, 4),
         length(axis.least_lever_m()),
         length(axis.base_m)

@@ -1,28 +1,37 @@
-//! The force over the weight by each source: the clauses of the codes, and the computed floor.
+//! The force over the weight by each source: the clauses of the codes, and the acceleration of the
+//! floor.
 
 use freestand::code_spectrum::part_forces::{
-    As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Governing, Nzs1170_5Part, PartForce, as1170_4_force,
-    asce7_16_force, asce7_22_force, eurocode8_force, nzs1170_5_force,
+    As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Governing, LEAST_BUILDING_DUCTILITY_RATIO, Nzs1170_5Part,
+    PartForce, as1170_4_force, asce7_16_force, asce7_22_force, eurocode8_force, nzs1170_5_force,
 };
 use freestand::code_spectrum::parts::{PartsQuestion, as1170_4_height_ratio, asce7_height_ratio, floor_acceleration_g};
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 use freestand_input::words::number;
 use freestand_study::study::assessment::Bracket;
 
+use crate::result::RestraintKind;
+
 use super::RestraintQuestion;
+use super::factor::{Factor, FactorSource, said};
 
-/// Height of a building that every code counts as tall \[m\].
-const TALL_M: f64 = 30.0;
+/// Height of a building that every code counts as tall \[m\]: from 12 m on the factor of AS 1170.4
+/// depends on z/h alone, from 60 m on that of NZS 1170.5, where it is largest.
+const TALL_M: f64 = 60.0;
 
+/// What is said about AS 1170.4 and NZS 1170.5.
 const RECALLED: &str = "This clause is quoted from memory: check it in your edition of the code.";
+
+/// What is said about ASCE 7 and EN 1998-1, whose formulas and limits agree with public programs.
+const FACTORS_RECALLED: &str = "The factors are quoted from memory: check them in your edition of the code.";
 
 /// Amplification of a part on a flexible bracket, whose period is not known: 2.5 in AS 1170.4 (a_c)
 /// and in ASCE 7-16 (a_p), and of the computed floor.
 const FLEXIBLE_RATIO: f64 = 2.5;
 
-/// C_AR of ASCE 7-22 for a part above the ground that resonance is likely for, with moderate
-/// ductility; from memory, table 13.3-1.
-const LIKELY_RESONANCE_RATIO: f64 = 2.2;
+/// C_AR of ASCE 7-22 for a part that resonance is likely for, with moderate ductility: at or below
+/// the ground, and above it; from memory, table 13.3-1.
+const LIKELY_RESONANCE_RATIO: [f64; 2] = [1.8, 2.2];
 
 /// Ω₀ of ASCE 7 for cabinets and equipment, tables 13.5-1 and 13.6-1; from memory.
 const ASCE7_OVERSTRENGTH_RATIO: f64 = 2.0;
@@ -35,55 +44,59 @@ const VERTICAL_RATIO: f64 = 0.2;
 
 /// A force by one source.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Source {
-    /// The clause.
-    pub(super) name: &'static str,
-    /// Whether the hazard of the study is by this code.
-    pub(super) is_own: bool,
-    /// Force over weight.
-    pub(super) force_ratio: f64,
+pub(crate) struct Source {
+    pub(crate) kind: RestraintKind,
+    /// The code as it is printed; `None` for the acceleration of a floor.
+    pub(crate) code: Option<&'static str>,
+    /// The clause, without the code.
+    pub(crate) clause: &'static str,
+    /// Code and clause.
+    pub(crate) name: &'static str,
+    /// Force over weight, with the result of the formula and its limits.
+    pub(crate) force: PartForce,
     /// Share of the weight that is deducted for vertical shaking.
     pub(super) vertical_ratio: f64,
     /// That share in words, `0.2 S_DS`; empty where the source has none.
     pub(super) vertical_words: &'static str,
     /// Ω₀, factor on the force of anchors in concrete.
     pub(super) overstrength_ratio: f64,
+    /// The formula with its limits, in symbols.
+    pub(crate) equation: String,
+    /// The same in numbers: `0.4 × 1 × 1 × 3 × 1/2.5`.
+    pub(crate) numbers: String,
+    /// What the formula is made from: the hazard, the floor, the part.
+    pub(crate) factors: Vec<Factor>,
+    /// What the reader must know, a sentence each.
+    pub(crate) remarks: Vec<String>,
+}
+
+impl Source {
     /// The formula with its numbers, the factors and what was assumed.
-    pub(super) formula: String,
-}
-
-/// A factor of a source, by the study or assumed.
-#[derive(Debug, Clone, Copy)]
-struct Factor {
-    symbol: &'static str,
-    value: f64,
-    /// Why this value is assumed; may be empty.
-    reason: &'static str,
-    is_stated: bool,
-}
-
-impl Factor {
-    fn new(symbol: &'static str, stated: Option<f64>, assumed: f64, reason: &'static str) -> Self {
-        Self { symbol, value: stated.unwrap_or(assumed), reason, is_stated: stated.is_some() }
-    }
-
-    fn number(&self) -> String {
-        number(self.value, 4)
+    pub(super) fn note(&self, stated: &str) -> String {
+        let mut note = format!(
+            "{}: {} = {} W{}.{}",
+            self.equation,
+            self.numbers,
+            number(self.force.formula_ratio, 4),
+            governs(&self.force),
+            said(&self.factors, stated)
+        );
+        for remark in &self.remarks {
+            note.push(' ');
+            note.push_str(remark);
+        }
+        note
     }
 }
 
-/// ` Assumed: a_p = 1 (rigid). Stated in the study: R_p = 2.`
-fn said(factors: &[Factor]) -> String {
-    let list = |is_stated: bool, title: &str| {
-        let chosen = factors.iter().filter(|factor| factor.is_stated == is_stated);
-        let each = chosen.map(|factor| match factor.reason {
-            reason if !is_stated && !reason.is_empty() => format!("{} = {} ({reason})", factor.symbol, factor.number()),
-            _ => format!("{} = {}", factor.symbol, factor.number()),
-        });
-        let each: Vec<String> = each.collect();
-        if each.is_empty() { String::new() } else { format!(" {title}: {}.", each.join(", ")) }
-    };
-    format!("{}{}", list(false, "Assumed"), list(true, "Stated in the study"))
+impl Source {
+    /// ` (0.2 S_DS is deducted for vertical shaking)`; empty where nothing is.
+    pub(crate) fn deduction_words(&self) -> String {
+        if self.vertical_words.is_empty() {
+            return String::new();
+        }
+        format!(" ({} is deducted for vertical shaking)", self.vertical_words)
+    }
 }
 
 /// `; the lower limit governs: 0.05 W`, where a limit does.
@@ -106,21 +119,19 @@ struct Asked<'a> {
     question: &'a RestraintQuestion,
     place: PartsQuestion,
     /// Empty where the height of the building is known.
-    tall: &'static str,
+    tall: Option<String>,
 }
 
 impl<'a> Asked<'a> {
     fn new(question: &'a RestraintQuestion) -> Self {
-        let tall = match question.building_height_m {
-            Some(_) => "",
-            None => " The height of the building was not given; 12 m or more is assumed.",
-        };
+        let tall = "The height of the building was not given; a tall one is assumed.";
         let place = PartsQuestion {
-            level_ratio: question.level_ratio,
+            level_ratio: question.object.level_ratio,
             building_height_m: Some(question.building_height_m.unwrap_or(TALL_M)),
             building_period_s: question.building_period_s,
         };
-        Self { question, place, tall }
+        let is_known = question.building_height_m.is_some() || question.object.level_ratio <= 0.0;
+        Self { question, place, tall: (!is_known).then(|| tall.to_owned()) }
     }
 
     fn is_flexible(&self) -> bool {
@@ -129,23 +140,37 @@ impl<'a> Asked<'a> {
 
     /// The amplification on a rigid and on a flexible bracket.
     fn amplification(&self, symbol: &'static str, rigid: f64, flexible: f64) -> Factor {
+        self.amplified("amplification", symbol, self.question.settings.amplification_ratio, [rigid, flexible])
+    }
+
+    fn amplified(&self, key: &'static str, symbol: &'static str, stated: Option<f64>, assumed: [f64; 2]) -> Factor {
+        let [rigid, flexible] = assumed;
         let (assumed, reason) =
             if self.is_flexible() { (flexible, "a flexible bracket") } else { (rigid, "a rigid bracket") };
-        Factor::new(symbol, self.question.settings.amplification_ratio, assumed, reason)
+        Factor::new(key, symbol, stated, assumed, reason)
     }
 
     fn response(&self, symbol: &'static str, assumed: f64, reason: &'static str) -> Factor {
-        Factor::new(symbol, self.question.settings.response_ratio, assumed, reason)
+        Factor::new("response", symbol, self.question.settings.response_ratio, assumed, reason)
     }
 
     fn importance(&self, symbol: &'static str) -> Factor {
         let (assumed, reason) =
-            if self.question.is_critical { (CRITICAL_RATIO, "life safety is rated high") } else { (1.0, "") };
-        Factor::new(symbol, self.question.settings.importance_ratio, assumed, reason)
+            if self.question.object.is_critical { (CRITICAL_RATIO, "life safety is rated high") } else { (1.0, "") };
+        Factor::new("importance", symbol, self.question.settings.importance_ratio, assumed, reason)
     }
 
     fn overstrength(&self, assumed: f64, reason: &'static str) -> Factor {
-        Factor::new("Ω_0", self.question.settings.overstrength_ratio, assumed, reason)
+        Factor::new("overstrength", "Ω_0", self.question.settings.overstrength_ratio, assumed, reason)
+    }
+
+    /// z/h.
+    fn level(&self) -> Factor {
+        Factor::found("level_ratio", "z/h", self.place.level_ratio, "1", "the floor")
+    }
+
+    fn kind(&self, is_own: bool) -> RestraintKind {
+        if is_own { RestraintKind::OwnCode } else { RestraintKind::OtherCode }
     }
 
     fn australia(&self, spectrum: &CodeSpectrum) -> Option<Source> {
@@ -157,12 +182,13 @@ impl<'a> Asked<'a> {
         } else {
             ground_g(spectrum) * as1170_4_height_ratio(self.place.level_ratio, self.place.building_height_m?)
         };
-        let borrowed = if is_own { "" } else { " kpZ Ch(0) is taken as Sa(0) of the study's spectrum." };
+        let ground_g = ground_g(spectrum);
+        let borrowed = (!is_own).then(|| "kpZ Ch(0) is taken as Sa(0) of the study's spectrum.".to_owned());
         let importance = self.importance("I_c");
         let amplification = self.amplification("a_c", 1.0, FLEXIBLE_RATIO);
         let ductility = self.response("R_c", 1.0, "2.5 where the connection is shown to be ductile");
         let overstrength = self.overstrength(1.0, "AS 5216 has rules of its own for anchors in concrete");
-        let found = as1170_4_force(
+        let force = as1170_4_force(
             floor_g,
             &As1170_4Part {
                 amplification_ratio: amplification.value,
@@ -170,97 +196,136 @@ impl<'a> Asked<'a> {
                 importance_ratio: importance.value,
             },
         );
-        let formula = format!(
-            "F_c = kpZ Ch(0) a_x I_c a_c/R_c W, from 0.05 W to 0.5 W: {} × {} × {}/{} = {} W{}.{}{borrowed}{} \
-             {RECALLED}",
+        let numbers = format!(
+            "{} × {} × {}/{}",
             number(floor_g, 4),
             importance.number(),
             amplification.number(),
-            ductility.number(),
-            number(found.formula_ratio, 4),
-            governs(&found),
-            said(&[importance, amplification, ductility, overstrength]),
-            self.tall
+            ductility.number()
         );
+        let height = as1170_4_height_ratio(self.place.level_ratio, self.place.building_height_m?);
         Some(Source {
+            kind: self.kind(is_own),
+            code: Some("AS 1170.4"),
+            clause: "section 8",
             name: "AS 1170.4-2007, section 8",
-            is_own,
-            force_ratio: found.force_ratio,
+            force,
             vertical_ratio: 0.0,
             vertical_words: "",
             overstrength_ratio: overstrength.value,
-            formula,
+            equation: "F_c = kpZ Ch(0) a_x I_c a_c/R_c W, from 0.05 W to 0.5 W".to_owned(),
+            numbers,
+            factors: vec![
+                Factor::found("ground_acceleration", "kpZ Ch(0)", ground_g, "g", "the hazard"),
+                self.level(),
+                Factor::found("height", "a_x", height, "1", "the floor: 1 + kc hx"),
+                importance,
+                amplification,
+                ductility,
+                overstrength,
+            ],
+            remarks: borrowed.into_iter().chain(self.tall.clone()).chain([RECALLED.to_owned()]).collect(),
         })
     }
 
     fn america(&self, spectrum: &CodeSpectrum, edition: Asce7Edition) -> Source {
         let sds_g = spectrum.plateau_g();
         let (own, borrowed) = match spectrum {
-            CodeSpectrum::Asce7(code) => (Some(code.edition()), ""),
-            _ => (None, " S_DS is taken as the plateau of the study's spectrum."),
+            CodeSpectrum::Asce7(code) => (Some(code.edition()), None),
+            _ => (None, Some("S_DS is taken as the plateau of the study's spectrum.".to_owned())),
         };
         let height = asce7_height_ratio(edition, self.place.level_ratio, self.place.building_period_s);
         let importance = self.importance("I_p");
         let overstrength = self.overstrength(ASCE7_OVERSTRENGTH_RATIO, "cabinets and equipment, in concrete");
-        let (name, found, formula) = match edition {
+        let sds = Factor::found("sds", "S_DS", sds_g, "g", "the hazard");
+        let level = self.level();
+        let cabinets = "storage cabinets, laboratory equipment";
+        let (code, name, force, equation, numbers, factors) = match edition {
             Asce7Edition::Asce7_16 => {
                 let amplification = self.amplification("a_p", 1.0, FLEXIBLE_RATIO);
-                let response = self.response("R_p", 2.5, "storage cabinets, laboratory equipment");
+                let response = self.response("R_p", 2.5, cabinets);
                 let part = Asce7_16Part {
                     amplification_ratio: amplification.value,
                     response_ratio: response.value,
                     importance_ratio: importance.value,
                 };
-                let found = asce7_16_force(sds_g, height, &part);
-                let formula = format!(
-                    "F_p = 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W: \
-                     0.4 × {} × {} × {} × {}/{} = {} W{}.{}",
+                let numbers = format!(
+                    "0.4 × {} × {} × {} × {}/{}",
                     amplification.number(),
                     number(sds_g, 4),
                     number(height, 4),
                     importance.number(),
-                    response.number(),
-                    number(found.formula_ratio, 4),
-                    governs(&found),
-                    said(&[amplification, response, importance, overstrength])
+                    response.number()
                 );
-                ("ASCE 7-16, 13.3.1", found, formula)
+                let equation =
+                    "F_p = 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W".to_owned();
+                let height = Factor::found("height", "1 + 2 z/h", height, "1", "the floor");
+                let factors = vec![sds, level, height, amplification, response, importance, overstrength];
+                (
+                    "ASCE 7-16",
+                    "ASCE 7-16, 13.3.1",
+                    asce7_16_force(sds_g, height.value, &part),
+                    equation,
+                    numbers,
+                    factors,
+                )
             }
             Asce7Edition::Asce7_22 => {
-                let resonance = self.amplification("C_AR", 1.0, LIKELY_RESONANCE_RATIO);
-                let strength = self.response("R_po", 1.5, "storage cabinets, laboratory equipment");
-                let ductility = Factor::new("R_μ", None, 1.3, "the ductility of the building is not known");
+                let settings = &self.question.settings;
+                let is_at_grade = self.place.level_ratio <= 0.0;
+                let likely = LIKELY_RESONANCE_RATIO[usize::from(!is_at_grade)];
+                let stated = settings.resonance_ratio.or(settings.amplification_ratio);
+                let resonance = self.amplified("resonance", "C_AR", stated, [1.0, likely]);
+                let stated = settings.strength_ratio.or(settings.response_ratio);
+                let strength = Factor::new("strength", "R_po", stated, 1.5, cabinets);
+                let ductility = if is_at_grade {
+                    // 13.3.1.2: whatever the building is.
+                    Factor::new("building_ductility", "R_μ", None, 1.0, "on or below the ground")
+                } else {
+                    let reason = "the ductility of the building is not known";
+                    let stated = settings.building_ductility_ratio;
+                    Factor::new("building_ductility", "R_μ", stated, LEAST_BUILDING_DUCTILITY_RATIO, reason)
+                };
                 let part = Asce7_22Part {
                     resonance_ratio: resonance.value,
                     strength_ratio: strength.value,
                     building_ductility_ratio: ductility.value,
                     importance_ratio: importance.value,
+                    is_at_grade,
                 };
-                let found = asce7_22_force(sds_g, height, &part);
-                let formula = format!(
-                    "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W: \
-                     0.4 × {} × {} × {}/{} × {}/{} = {} W{}.{}",
+                let numbers = format!(
+                    "0.4 × {} × {} × {}/{} × {}/{}",
                     number(sds_g, 4),
                     importance.number(),
                     number(height, 4),
-                    ductility.number(),
+                    number(part.used_building_ductility_ratio(), 4),
                     resonance.number(),
-                    strength.number(),
-                    number(found.formula_ratio, 4),
-                    governs(&found),
-                    said(&[ductility, resonance, strength, importance, overstrength])
+                    strength.number()
                 );
-                ("ASCE 7-22, 13.3.1", found, formula)
+                let equation = "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W";
+                let how = match self.place.building_period_s {
+                    Some(_) => "the floor and the period of the building",
+                    None => "the floor: 1 + 2.5 z/h, because the period of the building is not known",
+                };
+                let height = Factor::found("height", "H_f", height, "1", how);
+                let factors = vec![sds, level, height, ductility, resonance, strength, importance, overstrength];
+                let force = asce7_22_force(sds_g, height.value, &part);
+                ("ASCE 7-22", "ASCE 7-22, 13.3.1", force, equation.to_owned(), numbers, factors)
             }
         };
         Source {
+            kind: self.kind(own == Some(edition)),
+            code: Some(code),
+            clause: "13.3.1",
             name,
-            is_own: own == Some(edition),
-            force_ratio: found.force_ratio,
+            force,
             vertical_ratio: VERTICAL_RATIO * sds_g,
             vertical_words: "0.2 S_DS",
             overstrength_ratio: overstrength.value,
-            formula: format!("{formula}{borrowed} {RECALLED}"),
+            equation,
+            numbers,
+            factors,
+            remarks: borrowed.into_iter().chain([FACTORS_RECALLED.to_owned()]).collect(),
         }
     }
 
@@ -270,11 +335,11 @@ impl<'a> Asked<'a> {
         let stated = self.question.settings.amplification_ratio;
         // The formula has no factor for a part: a stated one multiplies the force of a rigid part.
         let period = if self.is_flexible() && stated.is_none() {
-            Factor::new("T_a/T_1", None, 1.0, "a flexible bracket: resonance")
+            Factor::new("period_ratio", "T_a/T_1", None, 1.0, "a flexible bracket: resonance")
         } else {
-            Factor::new("T_a/T_1", None, 0.0, "a rigid part")
+            Factor::new("period_ratio", "T_a/T_1", None, 0.0, "a rigid part")
         };
-        let known = stated.map(|_| Factor::new("amplification A", stated, 1.0, ""));
+        let known = stated.map(|_| Factor::new("amplification", "amplification A", stated, 1.0, ""));
         let importance = self.importance("γ_a");
         let behaviour = self.response("q_a", 2.0, "anchorage of floor-supported cabinets");
         let overstrength = self.overstrength(1.0, "EN 1992-4 has rules of its own for anchors in concrete");
@@ -284,64 +349,76 @@ impl<'a> Asked<'a> {
             importance_ratio: importance.value,
             behaviour_ratio: behaviour.value,
         };
-        let found = eurocode8_force(ground_g, self.place.level_ratio, &part);
-        let mut factors = vec![period, importance, behaviour, overstrength];
+        let amplified = if known.is_some() { "A " } else { "" };
+        let times = known.map_or_else(String::new, |factor| format!("{} × ", factor.number()));
+        let mut factors = vec![
+            Factor::found("ground_acceleration", "α S", ground_g, "g", "the hazard"),
+            self.level(),
+            period,
+            importance,
+            behaviour,
+            overstrength,
+        ];
         factors.extend(known);
-        let formula = format!(
-            "F_a = α S [3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5] {}γ_a/q_a W, at least α S γ_a/q_a W, with α S = {}, \
-             z/H = {}, T_a/T_1 = {}, γ_a = {}, q_a = {}: {} W{}.{} {RECALLED}",
-            if known.is_some() { "A " } else { "" },
-            number(ground_g, 4),
-            number(self.place.level_ratio, 3),
-            period.number(),
-            importance.number(),
-            behaviour.number(),
-            number(found.formula_ratio, 4),
-            governs(&found),
-            said(&factors)
-        );
         Some(Source {
+            kind: RestraintKind::OwnCode,
+            code: Some("Eurocode 8"),
+            clause: "EN 1998-1, 4.3.5.2",
             name: "EN 1998-1:2004, 4.3.5.2",
-            is_own: true,
-            force_ratio: found.force_ratio,
+            force: eurocode8_force(ground_g, self.place.level_ratio, &part),
             vertical_ratio: 0.0,
             vertical_words: "",
             overstrength_ratio: overstrength.value,
-            formula,
+            equation: format!(
+                "F_a = α S [3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5] {amplified}γ_a/q_a W, at least α S γ_a/q_a W"
+            ),
+            numbers: format!(
+                "{} × [3 (1 + {})/(1 + (1 − {})²) − 0.5] × {times}{}/{}",
+                number(ground_g, 4),
+                number(self.place.level_ratio, 3),
+                period.number(),
+                importance.number(),
+                behaviour.number()
+            ),
+            factors,
+            remarks: vec![FACTORS_RECALLED.to_owned()],
         })
     }
 
     fn new_zealand(&self, spectrum: &CodeSpectrum) -> Option<Source> {
         let CodeSpectrum::Nzs1170_5(_) = spectrum else { return None };
         let floor_g = floor_acceleration_g(spectrum, &self.place)?;
+        let ground_g = ground_g(spectrum);
         let settings = &self.question.settings;
-        let shape = Factor::new("C_i", settings.amplification_ratio, 2.0, "a period up to 0.75 s");
+        let shape = Factor::new("amplification", "C_i", settings.amplification_ratio, 2.0, "a period up to 0.75 s");
         // The code multiplies by C_ph; a study states what a force is divided by.
-        let response = Factor::new("C_ph", settings.response_ratio.map(f64::recip), 1.0, "elastic");
-        let risk = Factor::new("R_p", settings.importance_ratio, 1.0, "");
+        let response = Factor::new("response", "C_ph", settings.response_ratio.map(f64::recip), 1.0, "elastic");
+        let risk = Factor::new("importance", "R_p", settings.importance_ratio, 1.0, "");
         let overstrength = self.overstrength(1.0, "NZS 3101 has rules of its own for anchors in concrete");
         let part =
             Nzs1170_5Part { spectral_ratio: shape.value, response_ratio: response.value, risk_ratio: risk.value };
-        let found = nzs1170_5_force(floor_g, &part);
-        let formula = format!(
-            "F_ph = C(0) C_Hi C_i C_ph R_p W, at most 3.6 W: {} × {} × {} × {} = {} W{}.{}{} {RECALLED}",
-            number(floor_g, 4),
-            shape.number(),
-            response.number(),
-            risk.number(),
-            number(found.formula_ratio, 4),
-            governs(&found),
-            said(&[shape, response, risk, overstrength]),
-            self.tall
-        );
+        let height = Factor::found("height", "C_Hi", floor_g / ground_g, "1", "the floor");
         Some(Source {
+            kind: RestraintKind::OwnCode,
+            code: Some("NZS 1170.5"),
+            clause: "section 8",
             name: "NZS 1170.5:2004, section 8",
-            is_own: true,
-            force_ratio: found.force_ratio,
+            force: nzs1170_5_force(floor_g, &part),
             vertical_ratio: 0.0,
             vertical_words: "",
             overstrength_ratio: overstrength.value,
-            formula,
+            equation: "F_ph = C(0) C_Hi C_i C_ph R_p W, at most 3.6 W".to_owned(),
+            numbers: format!("{} × {} × {} × {}", number(floor_g, 4), shape.number(), response.number(), risk.number()),
+            factors: vec![
+                Factor::found("ground_acceleration", "C(0)", ground_g, "g", "the hazard"),
+                self.level(),
+                height,
+                shape,
+                response,
+                risk,
+                overstrength,
+            ],
+            remarks: self.tall.clone().into_iter().chain([RECALLED.to_owned()]).collect(),
         })
     }
 }
@@ -357,28 +434,40 @@ pub(super) fn codes(question: &RestraintQuestion) -> Vec<Source> {
         .collect()
 }
 
-/// The force by the computed floor: F = m A PFA, with A at least 1.
-pub(super) fn computed_floor(question: &RestraintQuestion, pfa_g: f64) -> Source {
+/// The force by the acceleration of the floor: F = m A PFA, with A at least 1. It is that of
+/// simulated earthquakes, or one that the user gives.
+pub(super) fn floor(question: &RestraintQuestion, pfa_g: f64) -> Source {
     let asked = Asked::new(question);
     let amplification = asked.amplification("A", 1.0, FLEXIBLE_RATIO);
     let used_ratio = amplification.value.max(1.0);
     let overstrength = asked.overstrength(1.0, "the standard for anchors in concrete has rules of its own");
-    let force_ratio = used_ratio * pfa_g;
-    let formula = format!(
-        "F = A m PFA, A at least 1, with the PFA that the accepted share of the worlds exceeds: {} × {} g = {} W.{} \
-         Without factors for ductility or importance.",
-        number(used_ratio, 4),
-        number(pfa_g, 4),
-        number(force_ratio, 4),
-        said(&[amplification, overstrength])
-    );
+    let (name, equation, pfa) = if question.is_floor_given {
+        let pfa = Factor { source: FactorSource::Given, ..Factor::found("floor_acceleration", "a", pfa_g, "g", "") };
+        ("the given floor acceleration", "F = A m a, A at least 1", pfa)
+    } else {
+        let pfa = Factor::found("floor_acceleration", "PFA", pfa_g, "g", "the simulated earthquakes");
+        let equation = "F = A m PFA, A at least 1, with the PFA that the accepted share of the worlds exceeds";
+        ("computed floor acceleration", equation, pfa)
+    };
+    let ratio = used_ratio * pfa_g;
     Source {
-        name: "computed floor acceleration",
-        is_own: true,
-        force_ratio,
+        kind: RestraintKind::Floor,
+        code: None,
+        clause: "F = m a",
+        name,
+        force: PartForce {
+            force_ratio: ratio,
+            formula_ratio: ratio,
+            minimum_ratio: 0.0,
+            maximum_ratio: f64::INFINITY,
+            governing: Governing::Formula,
+        },
         vertical_ratio: 0.0,
         vertical_words: "",
         overstrength_ratio: overstrength.value,
-        formula,
+        equation: equation.to_owned(),
+        numbers: format!("{} × {} g", number(used_ratio, 4), number(pfa_g, 4)),
+        factors: vec![pfa, amplification, overstrength],
+        remarks: vec!["Without factors for ductility or importance.".to_owned()],
     }
 }

@@ -49,11 +49,11 @@ pub(super) struct Held {
 /// note says so: with P = F c/z_b, a bracket above the object would get too small a force.
 pub(super) fn bracket(question: &RestraintQuestion) -> Held {
     match question.settings.bracket_height_m {
-        Some(stated_m) if stated_m > question.height_m => {
-            Held { height_m: question.height_m, too_high_m: Some(stated_m) }
+        Some(stated_m) if stated_m > question.object.height_m => {
+            Held { height_m: question.object.height_m, too_high_m: Some(stated_m) }
         }
         Some(stated_m) => Held { height_m: stated_m, too_high_m: None },
-        None => Held { height_m: BRACKET_SHARE * question.height_m, too_high_m: None },
+        None => Held { height_m: BRACKET_SHARE * question.object.height_m, too_high_m: None },
     }
 }
 
@@ -79,7 +79,7 @@ pub(super) fn bracket_words(
 ) -> String {
     let length = |value_m: f64| format_si(value_m, Dimension::Length);
     let newtons = |value_n: f64| format!("{} N", number(value_n, 4));
-    let (cg_height_m, height_m) = (question.cg_height_m, held.height_m);
+    let (cg_height_m, height_m) = (question.object.cg_height_m, held.height_m);
     let shear_n = base_shear_n(force_n, cg_height_m, height_m);
     let friction_n = FOOT_FRICTION_RATIO * held_n;
     let limited = held.too_high_m.map_or_else(String::new, |stated_m| {

@@ -5,7 +5,7 @@ use freestand::code_spectrum::{
 use freestand_study::study::assessment::Bracket;
 
 use super::*;
-use crate::result::reported_force;
+use crate::result::{design_force, reported_force};
 
 const WEIGHT_N: f64 = 140.0 * 9.80665;
 
@@ -13,18 +13,28 @@ const WEIGHT_N: f64 = 140.0 * 9.80665;
 fn cabinet(spectrum: Option<CodeSpectrum>) -> RestraintQuestion {
     let axis = |axis, base_m: f64| RestraintAxis { axis, base_m, weight_lever_m: base_m / 2.0 };
     RestraintQuestion {
-        mass_kg: 140.0,
-        height_m: 2.3,
-        cg_height_m: 1.15,
-        axes: vec![axis(Axis::Thickness, 0.6), axis(Axis::Width, 0.9)],
-        level_ratio: 1.0,
+        object: HeldObject {
+            mass_kg: 140.0,
+            height_m: 2.3,
+            cg_height_m: 1.15,
+            axes: vec![axis(Axis::Thickness, 0.6), axis(Axis::Width, 0.9)],
+            level_ratio: 1.0,
+            is_critical: false,
+        },
         building_height_m: Some(96.0),
         building_period_s: Some(3.0),
         spectrum,
         floor_acceleration_g: Some(0.4),
-        is_critical: false,
+        is_floor_given: false,
         settings: RestraintSettings::default(),
     }
+}
+
+/// The same question for another object.
+fn other(question: RestraintQuestion, change: impl Fn(&mut HeldObject)) -> RestraintQuestion {
+    let mut question = question;
+    change(&mut question.object);
+    question
 }
 
 /// The cabinet with other settings.
@@ -150,7 +160,7 @@ fn america_takes_some_of_the_weight_away() {
     assert!(note("ASCE 7-16").contains("max(0, 0.9 − 0.2 S_DS) W = max(0, 0.9 − 0.2) W = 0.7 W"));
     // 0.4 g is below 0.48 g.
     assert!(!note("computed").contains("times the force"));
-    let critical = restraint_forces(&RestraintQuestion { is_critical: true, ..question });
+    let critical = restraint_forces(&other(question, |object| object.is_critical = true));
     near(held(&critical, "ASCE 7-16"), [0.72, (0.72 * 1.15 - 0.21) / 0.6, (1.44 * 1.15 - 0.21) / 0.6]);
     assert!(of(&critical, "ASCE").note.contains("I_p = 1.5 (life safety is rated high)"));
 }
@@ -169,11 +179,14 @@ fn no_more_than_the_weight_is_deducted() {
 fn own_code_then_floor_then_comparisons() {
     for (edition, own) in [(Asce7Edition::Asce7_16, "ASCE 7-16"), (Asce7Edition::Asce7_22, "ASCE 7-22")] {
         let forces = restraint_forces(&cabinet(Some(america(edition))));
-        let study: Vec<&str> =
-            forces.iter().take_while(|force| !force.is_for_comparison).map(|force| force.source.as_str()).collect();
+        let study: Vec<&str> = forces
+            .iter()
+            .take_while(|force| force.kind != RestraintKind::OtherCode)
+            .map(|force| force.source.as_str())
+            .collect();
         assert_eq!(study, [format!("{own}, 13.3.1").as_str(), "computed floor acceleration"]);
         assert!(forces[2..].iter().all(|force| {
-            force.is_for_comparison && force.note.starts_with("For comparison, on your spectrum. F_")
+            force.kind == RestraintKind::OtherCode && force.note.starts_with("For comparison, on your spectrum. F_")
         }));
         assert!(reported_force(&forces).unwrap().source.starts_with(own), "not the largest");
     }
@@ -207,7 +220,7 @@ fn europe_and_new_zealand_have_their_own() {
 #[test]
 fn stated_factors_replace_those_of_the_codes() {
     let stated = |spectrum: CodeSpectrum| {
-        let question = RestraintQuestion { level_ratio: 0.5, is_critical: true, ..cabinet(Some(spectrum)) };
+        let question = other(cabinet(Some(spectrum)), |object| (object.level_ratio, object.is_critical) = (0.5, true));
         restraint_forces(&set(question, |settings| {
             *settings = RestraintSettings {
                 dead_load_ratio: 0.8,
@@ -270,10 +283,9 @@ fn a_flexible_bracket_amplifies() {
 fn a_table_and_a_low_building() {
     let table = SpectrumTable::new(vec![0.1, 1.0], vec![0.2, 0.1], Interpolation::LogLog, OutOfRange::Refuse).unwrap();
     let low = RestraintQuestion {
-        level_ratio: 0.5,
         building_height_m: Some(10.0),
         building_period_s: None,
-        ..cabinet(Some(table.into()))
+        ..other(cabinet(Some(table.into())), |object| object.level_ratio = 0.5)
     };
     let forces = restraint_forces(&low);
     // The table is nobody's code: the floor comes first, and counts.
@@ -293,10 +305,10 @@ fn without_a_hazard_only_the_computed_floor_speaks() {
     assert_eq!(names(&forces), ["computed floor acceleration"]);
     assert_eq!(reported_force(&forces), forces.first());
     assert!(restraint_forces(&RestraintQuestion { floor_acceleration_g: None, ..cabinet(None) }).is_empty());
-    assert!(restraint_forces(&RestraintQuestion { mass_kg: 0.0, ..cabinet(Some(melbourne())) }).is_empty());
-    assert!(restraint_forces(&RestraintQuestion { height_m: 0.0, ..cabinet(Some(melbourne())) }).is_empty());
+    assert!(restraint_forces(&other(cabinet(Some(melbourne())), |object| object.mass_kg = 0.0)).is_empty());
+    assert!(restraint_forces(&other(cabinet(Some(melbourne())), |object| object.height_m = 0.0)).is_empty());
     // No side to tip over: the force and the bracket alone.
-    let flat = restraint_forces(&RestraintQuestion { axes: Vec::new(), ..cabinet(None) });
+    let flat = restraint_forces(&other(cabinet(None), |object| object.axes.clear()));
     assert_eq!((flat[0].anchor_tension_n, flat[0].anchor_tension_concrete_n), (0.0, 0.0));
     near(bracketed(&flat[0]), [0.4 / 1.8, 0.4 / 1.8, 0.4 * 0.8 / 1.8]);
 }
@@ -308,8 +320,8 @@ fn without_a_hazard_only_the_computed_floor_speaks() {
 fn the_nearer_edge_and_the_worse_axis_count() {
     let axes = |thickness_lever_m: f64, width_lever_m: f64| {
         let mut question = cabinet(None);
-        question.axes[0].weight_lever_m = thickness_lever_m;
-        question.axes[1].weight_lever_m = width_lever_m;
+        question.object.axes[0].weight_lever_m = thickness_lever_m;
+        question.object.axes[1].weight_lever_m = width_lever_m;
         restraint_forces(&question)
     };
     for lever_m in [0.2, 0.4] {
@@ -346,4 +358,25 @@ fn clearance_is_that_of_the_farthest_corner() {
 fn the_clearance_is_that_of_the_top_or_of_the_fallen_object() {
     assert!((clearance_m(2.3, 0.6, 5.0_f64.to_radians()) - 0.2005).abs() < 5e-5);
     assert_eq!(clearance_m(2.3, 0.6, 0.3), 2.3);
+}
+
+/// Mid-height: 0.176 W by the code, (0.176 · 1.15 − 0.27)/0.6 < 0; the floor has 0.4 W = 549 N and
+/// (0.46 − 0.27)/0.6 W: the anchors are those of the floor.
+#[test]
+fn what_the_code_does_not_lift_is_designed_for_the_floor() {
+    let at =
+        |level_ratio| restraint_forces(&other(cabinet(Some(melbourne())), |object| object.level_ratio = level_ratio));
+    let middle = at(0.5);
+    assert_eq!((middle[0].kind, middle[0].anchor_tension_n), (RestraintKind::OwnCode, 0.0));
+    assert_eq!(reported_force(&middle), middle.first());
+    assert_eq!(design_force(&middle).unwrap().kind, RestraintKind::Floor);
+    let expected = "The code's force alone would not lift it, but 7 of 20 simulated earthquakes overturn it: design for \
+                    0.55 kN.";
+    assert_eq!(beyond_code_words(&middle, 7, 20).unwrap(), expected);
+    assert!(beyond_code_words(&middle, 1, 20).unwrap().contains("1 of 20 simulated earthquakes overturns it"));
+    // On the roof the code asks for anchors itself; nothing falls; no code.
+    assert_eq!(beyond_code_words(&at(1.0), 7, 20), None);
+    assert_eq!(design_force(&at(1.0)).unwrap().kind, RestraintKind::OwnCode);
+    assert_eq!(beyond_code_words(&middle, 0, 20), None);
+    assert_eq!(beyond_code_words(&restraint_forces(&cabinet(None)), 7, 20), None);
 }

@@ -6,6 +6,7 @@ use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
 use freestand::rocking::{Base, Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::spectra::landings;
 
+use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FloorFacts,
     ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
@@ -137,6 +138,11 @@ pub(super) fn assessment(
     }
     if decision == Decision::Restrain {
         assessed.restraint = context.restraint(trial);
+        if let Some(p) = assessed.p_overturn.filter(|_| answers.falls != FallsAnswer::Stays) {
+            let overturned = (p.value * f64::from(answers.worlds)).round() as usize;
+            let words = beyond_code_words(&assessed.restraint, overturned, answers.worlds as usize);
+            assessed.why.extend(words.map(|words| format!(" {words}")));
+        }
     }
     assessed.context = context.comparisons(trial, &floor);
     assessed.answers = Some(answers);

@@ -8,13 +8,16 @@ use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Restitution, rock_observed};
 
-use crate::restraint::{RestraintAxis, RestraintQuestion, restraint_forces};
-use crate::result::{AcceptedFor, FloorFacts, RestraintForce};
+use crate::inventory::{Item, Rating};
+use crate::restraint::{HeldObject, RestraintQuestion, restraint_forces};
+use crate::result::{Axis, FloorFacts, RestraintForce};
 use freestand_input::words::number;
+use freestand_study::study::Study;
 
 use super::Context;
 use super::assessment::quantile;
 use super::decision::percent;
+use super::object::Subject;
 use super::response::{lifts, options};
 use super::trial::Trial;
 
@@ -84,25 +87,20 @@ impl Context<'_> {
         // grows with their number.
         let pfa = trial.lived.iter().map(|one| one.pfa_m_s2 / G0_M_S2);
         let floor_g = quantile(pfa, 1.0 - member.accepted_ratio);
-        let Some(mass_kg) = member.item.mass_kg else { return Vec::new() };
-        let axes = trial.subject.axes.iter().map(|axis| RestraintAxis {
-            axis: axis.axis,
-            base_m: axis.block.base_width_m(),
-            weight_lever_m: axis.block.cg_from_right_m(),
-        });
-        let building = self.study.building.as_ref();
-        restraint_forces(&RestraintQuestion {
-            mass_kg,
-            height_m: trial.subject.axes.first().map_or(0.0, |axis| axis.height_m),
-            cg_height_m: trial.subject.axes.first().map_or(0.0, |axis| axis.block.cg_height_m()),
-            axes: axes.collect(),
-            level_ratio: trial.subject.level_ratio,
-            building_height_m: building.map(|building| building.height_m),
-            building_period_s: building.map(|building| building.along.period_s()),
-            spectrum: self.study.ground.code_spectrum().map(|target| target.spectrum.clone()),
-            floor_acceleration_g: Some(floor_g),
-            is_critical: member.accepted_for == AcceptedFor::LifeSafety,
-            settings: self.study.assessment.restraint,
-        })
+        restraint_of(self.study, member.item, &trial.subject, Some(floor_g))
     }
+}
+
+/// The forces for the restraint of an object of a list; none where its mass is not given.
+pub(crate) fn restraint_of(
+    study: &Study,
+    item: &Item,
+    subject: &Subject,
+    floor_acceleration_g: Option<f64>,
+) -> Vec<RestraintForce> {
+    let Some(mass_kg) = item.mass_kg else { return Vec::new() };
+    let blocks: Vec<(Axis, Block)> = subject.axes.iter().map(|axis| (axis.axis, axis.block)).collect();
+    let is_critical = item.consequences.life_safety == Some(Rating::High);
+    let object = HeldObject::new(mass_kg, subject.level_ratio, is_critical, &blocks);
+    restraint_forces(&RestraintQuestion::in_study(study, object, floor_acceleration_g))
 }

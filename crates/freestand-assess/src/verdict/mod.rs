@@ -36,6 +36,7 @@ use freestand_study::study::assessment::{Questions, Settings};
 
 use trial::Trial;
 
+pub(crate) use comparisons::restraint_of;
 pub(crate) use decision::listed;
 pub(crate) use object::Subject;
 pub(crate) use tally::Tally;
@@ -87,7 +88,6 @@ pub(crate) struct Member<'a> {
     pub(crate) item: &'a Item,
     pub(crate) subject: Subject,
     pub(crate) accepted_ratio: f64,
-    pub(crate) accepted_for: AcceptedFor,
     /// Whether its verdict rests on shocks too.
     pub(crate) asks_shock: bool,
     /// Its random numbers.
@@ -96,9 +96,9 @@ pub(crate) struct Member<'a> {
 
 impl<'a> Member<'a> {
     pub(crate) fn new(item: &'a Item, subject: Subject, settings: &Settings) -> Self {
-        let (accepted_ratio, accepted_for) = accepted(item, settings);
+        let (accepted_ratio, _) = accepted(item, settings);
         let asks_shock = asks_shock(item, settings.questions);
-        Self { item, subject, accepted_ratio, accepted_for, asks_shock, key: draw::key(&item.id) }
+        Self { item, subject, accepted_ratio, asks_shock, key: draw::key(&item.id) }
     }
 }
 

@@ -11,6 +11,7 @@ mod library;
 mod motion;
 mod object;
 mod place;
+mod restrain;
 mod rock;
 mod run;
 mod shock;
@@ -76,6 +77,7 @@ pub(crate) enum Command {
     Inventory(inventory::InventoryArgs),
     Tolerance(tolerance::ToleranceArgs),
     Place(place::PlaceArgs),
+    Restrain(Box<restrain::RestrainArgs>),
     Validate(validate::ValidateArgs),
     Completions(completions::CompletionsArgs),
 }
@@ -97,6 +99,7 @@ impl Command {
             Self::Inventory(args) => inventory::run(args, global, printer),
             Self::Tolerance(args) => tolerance::run(args, global, printer),
             Self::Place(args) => place::run(args, global, printer),
+            Self::Restrain(args) => restrain::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
             Self::Completions(args) => completions::run(args, global, printer),
         }

@@ -1,6 +1,8 @@
 //! The keys of `[assessment]`, `[worlds]` and `[restraint]`.
 
-use super::{Reader, Section, Written};
+use super::target::{TABLE_KEYS, TARGET_KEYS};
+use super::{Reader, Section, Written, read_words};
+use freestand_input::keys::Words;
 use freestand_input::quantity::Dimension;
 
 /// `[assessment]`, as written.
@@ -58,9 +60,14 @@ pub(crate) struct RestraintOptions {
     pub(crate) overstrength_ratio: Option<Written<f64>>,
     pub(crate) amplification_ratio: Option<Written<f64>>,
     pub(crate) response_ratio: Option<Written<f64>>,
+    pub(crate) resonance_ratio: Option<Written<f64>>,
+    pub(crate) strength_ratio: Option<Written<f64>>,
+    pub(crate) building_ductility_ratio: Option<Written<f64>>,
     pub(crate) importance_ratio: Option<Written<f64>>,
     pub(crate) bracket_height_m: Option<Written<f64>>,
     pub(crate) bracket: Option<Written<String>>,
+    /// The keys of a code.
+    pub(crate) code: Words,
 }
 
 /// The keys of accepted probabilities: life safety, function, property, each rated high, medium,
@@ -123,11 +130,18 @@ pub(super) fn worlds(reader: &mut Reader, table: &mut Section) -> WorldOptions {
 }
 
 pub(super) fn restraint(reader: &mut Reader, table: &mut Section) -> RestraintOptions {
+    let mut code = Words::default();
+    let keys: Vec<_> = TARGET_KEYS.into_iter().filter(|(key, _)| !TABLE_KEYS.contains(key)).collect();
+    read_words(reader, table, &keys, &mut code);
     RestraintOptions {
+        code,
         dead_load_ratio: table.ratio(reader, "dead_load_ratio"),
         overstrength_ratio: table.ratio(reader, "overstrength_ratio"),
         amplification_ratio: table.ratio(reader, "amplification_ratio"),
         response_ratio: table.ratio(reader, "response_ratio"),
+        resonance_ratio: table.ratio(reader, "resonance_ratio"),
+        strength_ratio: table.ratio(reader, "strength_ratio"),
+        building_ductility_ratio: table.ratio(reader, "building_ductility_ratio"),
         importance_ratio: table.ratio(reader, "importance_ratio"),
         bracket_height_m: table.quantity(reader, "bracket_height", Dimension::Length),
         bracket: table.string(reader, "bracket"),

@@ -28,3 +28,6 @@ pub(crate) const TARGET_KEYS: [(&str, Kind); 23] = [
     ("corner_periods", Quantity(Dimension::Time)),
     ("fault_distance", Quantity(Dimension::Length)),
 ];
+
+/// The keys among them that belong to a table of the user, which is no code.
+pub(crate) const TABLE_KEYS: [&str; 3] = ["spectrum", "interpolation", "beyond"];

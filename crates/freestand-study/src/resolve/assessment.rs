@@ -2,13 +2,18 @@
 
 use std::path::PathBuf;
 
+use freestand::code_spectrum::CodeSpectrum;
+use freestand::code_spectrum::part_forces::LEAST_BUILDING_DUCTILITY_RATIO;
 use freestand::decision::Looks;
 
 use super::{Resolver, or};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
+use crate::study::Ground;
 use crate::study::assessment::{
     Accepted, Bracket, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WorldSettings,
 };
+use crate::target::Target;
+use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
@@ -22,6 +27,7 @@ impl Resolver<'_> {
         worlds: &WorldOptions,
         restraint: &RestraintOptions,
         period_is_measured: bool,
+        ground: Option<&Ground>,
     ) -> Settings {
         let defaults = Settings::default();
         for (key, line) in &written.replaced {
@@ -59,6 +65,7 @@ impl Resolver<'_> {
             compliant: or(&written.compliant, defaults.compliant),
             pages: usize::try_from(or(&written.pages, defaults.pages as u64)).unwrap_or(usize::MAX),
             restraint: self.restraint(restraint, defaults.restraint),
+            restraint_code: self.restraint_code(&restraint.code, ground),
         }
     }
 
@@ -126,22 +133,67 @@ impl Resolver<'_> {
             ("overstrength_ratio", &written.overstrength_ratio),
             ("amplification_ratio", &written.amplification_ratio),
             ("response_ratio", &written.response_ratio),
+            ("resonance_ratio", &written.resonance_ratio),
+            ("strength_ratio", &written.strength_ratio),
             ("importance_ratio", &written.importance_ratio),
         ];
         let factors = factors.map(|(key, written)| {
             self.require(written, |factor| factor > 0.0 && factor <= 20.0, key, "a factor above 0, at most 20");
             written.as_ref().map(|factor| factor.value)
         });
-        let [overstrength_ratio, amplification_ratio, response_ratio, importance_ratio] = factors;
+        let [
+            overstrength_ratio,
+            amplification_ratio,
+            response_ratio,
+            resonance_ratio,
+            strength_ratio,
+            importance_ratio,
+        ] = factors;
+        self.require(
+            &written.building_ductility_ratio,
+            |factor| (LEAST_BUILDING_DUCTILITY_RATIO..=20.0).contains(&factor),
+            "building_ductility_ratio",
+            &format!("a factor from {LEAST_BUILDING_DUCTILITY_RATIO} to 20"),
+        );
         self.require(&written.bracket_height_m, |height| height > 0.0, "bracket_height", "positive");
         RestraintSettings {
             dead_load_ratio: or(&written.dead_load_ratio, defaults.dead_load_ratio),
             overstrength_ratio,
             amplification_ratio,
             response_ratio,
+            resonance_ratio,
+            strength_ratio,
+            building_ductility_ratio: written.building_ductility_ratio.as_ref().map(|factor| factor.value),
             importance_ratio,
             bracket_height_m: written.bracket_height_m.as_ref().map(|height| height.value),
             bracket: self.named("bracket", &written.bracket, &Bracket::ALL).unwrap_or(defaults.bracket),
+        }
+    }
+
+    /// The code of the forces, for motions that are by no code.
+    fn restraint_code(&mut self, written: &Words, ground: Option<&Ground>) -> Option<Target> {
+        let first = written.lines().find_map(|(_, line)| line);
+        if written.is_empty() {
+            return None;
+        }
+        let of_motions = ground.and_then(Ground::code_spectrum).map(|target| &target.spectrum);
+        if let Some(spectrum) = of_motions.filter(|spectrum| !matches!(spectrum, CodeSpectrum::Table(_))) {
+            let message = format!("[restraint] names a code, but the motions are by {} already", spectrum.name());
+            self.note(first, message, "leave it out: the forces of restraints are by the code of [ground]");
+            return None;
+        }
+        match Target::for_parts(written) {
+            Ok(target) => {
+                self.warnings.extend(target.warnings.iter().map(|warning| format!("[restraint]: {warning}")));
+                Some(target)
+            }
+            Err(problems) => {
+                for problem in problems {
+                    let line = written.line_of(&problem.keys).or(first);
+                    self.fault(line, "restraint", problem);
+                }
+                None
+            }
         }
     }
 
@@ -258,6 +310,23 @@ mod tests {
         lines.sort_unstable();
         let expected = [2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 14, 15, 17, 18];
         assert_eq!(lines, expected.map(Some), "{problems:?}");
+    }
+
+    /// The motions of floors are by no code: [restraint] names the one of the forces.
+    #[test]
+    fn the_code_of_restraints_stands_where_the_motions_have_none() {
+        let study =
+            |ground: &str, restraint: &str| resolve(&format!("{ground}[restraint]\n{restraint}"), None, "".as_ref());
+        let table = "[ground]\ncode = \"table\"\nspectrum = \"gone.csv\"\n";
+        let problems = study("", "code = \"asce7\"\nsds = \"1 g\"\n").unwrap_err().problems;
+        assert!(problems[0].message.contains("the motions are by AS 1170.4"), "{problems:?}");
+        assert_eq!(problems[0].line, Some(2));
+        // The table of the ground is missing too.
+        let problems = study(table, "code = \"asce7\"\nsds = \"-1 g\"\nbuilding_ductility_ratio = 1\n").unwrap_err();
+        let lines: Vec<Option<usize>> = problems.problems.iter().map(|problem| problem.line).collect();
+        assert_eq!(lines, [Some(3), Some(6), Some(7)], "{problems:?}");
+        let problems = study(table, "sds = \"1 g\"\n").unwrap_err().to_string();
+        assert!(problems.contains("sds needs a code or a place"), "{problems}");
     }
 
     #[test]

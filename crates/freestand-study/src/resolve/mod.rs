@@ -145,7 +145,7 @@ pub fn resolve_with(
     }
     let directions_deg = if ground_input.is_some() { resolver.directions(&ground, overrides, two) } else { vec![0.0] };
     let objects = resolver.objects(&objects);
-    let assessment = resolver.assessment(&assessment, &worlds, &restraint, is_measured);
+    let assessment = resolver.assessment(&assessment, &worlds, &restraint, is_measured, ground_input.as_ref());
     let names = ground_input.as_ref().map(|input| input.names(&levels));
     let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
     match (ground_input, building_input, objects) {

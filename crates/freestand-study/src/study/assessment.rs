@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use freestand::decision::Looks;
 use freestand::worlds::RESTITUTION_SPREAD;
 
+use crate::target::Target;
+
 /// The resolved settings of `[assessment]`, `[worlds]` and `[restraint]`. Every default is an
 /// assumption and is reported as one.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +46,8 @@ pub struct Settings {
     pub pages: usize,
     /// How forces for restraints are calculated.
     pub restraint: RestraintSettings,
+    /// The code of the forces, where the motions are by no code.
+    pub restraint_code: Option<Target>,
 }
 
 /// What is asked of an object.
@@ -149,10 +153,17 @@ pub struct RestraintSettings {
     pub dead_load_ratio: f64,
     /// Ω₀: factor on the force of anchors in concrete.
     pub overstrength_ratio: Option<f64>,
-    /// Amplification of the part.
+    /// Amplification of the part: a_p, a_c, and C_AR where [`Self::resonance_ratio`] is `None`.
     pub amplification_ratio: Option<f64>,
-    /// Reduction for the ductility of the part.
+    /// Reduction for the ductility of the part: R_p, R_c, q_a, and R_po where
+    /// [`Self::strength_ratio`] is `None`.
     pub response_ratio: Option<f64>,
+    /// C_AR of ASCE 7-22.
+    pub resonance_ratio: Option<f64>,
+    /// R_po of ASCE 7-22.
+    pub strength_ratio: Option<f64>,
+    /// R_μ of ASCE 7-22, of the building.
+    pub building_ductility_ratio: Option<f64>,
     /// Importance of the part.
     pub importance_ratio: Option<f64>,
     /// Height of a bracket \[m\]; `None`: 0.9 of the object's height.
@@ -198,6 +209,9 @@ impl Default for RestraintSettings {
             overstrength_ratio: None,
             amplification_ratio: None,
             response_ratio: None,
+            resonance_ratio: None,
+            strength_ratio: None,
+            building_ductility_ratio: None,
             importance_ratio: None,
             bracket_height_m: None,
             bracket: Bracket::Rigid,
@@ -238,6 +252,7 @@ impl Default for Settings {
             compliant: true,
             pages: 200,
             restraint: RestraintSettings::default(),
+            restraint_code: None,
         }
     }
 }

@@ -56,6 +56,13 @@ pub struct Study {
     pub warnings: Vec<String>,
 }
 
+impl Study {
+    /// The code by which restraints are designed: that of `[restraint]`, else that of the motions.
+    pub fn restraint_target(&self) -> Option<&Target> {
+        self.assessment.restraint_code.as_ref().or_else(|| self.ground.code_spectrum())
+    }
+}
+
 /// A floor by its names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedFloor {

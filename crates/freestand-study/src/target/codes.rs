@@ -27,6 +27,8 @@ const DEFAULT_ASCE7_SITE: Asce7Site = Asce7Site::D;
 /// The long-period transition of ASCE 7, where a place gives the hazard \[s\]: 4 to 16 s on the maps,
 /// 8 s in most of California and much of the west.
 const DEFAULT_LONG_PERIOD_S: f64 = 8.0;
+/// The same as a person writes it.
+pub(super) const DEFAULT_LONG_PERIOD_WORDS: &str = "8 s";
 
 /// A fact of a report.
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {
@@ -62,7 +64,7 @@ fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
     all.extend(facts);
     let warnings: Vec<String> = spectrum.doubt().into_iter().map(str::to_owned).collect();
     all.extend(warnings.iter().map(|doubt| fact("Not confirmed", doubt.as_str())));
-    Target { spectrum, place: None, facts: all, file: None, table_csv: None, warnings }
+    Target { spectrum, place: None, facts: all, file: None, table_csv: None, warnings, period_warnings: Vec::new() }
 }
 
 fn in_g(value_g: f64) -> String {
@@ -280,7 +282,7 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> O
         false => Some(DEFAULT_LONG_PERIOD_S),
     };
     let mut facts = Vec::new();
-    let mut warnings = Vec::new();
+    let (mut warnings, mut period_warnings) = (Vec::new(), Vec::new());
     let code = if is_mapped {
         let (ss, s1) = match place.map(|place| place.hazard) {
             Some(PlaceHazard::Asce7 { ss_g, s1_g }) => (Some(ss_g), Some(s1_g)),
@@ -295,7 +297,7 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> O
         }
         facts.push(fact("Fa, Fv", format!("{}, {}", number(fa, 4), number(fv, 4))));
         if asks_for_study {
-            warnings.push(
+            period_warnings.push(
                 "ASCE 7-16, 11.4.8, asks for a site-specific study on site class D where S1 is 0.2 g or more; Fv of \
                  Table 11.4-2 is used instead, without the increase of SM1 by half that Supplement 3 allows in its \
                  place: long periods may be underestimated"
@@ -323,6 +325,7 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> O
     facts.push(fact("T0, TS, TL", format!("{t0_s} s, {ts_s} s, {tl_s} s{assumed}")));
     let mut target = at(place, target(code.into(), facts));
     target.warnings.extend(warnings);
+    target.period_warnings = period_warnings;
     Some(target)
 }
 
@@ -427,7 +430,7 @@ pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) 
     ];
     let mut target = at(place, target(code.into(), facts));
     if place.is_some() && distance_km.is_none() && code.return_period_years() > 250 {
-        target.warnings.push(
+        target.period_warnings.push(
             "the table of places has no distances to faults, so N(T, D) = 1: give `fault_distance` where a major fault \
              is within 20 km, because it raises the spectrum beyond 1.5 s"
                 .to_owned(),

@@ -4,6 +4,7 @@ mod figure;
 
 pub use figure::code_spectrum_figure;
 mod codes;
+mod parts;
 mod spectrum;
 mod table;
 mod words;
@@ -43,6 +44,9 @@ pub struct Target {
     pub table_csv: Option<String>,
     /// What the reader must know.
     pub warnings: Vec<String>,
+    /// What the reader must know about periods above about 1 s, and about nothing else;
+    /// [`Self::resolve`] adds it to the warnings.
+    period_warnings: Vec<String>,
 }
 
 impl Target {
@@ -66,7 +70,10 @@ impl Target {
     /// # Ok::<(), freestand_input::problem::Problems>(())
     /// ```
     pub fn resolve(words: &Words, base_dir: &Path) -> Result<Self, Problems> {
-        words::resolve(words, base_dir)
+        words::resolve(words, base_dir).map(|mut target| {
+            target.warnings.append(&mut target.period_warnings);
+            target
+        })
     }
 
     /// The name of the code in flags and studies.
@@ -129,11 +136,7 @@ impl Target {
 
     /// The parameters on one line, without the code.
     pub fn parameters(&self) -> String {
-        let place = match self.place {
-            None => String::new(),
-            Some(Place { name, confidence: Confidence::Read, .. }) => format!(" ({name})"),
-            Some(Place { name, confidence: Confidence::Approximate, .. }) => format!(" ({name}, approximate)"),
-        };
+        let place = self.place_in_brackets();
         match &self.spectrum {
             CodeSpectrum::As1170_4(code) => format!(
                 "site {}, Z = {}{place}, {} years, kpZ = {} g",
@@ -175,6 +178,15 @@ impl Target {
                 number(table.first_period_s(), 4),
                 number(table.last_period_s(), 4)
             ),
+        }
+    }
+
+    /// ` (Melbourne)`, ` (Athens, approximate)`; empty without a place.
+    fn place_in_brackets(&self) -> String {
+        match self.place {
+            None => String::new(),
+            Some(Place { name, confidence: Confidence::Read, .. }) => format!(" ({name})"),
+            Some(Place { name, confidence: Confidence::Approximate, .. }) => format!(" ({name}, approximate)"),
         }
     }
 

@@ -62,6 +62,7 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
         file: read.file,
         table_csv: Some(format!("period [s],PSA [m/s2]\n{lines}")),
         warnings,
+        period_warnings: Vec::new(),
     })
 }
 

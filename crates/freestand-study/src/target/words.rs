@@ -31,7 +31,7 @@ pub(super) enum Code {
 }
 
 impl Code {
-    fn parse(text: &str) -> Option<Self> {
+    pub(super) fn parse(text: &str) -> Option<Self> {
         let plain: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace() && !"-_".contains(*c)).collect();
         CODES.iter().find(|(names, _)| names.contains(&plain.as_str())).map(|(_, code)| *code)
     }
@@ -50,7 +50,7 @@ impl Code {
         CODES.iter().find(|(_, code)| *code == self).and_then(|(names, _)| names.first().copied()).unwrap_or_default()
     }
 
-    fn title(self) -> &'static str {
+    pub(super) fn title(self) -> &'static str {
         match self {
             Self::As1170_4 => "AS 1170.4",
             Self::Eurocode8 => "Eurocode 8",

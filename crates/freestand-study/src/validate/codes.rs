@@ -3,6 +3,10 @@
 use std::f64::consts::TAU;
 
 use freestand::G0_M_S2;
+use freestand::code_spectrum::part_forces::{
+    As1170_4Part, Asce7_16Part, Asce7_22Part, Eurocode8Part, Nzs1170_5Part, as1170_4_force, asce7_16_force,
+    asce7_22_force, eurocode8_force, nzs1170_5_force,
+};
 use freestand::code_spectrum::parts::{PartsQuestion, floor_acceleration_g};
 use freestand::code_spectrum::{
     As1170_4, Asce7, Asce7Edition, CodeSpectrum, Edition, Eurocode8, FrameKind, GroundType, Nzs1170_5, SiteClass,
@@ -16,7 +20,34 @@ use freestand_input::problem::Problem;
 const ROUNDING: f64 = 1e-12;
 
 pub(super) fn checks() -> Result<Vec<Check>, Problem> {
-    Ok([australia()?, others()?, floors()?].concat())
+    Ok([australia()?, others()?, floors()?, forces()].concat())
+}
+
+/// Forces of parts on a roof, over their weight.
+fn forces() -> Vec<Check> {
+    const BY_HAND: &str = "by hand";
+    let australia = As1170_4Part { amplification_ratio: 1.0, ductility_ratio: 2.5, importance_ratio: 1.5 };
+    let america_16 = Asce7_16Part { amplification_ratio: 1.0, response_ratio: 2.5, importance_ratio: 1.5 };
+    let america_22 = Asce7_22Part {
+        resonance_ratio: 1.0,
+        strength_ratio: 1.5,
+        building_ductility_ratio: 1.3,
+        importance_ratio: 1.0,
+        is_at_grade: false,
+    };
+    let europe =
+        Eurocode8Part { period_ratio: 0.0, amplification_ratio: 1.0, importance_ratio: 1.5, behaviour_ratio: 2.0 };
+    let new_zealand = Nzs1170_5Part { spectral_ratio: 2.0, response_ratio: 1.0, risk_ratio: 1.0 };
+    [
+        ("AS 1170.4, 0.264 × 1.5/2.5", as1170_4_force(0.264, &australia).force_ratio, 0.1584),
+        ("ASCE 7-16, 0.4 × 1 × 3 × 1.5/2.5", asce7_16_force(1.0, 3.0, &america_16).force_ratio, 0.72),
+        ("ASCE 7-22, 0.4 × 1 × 3.5/1.3/1.5", asce7_22_force(1.0, 3.5, &america_22).force_ratio, 1.4 / 1.95),
+        ("EN 1998-1, 0.24 × 2.5 × 1.5/2", eurocode8_force(0.24, 1.0, &europe).force_ratio, 0.45),
+        ("NZS 1170.5, 0.532 × 3 × 2", nzs1170_5_force(3.0 * 0.532, &new_zealand).force_ratio, 3.192),
+        ("NZS 1170.5, at most 3.6", nzs1170_5_force(3.0 * 0.7, &new_zealand).force_ratio, 3.6),
+    ]
+    .map(|(name, computed, expected)| check(format!("force of a part, {name}"), computed, expected, ROUNDING, BY_HAND))
+    .to_vec()
 }
 
 fn melbourne() -> Result<As1170_4, Problem> {

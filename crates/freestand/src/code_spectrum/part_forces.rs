@@ -12,10 +12,15 @@
 //! a_floor is [`super::parts::floor_acceleration_g`]; A, which is 1 in the code, is an
 //! amplification that the user knows.
 //!
+//! # Sources
+//! No code was at hand. The formulas and limits of ASCE 7-16, ASCE 7-22 and EN 1998-1, and C_Hi of
+//! NZS 1170.5, agree with public programs of other people (among them H. Bhatia's calculator for
+//! ASCE 7-22, chapter 13, and the NZS 1170.5 functions of engineervsheep.com, 2020). AS 1170.4 and
+//! the limit of NZS 1170.5 are quoted from memory: check them in your edition.
+//!
 //! # Limitation
-//! The formulas and limits are quoted from memory: check them in your edition. They are design
-//! forces, reduced for ductility where the code allows it, so a calculated floor acceleration may
-//! be larger.
+//! These are design forces, reduced for ductility where the code allows it, so a calculated floor
+//! acceleration may be larger.
 
 use super::parts::eurocode8_factor_ratio;
 
@@ -37,6 +42,10 @@ pub struct PartForce {
     pub force_ratio: f64,
     /// The result of the formula alone.
     pub formula_ratio: f64,
+    /// The lower limit; 0 where the code has none.
+    pub minimum_ratio: f64,
+    /// The upper limit; infinite where the code has none.
+    pub maximum_ratio: f64,
     /// What governs the force.
     pub governing: Governing,
 }
@@ -49,7 +58,7 @@ impl PartForce {
             _ => Governing::Formula,
         };
         let force_ratio = formula_ratio.min(maximum_ratio).max(minimum_ratio);
-        Self { force_ratio, formula_ratio, governing }
+        Self { force_ratio, formula_ratio, minimum_ratio, maximum_ratio, governing }
     }
 }
 
@@ -106,7 +115,7 @@ pub struct Asce7_16Part {
 /// `height_factor_ratio` is 1 + 2 z/h, [`super::parts::asce7_height_ratio`].
 ///
 /// # Reference
-/// ASCE 7-16, Eqs. (13.3-1) to (13.3-3); quoted from memory.
+/// ASCE 7-16, Eqs. (13.3-1) to (13.3-3).
 ///
 /// # Example
 /// S_DS = 1 g on the roof, a_p = 1, R_p = 2.5: 0.4 · 3/2.5 = 0.48.
@@ -129,19 +138,34 @@ pub struct Asce7_22Part {
     pub resonance_ratio: f64,
     /// Component strength factor R_po.
     pub strength_ratio: f64,
-    /// Ductility reduction factor R_μ of the building: at least 1.3, and 1.3 if it is unknown.
+    /// Ductility reduction factor R_μ of the building: at least 1.3, and 1.3 if it is unknown. At or
+    /// below the ground it is 1, see [`Self::is_at_grade`].
     pub building_ductility_ratio: f64,
     /// Component importance factor I_p: 1 or 1.5.
     pub importance_ratio: f64,
+    /// Whether the part is supported at or below the ground: the building does not reduce its force,
+    /// R_μ = 1.
+    pub is_at_grade: bool,
 }
 
+impl Asce7_22Part {
+    /// R_μ as it is used.
+    pub fn used_building_ductility_ratio(&self) -> f64 {
+        if self.is_at_grade { 1.0 } else { self.building_ductility_ratio.max(LEAST_BUILDING_DUCTILITY_RATIO) }
+    }
+}
+
+/// R_μ of ASCE 7-22 is at least this above the ground, and this where the building is not known
+/// (13.3.1.2).
+pub const LEAST_BUILDING_DUCTILITY_RATIO: f64 = 1.3;
+
 /// Force over weight according to ASCE 7-22: 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po), from 0.3 S_DS I_p
-/// to 1.6 S_DS I_p; R_μ is at least 1.3.
+/// to 1.6 S_DS I_p; R_μ is at least 1.3, and 1 at or below the ground.
 ///
 /// `height_factor_ratio` is H_f, [`super::parts::asce7_height_ratio`].
 ///
 /// # Reference
-/// ASCE 7-22, Eqs. (13.3-1) to (13.3-3) and 13.3.1.2; quoted from memory.
+/// ASCE 7-22, Eqs. (13.3-1) to (13.3-3) and 13.3.1.2.
 ///
 /// # Example
 /// S_DS = 1 g, H_f = 3.5, R_μ = 1.3, C_AR = 1, R_po = 1.5: 0.4 · 3.5/1.3/1.5.
@@ -152,13 +176,13 @@ pub struct Asce7_22Part {
 ///     strength_ratio: 1.5,
 ///     building_ductility_ratio: 1.3,
 ///     importance_ratio: 1.0,
+///     is_at_grade: false,
 /// };
 /// assert!((asce7_22_force(1.0, 3.5, &cabinet).force_ratio - 0.717_949).abs() < 5e-7);
 /// ```
 pub fn asce7_22_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_22Part) -> PartForce {
     let unit = sds_g * part.importance_ratio;
-    let ratio =
-        height_factor_ratio / part.building_ductility_ratio.max(1.3) * part.resonance_ratio / part.strength_ratio;
+    let ratio = height_factor_ratio / part.used_building_ductility_ratio() * part.resonance_ratio / part.strength_ratio;
     PartForce::within(0.4 * ratio * unit, 0.3 * unit, 1.6 * unit)
 }
 
@@ -179,7 +203,7 @@ pub struct Eurocode8Part {
 /// Force over weight according to Eurocode 8: A S_a γ_a/q_a, with A S_a at least a_g S.
 ///
 /// # Reference
-/// EN 1998-1:2004, Eqs. (4.24) and (4.25); quoted from memory.
+/// EN 1998-1:2004, Eqs. (4.24) and (4.25).
 ///
 /// # Example
 /// a_g S = 0.24 g on the roof, rigid, q_a = 2: 0.24 · 2.5/2.
@@ -274,6 +298,7 @@ mod tests {
             strength_ratio: 1.5,
             building_ductility_ratio: 1.5,
             importance_ratio: 1.0,
+            is_at_grade: false,
         };
         assert!((asce7_22_force(0.5, 2.25, &part).force_ratio - 0.44).abs() < 1e-15);
         let stiff = |ductility| Asce7_22Part { building_ductility_ratio: ductility, ..part };
@@ -282,6 +307,22 @@ mod tests {
         assert!((low.force_ratio - 0.15).abs() < 1e-15 && low.governing == Governing::Minimum);
         let high = asce7_22_force(0.5, 3.5, &Asce7_22Part { resonance_ratio: 2.8, strength_ratio: 1.0, ..stiff(1.3) });
         assert!((high.force_ratio - 0.8).abs() < 1e-15 && high.governing == Governing::Maximum);
+    }
+
+    /// On the ground the building does not reduce the force: 0.4 · 0.5 · 1/1 · 1.8/1.5 = 0.24, not
+    /// 0.24/1.5.
+    #[test]
+    fn asce_7_22_on_the_ground() {
+        let part = Asce7_22Part {
+            resonance_ratio: 1.8,
+            strength_ratio: 1.5,
+            building_ductility_ratio: 1.5,
+            importance_ratio: 1.0,
+            is_at_grade: true,
+        };
+        let got = asce7_22_force(0.5, 1.0, &part);
+        // A few products of numbers near one.
+        assert!((got.force_ratio - 0.24).abs() < 1e-15 && got.governing == Governing::Formula, "{got:?}");
     }
 
     /// a_g S = 0.2 g. In resonance at mid-height 3 · 1.5 − 0.5 = 4: 0.8 · 1.5/2 = 0.6. Far above

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::inventory::{Inventory, Item, Rating};
 use crate::output::overview::place;
 use crate::output::words::{margin, probability, ranked, ranked_milli, tier};
-use crate::result::{Assessment, AxisResponse, ModelAnswers, Probability, Response};
+use crate::result::{Assessment, AxisResponse, ModelAnswers, Probability, Response, RestraintForce, RestraintKind};
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, table, words as text};
 use freestand_study::cushion::cushion_words;
@@ -353,13 +353,17 @@ fn what_to_do(found: &Assessment) -> String {
             true => force_of(force_n),
             false => "none: its weight holds it down".to_owned(),
         };
+        let source_of = |force: &RestraintForce| match force.kind {
+            RestraintKind::OtherCode => format!("For comparison: {}", force.source),
+            RestraintKind::OwnCode | RestraintKind::Floor => force.source.clone(),
+        };
         let rows: Vec<Vec<Cell>> = found
             .restraint
             .iter()
             .map(|force| {
                 let bracket = format!("{} at {} m", force_of(force.bracket_force_n), number(force.bracket_height_m, 3));
                 vec![
-                    markup(name(&force.source), ""),
+                    markup(name(&source_of(force)), ""),
                     figure(force_of(force.force_n)),
                     figure(number(force.force_ratio, 3)),
                     figure(tension(force.anchor_tension_n)),

@@ -4,7 +4,9 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 
 use crate::inventory::{Item, Rating};
-use crate::result::{Answers, Assessment, Cause, ModelAnswers, Probability, RestraintForce, reported_force};
+use crate::result::{
+    Answers, Assessment, Cause, ModelAnswers, Probability, RestraintForce, design_force, reported_force,
+};
 use freestand_study::cushion::cushion_words;
 
 use super::{Cell, Column, Kind, Line};
@@ -225,11 +227,16 @@ pub(crate) const COLUMNS: &[Column] = &[
         of(l, |found| found.softening.as_ref()?.stroke_m)
     }),
     number("restraint_force_n", "N", "horizontal force of a restraint by the study's own code, or by its floor", |l| {
-        restraint(l, |force| force.force_n)
+        Cell::number(l.assessment().and_then(|found| reported_force(&found.restraint)).map(|force| force.force_n))
     }),
-    text("restraint_source", "clause of this force; the other columns of the restraint are by the same clause", |l| {
+    text("restraint_source", "clause of this force", |l| {
         of_text(l, |found| Some(reported_force(&found.restraint)?.source.as_str()))
     }),
+    text(
+        "anchor_source",
+        "source of the anchors and the bracket: the floor where the code's force lifts nothing",
+        |l| of_text(l, |found| Some(design_force(&found.restraint)?.source.as_str())),
+    ),
     number("held_weight_ratio", "1", "weight that holds it down against the force, over its weight", |l| {
         restraint(l, |force| force.held_weight_ratio)
     }),
@@ -240,7 +247,11 @@ pub(crate) const COLUMNS: &[Column] = &[
         restraint(l, |force| force.anchor_tension_n)
     }),
     number("anchor_tension_concrete_n", "N", "the same for anchors in concrete", |l| {
-        restraint(l, |force| force.anchor_tension_concrete_n)
+        // Never less than by the code, whose Ω_0 may lift what its force does not.
+        let forces = l.assessment().map(|found| &found.restraint);
+        let both = forces.map(|forces| [design_force(forces), reported_force(forces)]);
+        let tensions = both.into_iter().flatten().flatten().map(|force| force.anchor_tension_concrete_n);
+        Cell::number(tensions.reduce(f64::max))
     }),
     number("bracket_height_m", "m", "height of a bracket in place of the anchors", |l| {
         restraint(l, |force| force.bracket_height_m)
@@ -456,5 +467,5 @@ fn rating<'a>(rating: Option<Rating>) -> Cell<'a> {
 
 /// A value of the force that counts for the object.
 fn restraint<'a>(line: &Line<'a>, value: fn(&RestraintForce) -> f64) -> Cell<'a> {
-    Cell::number(line.assessment().and_then(|found| reported_force(&found.restraint)).map(value))
+    Cell::number(line.assessment().and_then(|found| design_force(&found.restraint)).map(value))
 }

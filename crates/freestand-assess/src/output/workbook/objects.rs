@@ -101,7 +101,10 @@ impl Objects {
 fn width(column: &Column) -> f64 {
     match (column.kind, column.name) {
         (_, "why" | "remarks" | "notes") => 60.0,
-        (_, "item" | "location" | "tolerance" | "tolerance_source" | "cushion" | "restraint_source") => 26.0,
+        (
+            _,
+            "item" | "location" | "tolerance" | "tolerance_source" | "cushion" | "restraint_source" | "anchor_source",
+        ) => 26.0,
         (Kind::Text | Kind::Decision, _) => 15.0,
         (Kind::Count, _) => 9.0,
         _ => 14.0,

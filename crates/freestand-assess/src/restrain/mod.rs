@@ -1,0 +1,387 @@
+//! How strongly one object must be held: the force that a code asks for, the anchors, and a sheet
+//! to print. The numbers are those of `assess`, from the same function (`restraint`).
+
+mod report;
+mod sheet;
+mod sketch;
+
+pub use report::RestrainReport;
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::code_spectrum::part_forces::LEAST_BUILDING_DUCTILITY_RATIO;
+use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
+use freestand_input::keys::Words;
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::words::{counted, number};
+use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
+use freestand_study::places::Place;
+use freestand_study::shape::Shape;
+use freestand_study::study::Study;
+use freestand_study::study::assessment::RestraintSettings;
+use freestand_study::target::Target;
+
+use crate::inventory::{Floors, level_of_floor};
+use crate::job::floors_of;
+use crate::restraint::{Demand, HeldObject, RestraintQuestion, demands};
+use crate::result::{Axis, RestraintKind};
+
+/// What is said where the force of a code lifts nothing.
+const NO_TENSION: &str = "No tension does not mean that the object stands without anchors: the force of a code may be \
+                          reduced for ductility, and an earthquake may lift the object all the same. freestand assess \
+                          simulates that.";
+
+/// Most storeys of a building.
+const MAX_STOREYS: usize = 500;
+
+/// One object and what shakes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RestrainRequest {
+    /// Mass \[kg\].
+    pub mass_kg: f64,
+    /// Height \[m\].
+    pub height_m: f64,
+    /// Horizontal size across one pair of anchored edges \[m\].
+    pub thickness_m: f64,
+    /// Horizontal size across the other pair; `None`: only the thickness is checked \[m\].
+    pub width_m: Option<f64>,
+    /// Height of the centre of gravity; `None`: half of the height \[m\].
+    pub cg_height_m: Option<f64>,
+    /// The hazard.
+    pub hazard: RestrainHazard,
+    /// The floor.
+    pub floor: RestrainFloor,
+    /// Factors that take the place of those of the code, and of the study.
+    pub factors: RestrainFactors,
+    /// Anchors along each of the two edges.
+    pub anchors_per_edge: usize,
+    /// Whether other codes are shown too.
+    pub is_compared: bool,
+}
+
+/// Where the force comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RestrainHazard {
+    /// The code and the building of a study.
+    Study(Box<Study>),
+    /// The code that these words name, or the one of the place that they name.
+    Code(Words),
+    /// F = m a, with this acceleration of the floor \[g\].
+    FloorAcceleration(f64),
+}
+
+/// The floor of the object; without a name or a ratio, the ground.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct RestrainFloor {
+    /// Its name or number; floor 1 is the first above the ground.
+    pub name: Option<String>,
+    /// Its height over that of the building.
+    pub level_ratio: Option<f64>,
+    /// Number of storeys.
+    pub storeys: Option<usize>,
+    /// Height of a storey \[m\].
+    pub storey_height_m: Option<f64>,
+}
+
+/// Factors that the user states; `None`: those of the study, else those of the code.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct RestrainFactors {
+    /// I_p, I_c, γ_a, R_p of NZS 1170.5.
+    pub importance_ratio: Option<f64>,
+    /// a_p, a_c, C_i; of EN 1998-1 and of a floor acceleration A.
+    pub amplification_ratio: Option<f64>,
+    /// R_p, R_c, q_a, 1/C_ph.
+    pub response_ratio: Option<f64>,
+    /// C_AR of ASCE 7-22.
+    pub resonance_ratio: Option<f64>,
+    /// R_po of ASCE 7-22.
+    pub strength_ratio: Option<f64>,
+    /// R_μ of ASCE 7-22.
+    pub building_ductility_ratio: Option<f64>,
+}
+
+impl RestrainFactors {
+    /// The settings with these factors in place of theirs.
+    fn over(self, settings: RestraintSettings) -> RestraintSettings {
+        RestraintSettings {
+            importance_ratio: self.importance_ratio.or(settings.importance_ratio),
+            amplification_ratio: self.amplification_ratio.or(settings.amplification_ratio),
+            response_ratio: self.response_ratio.or(settings.response_ratio),
+            resonance_ratio: self.resonance_ratio.or(self.amplification_ratio).or(settings.resonance_ratio),
+            strength_ratio: self.strength_ratio.or(self.response_ratio).or(settings.strength_ratio),
+            building_ductility_ratio: self.building_ductility_ratio.or(settings.building_ductility_ratio),
+            ..settings
+        }
+    }
+
+    /// The names of the factors that are stated and that this source has none of.
+    fn strangers(&self, of: FactorsOf) -> Vec<&'static str> {
+        let asce7_22 = of == FactorsOf::Asce7_22;
+        let floor = of == FactorsOf::Floor;
+        let known = [
+            ("importance", self.importance_ratio, !floor),
+            ("amplification", self.amplification_ratio, !asce7_22),
+            ("response", self.response_ratio, !asce7_22 && !floor),
+            ("resonance", self.resonance_ratio, asce7_22),
+            ("strength", self.strength_ratio, asce7_22),
+            ("building_ductility", self.building_ductility_ratio, asce7_22),
+        ];
+        known.into_iter().filter(|(_, stated, is_known)| stated.is_some() && !is_known).map(|(name, ..)| name).collect()
+    }
+}
+
+/// Whose factors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum FactorsOf {
+    Asce7_22,
+    OtherCode,
+    Floor,
+}
+
+/// A request with everything that follows from it.
+struct Case {
+    request: RestrainRequest,
+    question: RestraintQuestion,
+    target: Option<Target>,
+    /// The floor in words.
+    floor: String,
+    /// What was not stated, a sentence each.
+    assumptions: Vec<String>,
+    warnings: Vec<String>,
+    own: Demand,
+    others: Vec<Demand>,
+}
+
+/// The force, moments and anchors of one object.
+///
+/// # Errors
+/// Everything that is wrong with the request.
+pub fn restrain(request: RestrainRequest) -> Result<RestrainReport, Problems> {
+    let case = case(request)?;
+    Ok(report::report(&case))
+}
+
+fn case(request: RestrainRequest) -> Result<Case, Problems> {
+    let mut problems = Problems::default();
+    let blocks = problems.keep(blocks(&request));
+    let target = problems.keep(target(&request));
+    let floor = problems.keep(floor(&request));
+    if let Some(target) = &target {
+        check_factors(&request, target.as_ref(), &mut problems);
+    }
+    let found = blocks.zip(target).zip(floor);
+    let ((blocks, target), floor) = problems.finish(found)?;
+    let Floor { level_ratio, building_height_m, words: floor, mut assumptions } = floor;
+    let object = HeldObject::new(request.mass_kg, level_ratio, false, &blocks);
+    let question = match &request.hazard {
+        RestrainHazard::Study(study) => RestraintQuestion::in_study(study, object, None),
+        hazard => RestraintQuestion {
+            object,
+            building_height_m,
+            building_period_s: None,
+            spectrum: target.as_ref().map(|target| target.spectrum.clone()),
+            floor_acceleration_g: match hazard {
+                RestrainHazard::FloorAcceleration(acceleration_g) => Some(*acceleration_g),
+                RestrainHazard::Study(_) | RestrainHazard::Code(_) => None,
+            },
+            is_floor_given: true,
+            settings: RestraintSettings::default(),
+        },
+    };
+    let question = RestraintQuestion { settings: request.factors.over(question.settings), ..question };
+    let (others, mut own): (Vec<Demand>, Vec<Demand>) =
+        demands(&question).into_iter().partition(|demand| demand.source.kind == RestraintKind::OtherCode);
+    if own.is_empty() {
+        return Err(without_code().into());
+    }
+    let mut own = own.swap_remove(0);
+    if let (RestrainHazard::Code(words), Some(target)) = (&request.hazard, &target) {
+        assumptions.extend(assumed_hazard(words, target));
+    }
+    if request.cg_height_m.is_none() {
+        let cg = report::length_words(question.object.cg_height_m);
+        assumptions.push(format!("The centre of gravity is at half of the height, {cg}."));
+    }
+    if request.width_m.is_none() {
+        assumptions.push("No width was given: only tipping across the thickness is checked.".to_owned());
+    }
+    let mut warnings: Vec<String> = match (&request.hazard, &target) {
+        // A study tells its own; here only what concerns the place counts.
+        (RestrainHazard::Study(_), Some(target)) => target.place.and_then(Place::doubt).into_iter().collect(),
+        (_, target) => target.iter().flat_map(|target| target.warnings.iter().cloned()).collect(),
+    };
+    if own.force.anchor_tension_n <= 0.0 && own.source.kind == RestraintKind::OwnCode {
+        warnings.push(NO_TENSION.to_owned());
+        own.source.remarks.insert(0, NO_TENSION.to_owned());
+    }
+    let others = if request.is_compared { others } else { Vec::new() };
+    Ok(Case { request, question, target, floor, assumptions, warnings, own, others })
+}
+
+fn blocks(request: &RestrainRequest) -> Result<Vec<(Axis, Block)>, Problem> {
+    let shape = Shape { cg_height_m: request.cg_height_m, ..Shape::default() };
+    let sides = [(Axis::Thickness, Some(request.thickness_m)), (Axis::Width, request.width_m)];
+    let block = |(axis, side_m): (Axis, Option<f64>)| {
+        let block = shape.block(request.height_m, side_m?);
+        Some(block.map(|block| (axis, block)))
+    };
+    let blocks: Result<Vec<_>, _> = sides.into_iter().filter_map(block).collect();
+    blocks.map_err(|error| Problem::value(error.to_string(), "check the dimensions of the object"))
+}
+
+/// The code; `None` for a floor acceleration.
+fn target(request: &RestrainRequest) -> Result<Option<Target>, Problems> {
+    match &request.hazard {
+        RestrainHazard::Code(words) => Target::for_parts(words).map(Some),
+        RestrainHazard::Study(study) => {
+            let target = study.restraint_target();
+            let is_code = |target: &&Target| !matches!(target.spectrum, CodeSpectrum::Table(_));
+            target.filter(is_code).cloned().map(Some).ok_or_else(|| without_code().into())
+        }
+        RestrainHazard::FloorAcceleration(_) if request.is_compared => {
+            let hint = "leave `compare` out, or give a place or a code in place of `floor_acceleration`";
+            Err(Problem::value("codes cannot be compared: a floor acceleration has no spectrum", hint).into())
+        }
+        RestrainHazard::FloorAcceleration(_) => Ok(None),
+    }
+}
+
+fn without_code() -> Problem {
+    let hint = "add a code to the table [restraint] of the study, such as code = \"asce7\" and sds = \"1 g\"; or leave \
+                the study out and give `place`, `code` or `floor_acceleration`";
+    Problem::value("the study names no code, so no clause gives a force", hint)
+}
+
+/// Refuses factors that the code does not have: they would be read silently as others.
+fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &mut Problems) {
+    if request.factors.building_ductility_ratio.is_some_and(|ratio| ratio < LEAST_BUILDING_DUCTILITY_RATIO) {
+        let message = format!("`building_ductility` must be at least {LEAST_BUILDING_DUCTILITY_RATIO}");
+        problems.push(Problem::value(message, "leave it out: 1.3 stands for a building that is not known"));
+    }
+    if request.is_compared {
+        return;
+    }
+    let of = match target.map(|target| &target.spectrum) {
+        None => FactorsOf::Floor,
+        Some(CodeSpectrum::Asce7(code)) => match code.edition() {
+            Asce7Edition::Asce7_22 => FactorsOf::Asce7_22,
+            Asce7Edition::Asce7_16 => FactorsOf::OtherCode,
+        },
+        Some(_) => FactorsOf::OtherCode,
+    };
+    let by = target.map_or("F = m a", |target| target.spectrum.name());
+    let hint = match of {
+        FactorsOf::Asce7_22 => "ASCE 7-22 has `resonance` (C_AR), `strength` (R_po) and `building_ductility` (R_μ)",
+        FactorsOf::OtherCode => "leave it out, or add `compare` to see ASCE 7-22 too",
+        FactorsOf::Floor => "leave it out: only `amplification` multiplies a floor acceleration",
+    };
+    for name in request.factors.strangers(of) {
+        problems.push(Problem::value(format!("`{name}` is not a factor of {by}"), hint));
+    }
+}
+
+/// The floor of the request.
+struct Floor {
+    level_ratio: f64,
+    building_height_m: Option<f64>,
+    words: String,
+    assumptions: Vec<String>,
+}
+
+fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
+    let RestrainFloor { name, level_ratio, storeys, storey_height_m } = &request.floor;
+    let mut problems = Problems::default();
+    let mut note = |message: &str, hint: &str| problems.push(Problem::value(message, hint));
+    let has_building = storeys.is_some() || storey_height_m.is_some();
+    if name.is_some() && level_ratio.is_some() {
+        note("`floor` and `level_ratio` exclude each other", "keep one of them");
+    }
+    if level_ratio.is_some_and(|ratio| !(0.0..=1.0).contains(&ratio)) {
+        note(
+            "`level_ratio` must be from 0 (the ground) to 1 (the roof)",
+            "give the height of the floor over the roof's",
+        );
+    }
+    if storeys.is_some_and(|storeys| !(1..=MAX_STOREYS).contains(&storeys)) {
+        note(&format!("`storeys` must be from 1 to {MAX_STOREYS}"), "give the number of storeys above the ground");
+    }
+    match &request.hazard {
+        RestrainHazard::FloorAcceleration(_) if name.is_some() || level_ratio.is_some() || has_building => note(
+            "the acceleration is that of the floor of the object: a floor or a building has no meaning beside it",
+            "leave them out, or give a place or a code in place of `floor_acceleration`",
+        ),
+        RestrainHazard::Study(_) if has_building => note(
+            "the study describes the building: `storeys` and `storey_height` have no meaning beside it",
+            "leave them out, or change the table [building] of the study",
+        ),
+        RestrainHazard::Code(_) => {
+            if name.is_some() && storeys.is_none() {
+                note("`floor` needs `storeys`: the number of storeys of the building", "add `storeys`, such as 6");
+            } else if storey_height_m.is_some() && storeys.is_none() {
+                note("`storey_height` needs `storeys`", "add the number of storeys");
+            } else if has_building && name.is_none() && level_ratio.is_none() {
+                note(
+                    "`storeys` and `storey_height` describe a building, but no floor of it is named",
+                    "add `floor` or `level_ratio`, or leave them out: the object is then on the ground",
+                );
+            }
+        }
+        RestrainHazard::FloorAcceleration(_) | RestrainHazard::Study(_) => {}
+    }
+    problems.finish(Some(()))?;
+    let floors = match &request.hazard {
+        RestrainHazard::Study(study) => floors_of(study, None),
+        _ => Floors { storeys: *storeys, ..Floors::default() },
+    };
+    let mut assumptions = Vec::new();
+    let (level, words) = match (name, level_ratio) {
+        (Some(name), _) => {
+            let ratio = level_of_floor(&floors, name)?;
+            let of = floors.storeys.map_or_else(String::new, |storeys| format!(" ({})", counted(storeys, "storey")));
+            (ratio, format!("{}{of}, z/h = {}", name.trim(), number(ratio, 3)))
+        }
+        (None, Some(ratio)) => (*ratio, format!("z/h = {}", number(*ratio, 3))),
+        (None, None) if matches!(request.hazard, RestrainHazard::FloorAcceleration(_)) => (0.0, String::new()),
+        (None, None) => {
+            assumptions.push("No floor was given: the object is on the ground.".to_owned());
+            (0.0, "the ground".to_owned())
+        }
+    };
+    if storeys.is_some() && storey_height_m.is_none() {
+        assumptions.push(format!("A storey is {} m high.", number(DEFAULT_STOREY_HEIGHT_M, 3)));
+    }
+    let building_height_m = storeys.map(|storeys| storeys as f64 * storey_height_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M));
+    Ok(Floor { level_ratio: level, building_height_m, words, assumptions })
+}
+
+/// What the code of flags assumes about the site.
+fn assumed_hazard(words: &Words, target: &Target) -> Vec<String> {
+    let mut assumed = Vec::new();
+    if let (None, Some(site)) = (words.get("site"), target.spectrum.site_name()) {
+        assumed.push(format!("The site was not given: class {site}."));
+    }
+    if let (None, Some(years)) = (words.get("return_period_years"), target.spectrum.return_period_years()) {
+        assumed.push(format!("The return period was not given: {years} years."));
+    }
+    assumed
+}
+
+impl Case {
+    /// Its weight \[N\].
+    fn weight_n(&self) -> f64 {
+        self.request.mass_kg * G0_M_S2
+    }
+
+    /// The tension of one anchor \[N\]: in concrete, and elsewhere.
+    fn anchor_n(&self, edge_n: f64) -> f64 {
+        edge_n / self.request.anchors_per_edge as f64
+    }
+
+    /// The shear of one anchor, the force over both edges \[N\].
+    fn anchor_shear_n(&self) -> f64 {
+        self.own.force.force_n / (2.0 * self.request.anchors_per_edge as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,253 @@
+use freestand_input::keys::Words;
+use freestand_study::resolve::resolve;
+
+use super::*;
+use crate::inventory::{ReadOptions, parse_inventory};
+use crate::library::Lookup;
+use crate::result::reported_force;
+use crate::verdict::{Subject, restraint_of};
+
+const WEIGHT_N: f64 = 140.0 * 9.80665;
+
+/// The paper's cabinet, 2.3 m × 0.6 m × 0.9 m, 140 kg.
+fn cabinet(hazard: RestrainHazard, level_ratio: Option<f64>) -> RestrainRequest {
+    RestrainRequest {
+        mass_kg: 140.0,
+        height_m: 2.3,
+        thickness_m: 0.6,
+        width_m: Some(0.9),
+        cg_height_m: None,
+        hazard,
+        floor: RestrainFloor { level_ratio, ..RestrainFloor::default() },
+        factors: RestrainFactors::default(),
+        anchors_per_edge: 2,
+        is_compared: false,
+    }
+}
+
+fn code(words: &[(&'static str, &'static str)]) -> RestrainHazard {
+    RestrainHazard::Code(words.iter().copied().collect::<Words>())
+}
+
+fn number_of(report: &RestrainReport, name: &str) -> f64 {
+    report.facts.number(name).unwrap()
+}
+
+#[track_caller]
+fn near(got: f64, expected: f64) {
+    // A handful of products of numbers near one, times a weight of some kN.
+    assert!((got - expected).abs() < 1e-9 * expected.abs().max(1.0), "{got} {expected}");
+}
+
+fn problems(request: RestrainRequest) -> String {
+    restrain(request).unwrap_err().to_string()
+}
+
+/// ASCE 7-16, S_DS = 1 g, roof, a_p = 1, R_p = 2.5, I_p = 1.5: 0.4 · 1 · 3 · 1.5/2.5 = 0.72 W, from
+/// 0.45 W to 2.4 W. H = (0.9 − 0.2) W. M_o = 0.72 · 1.15 = 0.828 W m, M_r = 0.7 · 0.3 = 0.21 W m: T =
+/// 0.618/0.6 = 1.03 W; in concrete (2 · 0.828 − 0.21)/0.6 = 2.41 W. Each of two: 0.515 W; shear of
+/// each of four: 0.18 W. A bracket at 2.07 m: 0.828/2.07 = 0.4 W, at the feet 0.72 · (1 − 0.5556) =
+/// 0.32 W.
+#[test]
+fn asce_7_16_by_hand() {
+    let words = [("code", "asce7"), ("edition", "2016"), ("sds", "1 g")];
+    let factors = RestrainFactors { importance_ratio: Some(1.5), ..RestrainFactors::default() };
+    let report = restrain(RestrainRequest { factors, ..cabinet(code(&words), Some(1.0)) }).unwrap();
+    for (name, ratio) in [
+        ("force_n", 0.72),
+        ("overturning_moment_n_m", 0.828),
+        ("resisting_moment_n_m", 0.21),
+        ("anchor_tension_n", 1.03),
+        ("anchor_tension_concrete_n", 2.41),
+        ("tension_n", 0.515),
+        ("shear_n", 0.18),
+        ("bracket_force_n", 0.4),
+        ("bracket_base_shear_n", 0.32),
+    ] {
+        near(number_of(&report, name) / WEIGHT_N, ratio);
+    }
+    near(number_of(&report, "force_ratio"), 0.72);
+    near(number_of(&report, "acts_at_height_m"), 1.15);
+    assert_eq!((report.facts.text("code"), report.facts.text("clause")), (Some("ASCE 7-16"), Some("13.3.1")));
+    let factor = |symbol: &str| report.factors.iter().find(|row| row[0] == symbol).unwrap().clone();
+    assert_eq!(factor("I_p"), ["I_p", "1.5", "given"]);
+    assert_eq!(factor("a_p"), ["a_p", "1", "assumed: a rigid bracket"]);
+    assert_eq!(factor("S_DS"), ["S_DS", "1 g", "from the hazard"]);
+    assert!(report.others.is_empty() && report.sheet.contains("0.45 W to 2.4 W; the formula governs"));
+    let expected = "Design its restraint for 989 N (72 % of its weight), 1.15 m above its floor, by ASCE 7-16, 13.3.1: \
+                    the anchors along one edge carry 1.41 kN of tension.";
+    assert_eq!(report.answer, expected);
+}
+
+/// ASCE 7-22, S_DS = 1.2 g, mid-height, period not known: H_f = 1 + 2.5 · 0.5 = 2.25; C_AR = 2.2, R_po
+/// = 1.5, R_μ = 1.5: 0.4 · 1.2 · 2.25/1.5 · 2.2/1.5 = 1.056 W, below 1.92 W. On the ground R_μ = 1 and
+/// H_f = 1: 0.48 · 2.2/1.5 = 0.704 W.
+#[test]
+fn asce_7_22_by_hand() {
+    let words = [("code", "asce7"), ("edition", "2022"), ("sds", "1.2 g")];
+    let factors = RestrainFactors {
+        resonance_ratio: Some(2.2),
+        strength_ratio: Some(1.5),
+        building_ductility_ratio: Some(1.5),
+        ..RestrainFactors::default()
+    };
+    let at = |level| restrain(RestrainRequest { factors, ..cabinet(code(&words), level) }).unwrap();
+    near(number_of(&at(Some(0.5)), "force_ratio"), 1.056);
+    near(number_of(&at(None), "force_ratio"), 0.704);
+    assert!(at(None).assumptions.iter().any(|line| line.contains("on the ground")));
+}
+
+/// AS 1170.4, Z = 0.11 (600 years do not matter: 500), class Ce: Ch(0) = 1.3, kpZ Ch(0) = 0.143 g.
+/// Floor 2 of 3 storeys of 3 m, a low building: a_x = 1 + 0.17 · 6 = 2.02; a_c = 2.5, R_c = 2.5, I_c =
+/// 1: 0.28886 W, from 0.05 W to 0.5 W; T = (0.28886 · 1.15 − 0.9 · 0.3)/0.6.
+#[test]
+fn as_1170_4_by_hand() {
+    let words = [("code", "as1170.4"), ("hazard_factor", "0.11"), ("site", "Ce")];
+    let floor = RestrainFloor {
+        name: Some("2".to_owned()),
+        storeys: Some(3),
+        storey_height_m: Some(3.0),
+        ..RestrainFloor::default()
+    };
+    let factors =
+        RestrainFactors { amplification_ratio: Some(2.5), response_ratio: Some(2.5), ..RestrainFactors::default() };
+    let report = restrain(RestrainRequest { floor, factors, ..cabinet(code(&words), None) }).unwrap();
+    near(number_of(&report, "force_ratio"), 0.143 * 2.02);
+    near(number_of(&report, "anchor_tension_n") / WEIGHT_N, (0.143 * 2.02 * 1.15 - 0.27) / 0.6);
+    assert_eq!(report.facts.text("code"), Some("AS 1170.4"));
+}
+
+/// NZS 1170.5, Wellington (Z = 0.4, 500 years: R = 1), class C: C(0) = 1.33 · 0.4 = 0.532 g; at a fifth
+/// of the height and above C_Hi = 3; C_i = 2: 3.192 W, below 3.6 W. At a tenth C_Hi = 2 and with
+/// response 2 C_ph = 0.5: 0.532 · 2 · 2 · 0.5 = 1.064 W.
+#[test]
+fn nzs_1170_5_by_hand() {
+    let words = [("place", "Wellington"), ("site", "C")];
+    near(number_of(&restrain(cabinet(code(&words), Some(1.0))).unwrap(), "force_ratio"), 3.192);
+    let factors = RestrainFactors { response_ratio: Some(2.0), ..RestrainFactors::default() };
+    let request = RestrainRequest { factors, ..cabinet(code(&words), Some(0.1)) };
+    near(number_of(&restrain(request).unwrap(), "force_ratio"), 1.064);
+    let factors = RestrainFactors { importance_ratio: Some(1.3), ..RestrainFactors::default() };
+    let report = restrain(RestrainRequest { factors, ..cabinet(code(&words), Some(1.0)) }).unwrap();
+    near(number_of(&report, "force_ratio"), 3.6);
+    assert!(report.sheet.contains("at most 3.6 W; the upper limit governs"));
+}
+
+/// EN 1998-1, a_gR = 0.24 g, type 1, ground B (S = 1.2): α S = 0.288; z/H = 0.5, rigid, γ_a = 1.5, q_a
+/// = 2: 0.288 · (3 · 1.5/2 − 0.5) · 1.5/2 = 0.378 W.
+#[test]
+fn eurocode_8_by_hand() {
+    let words = [("code", "eurocode8"), ("ground_acceleration", "0.24 g"), ("spectrum_type", "1"), ("site", "B")];
+    let factors = RestrainFactors { importance_ratio: Some(1.5), ..RestrainFactors::default() };
+    let report = restrain(RestrainRequest { factors, ..cabinet(code(&words), Some(0.5)) }).unwrap();
+    near(number_of(&report, "force_ratio"), 0.378);
+    assert_eq!(report.facts.text("code"), Some("Eurocode 8"));
+}
+
+/// F = m a: 0.9 W; T = (0.9 · 1.15 − 0.27)/0.6 = 1.275 W.
+#[test]
+fn a_floor_acceleration_by_hand() {
+    let report = restrain(cabinet(RestrainHazard::FloorAcceleration(0.9), None)).unwrap();
+    near(number_of(&report, "force_ratio"), 0.9);
+    near(number_of(&report, "anchor_tension_n") / WEIGHT_N, 1.275);
+    assert_eq!((report.facts.text("code"), report.facts.text("clause")), (None, Some("F = m a")));
+    assert!(!report.assumptions.iter().any(|line| line.contains("ground")), "{:?}", report.assumptions);
+}
+
+/// Other codes are shown where they are asked for; the sheet holds everything and loads nothing.
+#[test]
+fn other_codes_and_the_sheet() {
+    let request = |is_compared| RestrainRequest { is_compared, ..cabinet(code(&[("place", "Athens")]), Some(1.0)) };
+    let report = restrain(request(true)).unwrap();
+    let others: Vec<&str> = report.others.iter().map(|row| row[0].as_str()).collect();
+    assert_eq!(others, ["AS 1170.4, section 8", "ASCE 7-16, 13.3.1", "ASCE 7-22, 13.3.1"]);
+    assert!(restrain(request(false)).unwrap().others.is_empty());
+    let sheet = &report.sheet;
+    for part in
+        ["<svg", "F<sub>a</sub> = α S", "who says so", "approximate: confirm", "Date and signature", "For comparison"]
+    {
+        assert!(sheet.contains(part), "{part}");
+    }
+    assert!(
+        !sheet.contains("http://") || sheet.matches("http://").count() == sheet.matches("http://www.w3.org").count()
+    );
+}
+
+/// The same object in a list and alone: force and tension are equal to the bit. The list has it
+/// anchored, so that nothing must be simulated.
+#[test]
+fn a_list_and_a_single_object_agree() {
+    let toml = "[ground]\nplace = \"Newcastle\"\nsite = \"Ee\"\n[building]\nstoreys = 8\n[restraint]\nresponse_ratio = \
+                1.5\nbracket_height = \"1.9 m\"\n";
+    let study = resolve(toml, None, "".as_ref()).unwrap();
+    let csv = "id,height [mm],thickness [mm],width [mm],mass [kg],cg height [mm],floor,life safety,anchored\n\
+               a,2300,600,900,140,1300,3,M,yes\nb,1800,500,700,90,,roof,,yes\nc,2300,600,900,140,1300,3,H,yes\n";
+    let options = ReadOptions { floors: floors_of(&study, None), ..ReadOptions::new(&Lookup::NONE) };
+    let read = parse_inventory(csv.as_bytes().to_vec(), "list.csv".as_ref(), &options);
+    let items = read.unwrap().inventory.items;
+    let alone =
+        |height_m, (thickness_m, width_m), mass_kg, cg_height_m, floor: &str, importance_ratio| RestrainRequest {
+            height_m,
+            thickness_m,
+            width_m: Some(width_m),
+            mass_kg,
+            cg_height_m,
+            floor: RestrainFloor { name: Some(floor.to_owned()), ..RestrainFloor::default() },
+            factors: RestrainFactors { importance_ratio, ..RestrainFactors::default() },
+            ..cabinet(RestrainHazard::Study(Box::new(study.clone())), None)
+        };
+    let singles = [
+        alone(2.3, (0.6, 0.9), 140.0, Some(1.3), "3", None),
+        alone(1.8, (0.5, 0.7), 90.0, None, "roof", None),
+        // Life safety is rated high.
+        alone(2.3, (0.6, 0.9), 140.0, Some(1.3), "3", Some(1.5)),
+    ];
+    for (item, request) in items.iter().zip(singles) {
+        let subject = Subject::new(item).unwrap();
+        let forces = restraint_of(&study, item, &subject, None);
+        let listed = reported_force(&forces).unwrap();
+        let report = restrain(request).unwrap();
+        let numbers = ["force_n", "anchor_tension_n", "anchor_tension_concrete_n", "bracket_force_n"];
+        let alone = numbers.map(|name| number_of(&report, name).to_bits());
+        let listed =
+            [listed.force_n, listed.anchor_tension_n, listed.anchor_tension_concrete_n, listed.bracket_force_n];
+        assert_eq!(alone, listed.map(f64::to_bits), "{}", item.id);
+    }
+    assert_eq!(items.len(), 3);
+}
+
+#[test]
+fn bad_requests_say_what_is_wrong() {
+    let melbourne = || code(&[("place", "Melbourne")]);
+    let floor = |name: Option<&str>, level_ratio, storeys| RestrainFloor {
+        name: name.map(str::to_owned),
+        level_ratio,
+        storeys,
+        storey_height_m: None,
+    };
+    let on = |floor| problems(RestrainRequest { floor, ..cabinet(melbourne(), None) });
+    assert!(on(floor(Some("3"), None, None)).contains("`floor` needs `storeys`"));
+    assert!(on(floor(Some("3"), Some(0.5), Some(6))).contains("exclude each other"));
+    assert!(on(floor(Some("9"), None, Some(6))).contains("is not a floor of the building"));
+    assert!(on(floor(None, Some(1.2), None)).contains("`level_ratio` must be"));
+    assert!(on(floor(None, None, Some(6))).contains("no floor of it is named"));
+    let with = |factors| problems(RestrainRequest { factors, ..cabinet(melbourne(), None) });
+    let none = RestrainFactors::default();
+    assert!(
+        with(RestrainFactors { strength_ratio: Some(1.5), ..none }).contains("`strength` is not a factor of AS 1170.4")
+    );
+    assert!(with(RestrainFactors { building_ductility_ratio: Some(1.0), ..none }).contains("at least 1.3"));
+    let newer = code(&[("code", "asce7"), ("sds", "1 g")]);
+    let factors = RestrainFactors { response_ratio: Some(2.5), ..none };
+    assert!(
+        problems(RestrainRequest { factors, ..cabinet(newer, None) })
+            .contains("`response` is not a factor of ASCE 7-22")
+    );
+    let given = || RestrainHazard::FloorAcceleration(0.9);
+    assert!(problems(RestrainRequest { is_compared: true, ..cabinet(given(), None) }).contains("no spectrum"));
+    assert!(problems(cabinet(given(), Some(0.5))).contains("no meaning beside it"));
+    assert!(problems(RestrainRequest { cg_height_m: Some(3.0), ..cabinet(melbourne(), None) }).contains("height"));
+    let mut study = resolve("", None, "".as_ref()).unwrap();
+    study.ground = freestand_study::study::Ground::Recorded(Vec::new());
+    assert!(problems(cabinet(RestrainHazard::Study(Box::new(study)), None)).contains("the study names no code"));
+}
