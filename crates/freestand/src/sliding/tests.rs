@@ -56,8 +56,7 @@ fn a_half_sine_has_its_closed_form() {
         let motion = Motion::new(t / f64::from(steps), (0..=steps).map(sample).collect()).unwrap();
         let got = solve(&motion, &settled(options(n, n)));
         let (w, psi) = (PI / t, f64::asin(n / a));
-        let exact = a * g / (w * w)
-            * (psi.sin() + (1.0 + psi.cos()).powi(2) / (2.0 * psi.sin()) - (PI - psi));
+        let exact = a * g / (w * w) * (psi.sin() + (1.0 + psi.cos()).powi(2) / (2.0 * psi.sin()) - (PI - psi));
         assert!((got.final_m + exact).abs() < 1e-7 * exact, "{a} {n} {t}: {} {exact}", got.final_m);
         if a == 0.6 {
             assert!((got.final_m + 0.475945).abs() < 5e-7, "{}", got.final_m);
