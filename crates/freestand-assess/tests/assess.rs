@@ -311,7 +311,8 @@ fn motions_and_shocks(folder: &Path) -> (String, Vec<f64>) {
                 let sources = [shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g];
                 sources.into_iter().flatten().fold(0.0, f64::max)
             }
-            freestand_study::result::ObjectResponse::Failed(reason) => panic!("{reason}"),
+            freestand_study::result::ObjectResponse::FreeFlight(reason)
+            | freestand_study::result::ObjectResponse::Failed(reason) => panic!("{reason}"),
         })
         .collect();
     (names.join(", "), shocks_g)

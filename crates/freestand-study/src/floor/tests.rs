@@ -66,6 +66,7 @@ fn read(components: usize, scale: f64) -> ReadMotion {
         read: ReadOptions::default(),
         component: None,
         second,
+        vertical: Default::default(),
         processing: Default::default(),
     };
     let (mut motions, failures) = read_recorded(&files);

@@ -4,13 +4,16 @@ use std::collections::HashSet;
 
 use freestand::code_spectrum::PeriodCode;
 
-use super::{MAX_LEVELS, Resolver};
+use super::{MAX_LEVELS, Resolver, or};
 use crate::building::{self, BuildingInput};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
 use crate::study::{FirstFloor, Level, NamedFloor};
 use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
+
+/// At the columns of a building floors move vertically as the ground does.
+const DEFAULT_VERTICAL_AMPLIFICATION: f64 = 1.0;
 
 const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
 
@@ -92,6 +95,13 @@ impl Resolver<'_> {
             floor.level_ratio = (floor.level_ratio / roof_m).max(0.0);
         }
         floors
+    }
+
+    /// Vertical acceleration of the floors over that of the ground.
+    pub(super) fn vertical_amplification(&mut self, written: &BuildingOptions) -> f64 {
+        let accept = |ratio: f64| ratio > 0.0 && ratio.is_finite();
+        self.require(&written.vertical_amplification, accept, "vertical_amplification", "a ratio above 0");
+        or(&written.vertical_amplification, DEFAULT_VERTICAL_AMPLIFICATION)
     }
 
     /// Whether floor 1 is the ground.
