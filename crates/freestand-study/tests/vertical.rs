@@ -20,7 +20,8 @@ const REST: &str = "[building]\nstoreys = 8\nlevels = [0.0, 1.0]\nvertical_ampli
 
 /// Two motions of a strong target, with more keys of `[ground]`.
 fn study(keys: &str) -> Study {
-    let ground = "[ground]\ncode = \"eurocode8\"\nspectrum_type = 1\nsite = \"C\"\nground_acceleration = \"0.3 g\"\ncount = 2\n";
+    let ground =
+        "[ground]\ncode = \"eurocode8\"\nspectrum_type = 1\nsite = \"C\"\nground_acceleration = \"0.3 g\"\ncount = 2\n";
     resolve(&format!("{ground}{keys}{REST}"), None, Path::new("")).unwrap()
 }
 

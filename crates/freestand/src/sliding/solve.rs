@@ -98,6 +98,8 @@ fn travelled(v: f64, a: f64, j: f64, tau: f64) -> f64 {
 struct Interval {
     start_s: f64,
     length_s: f64,
+    /// 1/length, once for all blocks.
+    per_s: f64,
     u: [f64; 2],
     weight: [f64; 2],
 }
@@ -109,6 +111,7 @@ struct Intervals<'a> {
     vertical: &'a [f64],
     samples: usize,
     dt_s: f64,
+    per_s: f64,
     gravity: f64,
     end_s: f64,
 }
@@ -126,11 +129,13 @@ impl<'a> Intervals<'a> {
         if !(end_s > 0.0 && end_s.is_finite()) {
             return Err(RockingError::Duration { duration_s: end_s }.into());
         }
+        let dt_s = given.map_or(end_s, Motion::dt_s);
         Ok(Self {
             horizontal: base.horizontal.map_or(&[], Motion::accel_m_s2),
             vertical: base.vertical.map_or(&[], Motion::accel_m_s2),
             samples: given.map_or(0, |m| m.accel_m_s2().len()),
-            dt_s: given.map_or(end_s, Motion::dt_s),
+            dt_s,
+            per_s: 1.0 / dt_s,
             gravity: options.gravity_m_s2,
             end_s,
         })
@@ -151,9 +156,10 @@ impl<'a> Intervals<'a> {
         }
         let ((u, w), (u_next, w_next)) = (self.at(i), self.at(i + 1));
         let (u, weight) = ([u, u_next], [w, w_next]);
-        let whole = Interval { start_s, length_s: self.dt_s, u, weight };
+        let whole = Interval { start_s, length_s: self.dt_s, per_s: self.per_s, u, weight };
         if i == self.samples {
-            return Some(Interval { length_s: self.end_s - start_s, ..whole });
+            let length_s = self.end_s - start_s;
+            return Some(Interval { length_s, per_s: 1.0 / length_s, ..whole });
         }
         // The end may cut an interval; rounding must not cut a last interval that is whole.
         let is_whole = (i + 1) as f64 * self.dt_s <= self.end_s;
@@ -165,7 +171,11 @@ impl Interval {
     /// ü_h and g + ü_v at `tau`.
     #[inline(always)]
     fn after(&self, tau: f64) -> (f64, f64) {
-        let share = tau / self.length_s;
+        if tau == 0.0 {
+            // The usual case.
+            return (self.u[0], self.weight[0]);
+        }
+        let share = tau * self.per_s;
         let at = |[from, to]: [f64; 2]| from + (to - from) * share;
         (at(self.u), at(self.weight))
     }
@@ -173,7 +183,7 @@ impl Interval {
     /// The first `length_s` of it.
     fn cut(&self, length_s: f64) -> Self {
         let (u, weight) = self.after(length_s);
-        Self { length_s, u: [self.u[0], u], weight: [self.weight[0], weight], ..*self }
+        Self { length_s, per_s: 1.0 / length_s, u: [self.u[0], u], weight: [self.weight[0], weight], ..*self }
     }
 
     /// When the floor falls away, if it does.
@@ -288,11 +298,10 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
     fn advance(&mut self, interval: &Interval, tau: f64, sense: f64, speed: f64) -> f64 {
         let [u0, u1] = interval.u;
         let [w0, w1] = interval.weight;
-        let per_s = 1.0 / interval.length_s;
         let kinetic = self.friction.kinetic_ratio();
         let (u, weight) = interval.after(tau);
         let mut accel = -sense * u - kinetic * weight;
-        let jerk = (-sense * (u1 - u0) - kinetic * (w1 - w0)) * per_s;
+        let jerk = (-sense * (u1 - u0) - kinetic * (w1 - w0)) * interval.per_s;
         if speed == 0.0 {
             // Over the threshold the base pulls at least as strongly as friction holds; at an onset
             // with μ_k = μ_s the difference is zero, and must not be negative by rounding.
