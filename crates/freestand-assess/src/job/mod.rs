@@ -113,10 +113,6 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
     let Libraries { tolerances, cushions } = libraries;
     inventory.libraries = tolerances.inputs.into_iter().chain(cushions.inputs).collect();
     inventory.warnings.extend(tolerances.warnings.into_iter().chain(cushions.warnings));
-    if study.ground.has_vertical() {
-        let why = "the vertical motion of [ground] is not used: an assessment shakes the objects horizontally only";
-        inventory.warnings.push(why.to_owned());
-    }
     Ok(inventory)
 }
 

@@ -222,7 +222,7 @@ fn the_trip_speed_has_its_closed_form() {
 /// Samples that are multiples of half the threshold (g = 8, μ_s = 1/4, threshold 2), so that
 /// thresholds are met exactly and rounding does not decide.
 fn troubled() -> impl Strategy<Value = Vec<f64>> {
-    prop::collection::vec((-12i32..=12).prop_map(|k| f64::from(k)), 3..24)
+    prop::collection::vec((-12i32..=12).prop_map(f64::from), 3..24)
 }
 
 fn binary(kinetic_ratio: f64) -> SlidingOptions {
