@@ -1,7 +1,7 @@
 //! Objects that slide or roll, through the command line: slides that were solved in 160-bit arithmetic
 //! (`validation/sliding`), those of the shared folder where it is present, `spectrum`, what is refused.
 
-#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at broken data and says what it skips")]
+#![expect(clippy::unwrap_used, reason = "a test may stop at broken data")]
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
