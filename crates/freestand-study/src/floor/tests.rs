@@ -26,6 +26,7 @@ fn request(along: Building, across: Option<Building>) -> FloorRequest {
         tail_s: 2.0,
         upsample: 1,
         spectra: None,
+        vertical_amplification_ratio: None,
         code: None,
     }
 }

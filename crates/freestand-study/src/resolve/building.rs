@@ -7,13 +7,10 @@ use freestand::code_spectrum::PeriodCode;
 use super::{MAX_LEVELS, Resolver, or};
 use crate::building::{self, BuildingInput};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
-use crate::study::{FirstFloor, Level, NamedFloor};
+use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, FirstFloor, Level, NamedFloor};
 use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
-
-/// At the columns of a building floors move vertically as the ground does.
-const DEFAULT_VERTICAL_AMPLIFICATION: f64 = 1.0;
 
 const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
 

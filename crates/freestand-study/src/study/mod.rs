@@ -23,6 +23,10 @@ use freestand_records::horizontal::HorizontalMotion;
 /// Default seed of the random numbers.
 pub const DEFAULT_SEED: u64 = 1;
 
+/// Default of the vertical acceleration of floors over that of the ground: at the columns of a building
+/// they move vertically as the ground does.
+pub const DEFAULT_VERTICAL_AMPLIFICATION: f64 = 1.0;
+
 /// Default number of motions that are generated.
 pub const DEFAULT_MOTIONS: u64 = 10;
 
