@@ -5,7 +5,8 @@ use std::sync::Arc;
 use freestand::G0_M_S2;
 use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
-use freestand::synthesis::{Misfit, SynthesisOptions, synthesize};
+use freestand::synthesis::{Misfit, SynthesisOptions, stream, synthesize};
+use freestand::worlds::Component;
 use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
@@ -38,7 +39,7 @@ pub fn ground_motions(
                 let matched = synthesize(|t| synthetic.target.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
                     .map_err(failed("a synthetic motion"))?;
                 let motion = HorizontalMotion { along: matched.motion, across: None };
-                finish(synthetic_name(i), motion, vertical_motion(synthetic, i)?, Some(matched.misfit))
+                finish(synthetic_name(i), motion, vertical_motion(synthetic, i as u32)?, Some(matched.misfit))
             })
             .collect(),
         Ground::Simulated(simulated) => simulated_motions(simulated, &go_on, finish),
@@ -54,17 +55,14 @@ pub fn ground_motions(
     }
 }
 
-/// Streams of random numbers of the vertical motions: they follow those of any number of horizontal
-/// ones, so that a vertical motion changes no horizontal one.
-const VERTICAL_STREAMS: u64 = 1 << 40;
-
-/// The vertical motion that belongs to a synthetic one.
-fn vertical_motion(synthetic: &SyntheticGround, index: usize) -> Result<Option<Motion>, Problems> {
+/// The vertical motion that belongs to a synthetic one, from a stream of its own: the one that a world
+/// of this number draws it from.
+fn vertical_motion(synthetic: &SyntheticGround, index: u32) -> Result<Option<Motion>, Problems> {
     if synthetic.vertical == VerticalTarget::None {
         return Ok(None);
     }
     let sa_g = |period_s| synthetic.vertical.sa_g(&synthetic.target, period_s).unwrap_or(f64::NAN);
-    let stream = VERTICAL_STREAMS + index as u64;
+    let stream = stream(Component::Vertical.number(), index);
     let matched = synthesize(sa_g, synthetic.seed, stream, &SynthesisOptions::default());
     matched.map(|matched| Some(matched.motion)).map_err(failed("a vertical motion"))
 }
