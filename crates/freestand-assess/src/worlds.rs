@@ -7,6 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
+use freestand::rocking::Base;
 use freestand::synthesis::SynthesisOptions;
 use freestand::worlds::{
     BuildingDraw, BuildingSpread, Component, GroundSpread, Group, SpreadOptions, place_among, world_motion,
@@ -18,7 +19,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::run::ground_motions;
 use freestand_study::study::assessment::WorldSettings;
-use freestand_study::study::{Ground, Level, RecordedMotion, Study, SyntheticGround};
+use freestand_study::study::{Ground, Level, RecordedMotion, Study, SyntheticGround, VerticalTarget};
 
 /// Largest difference between two level ratios of the same floor: inventories give two or three
 /// digits.
@@ -48,7 +49,7 @@ enum Source<'a> {
     /// Each world has a motion of its own, for a spectrum that deviates from the target.
     Synthetic(&'a SyntheticGround),
     /// The worlds use these motions in turn.
-    InTurn(Arc<[(String, HorizontalMotion)]>),
+    InTurn(Arc<[(String, HorizontalMotion, Option<Motion>)]>),
     /// The worlds use the motions of the floors in turn.
     OnFloors { names: Arc<[String]> },
 }
@@ -66,6 +67,8 @@ pub(crate) struct Again {
 #[derive(Debug, Clone)]
 pub(crate) struct GroundOfWorld {
     pub(crate) motion: HorizontalMotion,
+    /// Its vertical component, if it has one.
+    pub(crate) vertical: Option<Motion>,
     /// The motion that the worlds use in turn, where they do.
     pub(crate) record: Option<String>,
 }
@@ -74,6 +77,8 @@ pub(crate) struct GroundOfWorld {
 #[derive(Debug, Clone)]
 pub(crate) struct FloorOfWorld {
     pub(crate) motion: HorizontalMotion,
+    /// Its vertical component, if it has one.
+    vertical: Option<Motion>,
     /// Peak acceleration in any direction \[m/s²\].
     pub(crate) pfa_m_s2: f64,
     /// Peak velocity in any direction \[m/s\].
@@ -81,8 +86,13 @@ pub(crate) struct FloorOfWorld {
 }
 
 impl FloorOfWorld {
-    fn new(motion: HorizontalMotion) -> Self {
-        Self { pfa_m_s2: motion.peak_m_s2(), pfv_m_s: motion.peak_velocity_m_s(), motion }
+    fn new(motion: HorizontalMotion, vertical: Option<Motion>) -> Self {
+        Self { pfa_m_s2: motion.peak_m_s2(), pfv_m_s: motion.peak_velocity_m_s(), motion, vertical }
+    }
+
+    /// How the base of an object moves, in the plane of x or of y.
+    pub(crate) fn base(&self, is_x: bool) -> Base<'_> {
+        Base { horizontal: Some(self.component(is_x)), vertical: self.vertical.as_ref() }
     }
 
     /// The component along x, or along y; without a second component the first is both.
@@ -110,7 +120,7 @@ impl<'a> Worlds<'a> {
             Ground::OnFloors => Source::OnFloors { names: study.ground.names(&study.levels).into() },
             Ground::Simulated(_) | Ground::Recorded(_) => {
                 let made = ground_motions(&study.ground, go_on)?;
-                Source::InTurn(made.into_iter().map(|one| (one.name, one.motion)).collect())
+                Source::InTurn(made.into_iter().map(|one| (one.name, one.motion, one.vertical)).collect())
             }
         };
         let WorldSettings {
@@ -162,7 +172,7 @@ impl<'a> Worlds<'a> {
         };
         match &self.source {
             Source::Synthetic(_) => format!("world {world}"),
-            Source::InTurn(motions) => of(&mut motions.iter().map(|(name, _)| name)),
+            Source::InTurn(motions) => of(&mut motions.iter().map(|(name, ..)| name)),
             Source::OnFloors { names } => of(&mut names.iter()),
         }
     }
@@ -196,11 +206,12 @@ impl<'a> Worlds<'a> {
         let made = match &self.source {
             Source::OnFloors { .. } => return Ok(None),
             Source::InTurn(motions) => {
-                let (name, motion) = &motions[self.in_turn(world, again, motions.len())];
-                GroundOfWorld { motion: motion.clone(), record: Some(name.clone()) }
+                let (name, motion, vertical) = &motions[self.in_turn(world, again, motions.len())];
+                GroundOfWorld { motion: motion.clone(), vertical: vertical.clone(), record: Some(name.clone()) }
             }
             Source::Synthetic(synthetic) => {
-                GroundOfWorld { motion: self.synthetic(synthetic, world, again)?, record: None }
+                let (motion, vertical) = self.synthetic(synthetic, world, again)?;
+                GroundOfWorld { motion, vertical, record: None }
             }
         };
         let made = Arc::new(made);
@@ -211,13 +222,22 @@ impl<'a> Worlds<'a> {
         Ok(Some(made))
     }
 
-    fn synthetic(&self, ground: &SyntheticGround, world: u32, again: u32) -> Result<HorizontalMotion, Problems> {
+    /// The horizontal motion, and the vertical one with random numbers of its own.
+    fn synthetic(
+        &self,
+        ground: &SyntheticGround,
+        world: u32,
+        again: u32,
+    ) -> Result<(HorizontalMotion, Option<Motion>), Problems> {
         let spectra = self.spread.spectra(ground.seed, world, again);
         let options = SynthesisOptions::default();
         let WorldSettings { components, component_ratio, .. } = self.study.assessment.worlds;
         let component = |component| {
-            let ratio = if component == Component::Y { component_ratio } else { 1.0 };
-            let target = |t: f64| ratio * ground.target.spectrum.sa_g(t);
+            let target = |t: f64| match component {
+                Component::X => ground.target.spectrum.sa_g(t),
+                Component::Y => component_ratio * ground.target.spectrum.sa_g(t),
+                Component::Vertical => ground.vertical.sa_g(&ground.target, t).unwrap_or(f64::NAN),
+            };
             let made = world_motion(target, &spectra, component, (ground.seed, world, again), &options);
             made.map(|made| made.motion).map_err(failed("a motion"))
         };
@@ -225,7 +245,9 @@ impl<'a> Worlds<'a> {
             1 => None,
             _ => Some(component(Component::Y)?),
         };
-        Ok(HorizontalMotion { along: component(Component::X)?, across })
+        let is_vertical = ground.vertical != VerticalTarget::None;
+        let vertical = is_vertical.then(|| component(Component::Vertical)).transpose()?;
+        Ok((HorizontalMotion { along: component(Component::X)?, across }, vertical))
     }
 
     fn scaled(&self, motion: HorizontalMotion) -> Result<HorizontalMotion, Problems> {
@@ -308,7 +330,7 @@ impl<'a> Worlds<'a> {
             let given = |&level_ratio: &f64| {
                 let given = self.given(level_ratio).ok_or_else(nothing)?;
                 let motion = given.get(self.in_turn(world, again.motion, given.len())).ok_or_else(nothing)?;
-                Ok(FloorOfWorld::new(self.scaled(motion.as_used())?))
+                Ok(FloorOfWorld::new(self.scaled(motion.as_used())?, None))
             };
             return levels_ratio.iter().map(given).collect();
         };
@@ -326,7 +348,17 @@ impl<'a> Worlds<'a> {
         let mut second = second.map(Vec::into_iter);
         let first = floors(&ground.motion.along, &along)?.into_iter();
         let both = first.map(|along| HorizontalMotion { along, across: second.as_mut().and_then(Iterator::next) });
-        both.map(|motion| Ok(FloorOfWorld::new(self.scaled(motion)?))).collect()
+        let vertical = |level_ratio: f64| -> Result<Option<Motion>, Problems> {
+            let Some(vertical) = &ground.vertical else { return Ok(None) };
+            let amplification = if level_ratio == 0.0 { 1.0 } else { self.study.vertical_amplification_ratio };
+            let padded = vertical.with_zero_tail(tail_s);
+            let scaled = padded.and_then(|motion| motion.scaled(amplification * self.intensity_ratio));
+            scaled.map(Some).map_err(failed("the vertical motion of a floor"))
+        };
+        let floor = |(motion, &level_ratio): (HorizontalMotion, &f64)| {
+            Ok(FloorOfWorld::new(self.scaled(motion)?, vertical(level_ratio)?))
+        };
+        both.zip(levels_ratio).map(floor).collect()
     }
 
     /// The motions that the study gives for a level.

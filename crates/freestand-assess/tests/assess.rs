@@ -97,6 +97,33 @@ fn the_same_bytes_on_any_number_of_threads() {
     assert_eq!((&one, &one), (&of(2), &of(7)));
 }
 
+/// A ratio of 0 gives the bytes of no vertical motion; another one changes answers and is described, on
+/// any number of threads.
+#[test]
+fn the_vertical_motion_of_a_world_changes_the_answers() {
+    let rows = rows(6);
+    let of = |ground: &str, building: &str, threads: usize| {
+        let text = format!(
+            "[ground]\nseed = 3\nhazard_factor = 0.3\n{ground}[building]\nstoreys = 8\n{building}[worlds]\nfirst = \
+             3\nmost = 3\nshares = false\n"
+        );
+        let study = resolve(&text, None, Path::new("")).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        on_threads(threads, || run(&study, &rows, &out, &Job::default(), &no_progress));
+        let text = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+        (text("objects.csv"), text("report.html"))
+    };
+    let (without, words) = of("", "", 2);
+    assert_eq!(of("vertical = 0\n", "vertical_amplification = 2\n", 2).0, without);
+    assert!(words.contains("The motions are horizontal only."));
+    let (with, words) = of("vertical = 0.67\n", "", 1);
+    assert_eq!(with, of("vertical = 0.67\n", "", 2).0);
+    assert!(words.contains("Vertical motion: matched to 0.67 of the target"));
+    let amplified = of("vertical = 0.67\n", "vertical_amplification = 2\n", 2).0;
+    assert!(with != without && amplified != with);
+}
+
 /// A run is stopped while the motions are generated, then twice in the second part, then finished:
 /// it writes the bytes of an undisturbed run, and computes no part twice.
 #[test]
@@ -312,7 +339,8 @@ fn motions_and_shocks(folder: &Path) -> (String, Vec<f64>) {
                 let sources = [shock.edge_acceleration_g, shock.edge_acceleration_impact_velocity_g];
                 sources.into_iter().flatten().fold(0.0, f64::max)
             }
-            freestand_study::result::ObjectResponse::Failed(reason) => panic!("{reason}"),
+            freestand_study::result::ObjectResponse::FreeFlight(reason)
+            | freestand_study::result::ObjectResponse::Failed(reason) => panic!("{reason}"),
         })
         .collect();
     (names.join(", "), shocks_g)

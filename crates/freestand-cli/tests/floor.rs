@@ -93,3 +93,31 @@ fn what_cannot_be_meant_is_refused() {
     let tables = ["--storey-table", "tower.csv", "--across-storey-table", "tall.csv", "--components", "both"];
     refused(&tables, "12 m high across, but 10 m high along its first axis");
 }
+
+/// The vertical motion of the ground is that of every floor, amplified above the ground and scaled as
+/// the horizontal one; a floor's vertical file is a motion that `rock --vertical` takes.
+#[test]
+fn vertical_motions_are_amplified_above_the_ground() {
+    let folder = folder();
+    let base = ["--motion", "one.csv", "--component", "1", "--levels", "0, 1", "--scale", "2"];
+    // A third column that says that it is vertical.
+    let text = std::fs::read_to_string(folder.path().join("two.csv")).unwrap().replace("E-W", "Up");
+    std::fs::write(folder.path().join("up.csv"), text).unwrap();
+    let vertical = ["--vertical", "up.csv", "--vertical-amplification", "1.5", "--out", "out"];
+    let (status, report, error) = floor(folder.path(), &[&base[..], &vertical].concat());
+    assert_eq!(status, Some(0), "{error}");
+    let peaks = [0, 1].map(|level| report["motions"][0]["levels"][level]["pfa_vertical_g"].as_f64().unwrap());
+    // 2 m/s2 times 2: the sine is sampled within 1e-3 of its crest.
+    assert!((peaks[0] * 9.80665 - 4.0).abs() < 4e-3 && (peaks[1] / peaks[0] - 1.5).abs() < 1e-14, "{peaks:?}");
+    assert_eq!(report["levels"][1]["pfa_vertical_g"].as_f64(), Some(peaks[1]));
+    assert!(folder.path().join("out/level-1-vertical.csv").exists());
+    let (_, without, _) = floor(folder.path(), &base);
+    assert!(without["motions"][0]["levels"][0]["pfa_vertical_g"].is_null());
+    assert_eq!(without["motions"][0]["levels"][1]["pfa_g"], report["motions"][0]["levels"][1]["pfa_g"]);
+
+    let both = [&base[..4], &["--vertical", "record"]].concat();
+    let (status, _, error) = floor(folder.path(), &both);
+    assert!(status == Some(2) && error.contains("exactly one vertical component"), "{error}");
+    let (status, _, error) = floor(folder.path(), &[&base[..], &["--vertical", "up.csv", "two.csv"]].concat());
+    assert!(status == Some(2) && error.contains("--vertical has 2 files, --motion 1"), "{error}");
+}

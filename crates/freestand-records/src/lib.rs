@@ -11,7 +11,7 @@ mod motion_file;
 pub mod processing;
 pub mod tables;
 mod text;
-mod write;
+pub mod write;
 
 #[cfg(test)]
 mod tests {

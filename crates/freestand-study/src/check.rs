@@ -21,6 +21,8 @@ pub fn check(study: &Study) -> Facts<'static> {
         .key("path", path)
         .line("study", Some(valid))
         .fact("ground", "ground", ground_words(&study.ground, recorded.len()))
+        .key("vertical", study.ground.vertical_words())
+        .line("vertical", study.ground.has_vertical().then(|| study.ground.vertical_words()))
         .key("motions", recorded.iter().map(|one| motion_facts(one)).collect::<Vec<_>>());
     let facts = study.ground.suite().iter().fold(facts, |facts, suite| facts.and(suite_facts(suite)));
     // The motions are listed below `ground`, without a label of their own.

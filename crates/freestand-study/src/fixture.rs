@@ -23,6 +23,7 @@ use crate::result::{
 use crate::statistics::object_statistics;
 use crate::study::{
     BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
+    VerticalTarget,
 };
 use crate::target::CodeParts;
 use crate::target::Target;
@@ -51,6 +52,7 @@ pub(crate) fn study() -> Study {
             target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),
             count: 10,
             seed: 1,
+            vertical: VerticalTarget::None,
         }),
         directions_deg: vec![0.0],
         building: Some(BuildingInput {
@@ -65,6 +67,7 @@ pub(crate) fn study() -> Study {
             tables: Vec::new(),
             warnings: Vec::new(),
         }),
+        vertical_amplification_ratio: 1.0,
         floors: Vec::new(),
         first_floor: None,
         levels: vec![
@@ -109,6 +112,7 @@ pub(crate) fn recorded(mut study: Study, result: &StudyResult) -> Study {
         suite: None,
         motion: g.motion.along.clone(),
         across: None,
+        vertical: None,
     });
     study.ground = Ground::Recorded(motions.collect());
     study.source = Some(PathBuf::from("studies/<my> & study.toml"));
@@ -177,7 +181,13 @@ fn ground_motion(index: u32, study: &Study) -> GroundMotion {
         pgv_m_s: 0.17,
     };
     let misfit = matches!(study.ground, Ground::Synthetic(_)).then_some(misfit);
-    GroundMotion { name: crate::matched::synthetic_name(index as usize), motion: one(motion), spectrum, misfit }
+    GroundMotion {
+        name: crate::matched::synthetic_name(index as usize),
+        motion: one(motion),
+        vertical: None,
+        spectrum,
+        misfit,
+    }
 }
 
 fn one(along: Motion) -> HorizontalMotion {
@@ -209,8 +219,9 @@ fn level_result(study: &Study, level: &Level, floors: Vec<Motion>) -> LevelResul
     let objects = study.objects.blocks.len();
     let statistics = (0..objects).map(|i| object_statistics(responses.iter().map(|row| &row[i]))).collect();
     let spectra = floors.iter().map(spectrum).collect();
-    let floors = floors.into_iter().map(one).collect();
-    LevelResult { level: level.clone(), floors, spectra, responses, statistics }
+    let floors: Vec<HorizontalMotion> = floors.into_iter().map(one).collect();
+    let verticals = vec![None; floors.len()];
+    LevelResult { level: level.clone(), floors, verticals, spectra, responses, statistics }
 }
 
 /// Rocking grows with what the peak has over the threshold and falls with the size.

@@ -20,6 +20,7 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{Committed, OutputFolder};
 use freestand_output::json::document;
 use freestand_output::rows::records_csv;
+use freestand_records::write::write_csv;
 
 /// What was written.
 #[derive(Debug, Clone)]
@@ -46,6 +47,7 @@ pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
         if !matches!(study.ground, Ground::OnFloors) {
             names.push(ground_name(&motion));
         }
+        names.extend(study.ground.has_vertical().then(|| vertical_name(&motion)));
         names.extend(study.levels.iter().map(|level| floor_name(&motion, &level.name)));
     }
     names.extend(building_tables(study).into_iter().map(|(_, _, name, _)| name));
@@ -54,6 +56,11 @@ pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
 
 fn ground_name(motion: &str) -> String {
     format!("motions/{motion}.csv")
+}
+
+/// A folder of its own: no level and no motion can have this name.
+fn vertical_name(motion: &str) -> String {
+    format!("vertical/{motion}.csv")
 }
 
 fn floor_name(motion: &str, level: &str) -> String {
@@ -125,7 +132,9 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
         Ground::Recorded(_) => {
             let files: Vec<String> = names.iter().map(|name| ground_name(name)).collect();
             let step_deg = study.ground.has_two_components(&study.levels).then(|| rotation_step_deg(study));
-            with_motions(&toml, &files, step_deg)
+            let verticals: Vec<String> = names.iter().map(|name| vertical_name(name)).collect();
+            let verticals = study.ground.has_vertical().then_some(verticals.as_slice());
+            with_motions(&toml, &files, verticals, step_deg)
         }
         Ground::OnFloors => {
             let files = |level: &Level| names.iter().map(|name| floor_name(name, &level.name)).collect();
@@ -179,7 +188,9 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
                 Some((floor_name(name, &level.level.name), floor.csv().into_bytes()))
             };
             let ground = result.ground.get(i).map(|g| (ground_name(name), g.motion.csv().into_bytes()));
-            ground.into_iter().chain(result.levels.iter().filter_map(floor)).collect()
+            let vertical = result.ground.get(i).and_then(|g| g.vertical.as_ref());
+            let vertical = vertical.map(|motion| (vertical_name(name), write_csv(motion).into_bytes()));
+            ground.into_iter().chain(vertical).chain(result.levels.iter().filter_map(floor)).collect()
         })
         .collect();
     files.extend(motions.into_iter().flatten());

@@ -94,17 +94,25 @@ pub fn with_value(toml: &str, table: &str, key: &str, text: &str, in_place_of: &
     Ok(study.to_string())
 }
 
-/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled; with a
-/// step between the directions \[degrees\] if each file has two components.
+/// The text with `[ground]` replaced by motions from files, which are in m/s² and scaled; with the
+/// files of their vertical components, if there are any; with a step between the directions \[degrees\] if each file has two components.
 ///
 /// # Errors
 /// A text that is not TOML.
-pub fn with_motions(toml: &str, files: &[String], rotation_step_deg: Option<f64>) -> Result<String, Problem> {
+pub fn with_motions(
+    toml: &str,
+    files: &[String],
+    verticals: Option<&[String]>,
+    rotation_step_deg: Option<f64>,
+) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let mut ground = Table::new();
     ground.insert("motions", value(one_a_line(files)));
     if let Some(mut key) = ground.key_mut("motions") {
         key.leaf_decor_mut().set_prefix("# As the run used them: component chosen, scaled, in m/s2.\n");
+    }
+    if let Some(files) = verticals {
+        ground.insert("vertical", value(one_a_line(files)));
     }
     two_components(&mut ground, rotation_step_deg);
     replace_ground(&mut study, ground);
@@ -293,7 +301,7 @@ mod tests {
         let ground = "[ground]\n# As the run used them: component chosen, scaled, in m/s2.\nmotions = [\n    \
                       \"motions/a.csv\",\n]\n";
         let study = "# mine\n[ground]\nmotions = [\"/x/a\"]\nscale = 2.0\n# hers\n[objects]\nmass = \"1 kg\" # 1\n";
-        let text = with_motions(study, &["motions/a.csv".to_owned()], None).unwrap();
+        let text = with_motions(study, &["motions/a.csv".to_owned()], None, None).unwrap();
         assert_eq!(text, format!("# mine\n{ground}# hers\n[objects]\nmass = \"1 kg\" # 1\n"));
         // Other spellings of a table, and none.
         for study in [
@@ -302,7 +310,7 @@ mod tests {
             "ground.seed = 3\nobjects.mass_kg = 1\n",
             "[objects]\n",
         ] {
-            let text = with_motions(study, &["motions/a.csv".to_owned()], None).unwrap();
+            let text = with_motions(study, &["motions/a.csv".to_owned()], None, None).unwrap();
             let (options, problems) = crate::options::parse(&text, None);
             assert!(problems.is_empty(), "{text}: {problems}");
             assert!(

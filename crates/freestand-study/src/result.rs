@@ -1,6 +1,9 @@
 //! The result of a study: one row for each object and motion, and the statistics over all motions.
 
+use std::sync::Arc;
+
 use freestand::building::Mode;
+use freestand::motion::Motion;
 use freestand::rocking::Outcome;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
@@ -38,6 +41,9 @@ pub struct GroundMotion {
     pub name: String,
     /// Its samples.
     pub motion: HorizontalMotion,
+    /// Its vertical component, positive upward, with the same step and length; `None` if there is
+    /// none.
+    pub vertical: Option<Motion>,
     /// Its 5 % spectrum.
     pub spectrum: PseudoSpectrum,
     /// How well it fits its target, if it has one.
@@ -77,6 +83,8 @@ pub struct LevelResult {
     pub level: Level,
     /// Floor motions, in the order of the ground motions.
     pub floors: Vec<HorizontalMotion>,
+    /// Their vertical components, in the same order; `None` where there are none.
+    pub verticals: Vec<Option<Arc<Motion>>>,
     /// Their spectra, at 5 % damping.
     pub spectra: Vec<PseudoSpectrum>,
     /// `responses[motion][object]`, objects in the order of [`crate::study::Objects::blocks`].
@@ -98,6 +106,8 @@ pub enum ObjectResponse {
         /// overturn the object; `None` if motions have one component.
         direction_deg: Option<f64>,
     },
+    /// The floor fell away, g + ü_v ≤ 0, where the model ends; this says when.
+    FreeFlight(String),
     /// The history failed, for this reason.
     Failed(String),
 }

@@ -9,7 +9,8 @@ use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
-use freestand::rocking::{Base, Outcome, RockingError, RockingOptions};
+use freestand::rocking::{Base, FREE_FLIGHT, Outcome, RockingError, RockingOptions};
+use freestand::sliding::{Sliding, SlidingOutcome};
 use freestand::spectra::{
     PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, ShockCell, UpliftCell, uplift_sensitivity, uplift_spectrum,
 };
@@ -19,6 +20,7 @@ use serde::Serialize;
 use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::resolve::MAX_OBJECTS;
 use crate::shape::squat_warning;
+use crate::sliding::{Surface, slide_under};
 use freestand_input::problem::Problem;
 use freestand_output::facts::Facts;
 
@@ -31,6 +33,8 @@ const CHUNK_OBJECTS_PER_THREAD: usize = 2048;
 const MAX_CHUNK_OBJECTS: usize = 65_536;
 /// Objects whose rows one thread writes at a time.
 const ROWS_AT_A_TIME: usize = 512;
+/// The outcome of an object whose history could not be calculated.
+const FAILED: &str = "failed";
 
 /// Uniform blocks of every height and thickness; thickness varies fastest.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,6 +89,8 @@ pub struct SpectrumRequest {
     pub cushion: Option<(f64, EdgeCushion)>,
     /// Whether to report by how much each object amplifies an error of the motion.
     pub sensitivity: bool,
+    /// For objects that slide, or stand on casters: what is under them.
+    pub surface: Option<Surface>,
 }
 
 impl SpectrumRequest {
@@ -148,8 +154,25 @@ pub struct SpectrumChunk<'a> {
     name: &'a str,
     cushion: Option<(f64, &'a Cushion)>,
     blocks: Vec<Block>,
-    cells: Vec<Result<UpliftCell, RockingError>>,
+    cells: Vec<Cell>,
     sensitivities: Option<Vec<Sensitivity>>,
+    slide: Option<Result<Sliding, Problem>>,
+}
+
+/// What an object of a chunk does.
+#[derive(Debug)]
+enum Cell {
+    Rocks(Result<UpliftCell, RockingError>),
+    /// As all others that slide: the slide does not depend on the size.
+    Slides,
+    /// It would rock and slide at once.
+    Refused(Problem),
+}
+
+impl Cell {
+    fn rocked(&self) -> Option<&UpliftCell> {
+        if let Self::Rocks(Ok(cell)) = self { Some(cell) } else { None }
+    }
 }
 
 impl SpectrumChunk<'_> {
@@ -161,14 +184,30 @@ impl SpectrumChunk<'_> {
     /// The shock of an object; `None` without a cushion, or where the history failed.
     fn shock(&self, index: usize) -> Option<ShockCell> {
         let (mass_kg, cushion) = self.cushion?;
-        Some(self.cells[index].as_ref().ok()?.shock(mass_kg, cushion, ImpactModel::Paper, G0_M_S2))
+        Some(self.cells[index].rocked()?.shock(mass_kg, cushion, ImpactModel::Paper, G0_M_S2))
     }
 
     /// One object under the motion. Values are missing if there is no cushion, the object overturns
     /// or the history failed.
     pub fn row(&self, index: usize) -> Facts<'_> {
         let (block, cell) = (&self.blocks[index], &self.cells[index]);
-        let rocking = cell.as_ref().ok().map(|cell| &cell.rocking);
+        let rocking = cell.rocked().map(|cell| &cell.rocking);
+        let slide = self.slide.as_ref().filter(|_| matches!(cell, Cell::Slides));
+        let slid = slide.and_then(|slide| slide.as_ref().ok());
+        let outcome = match cell {
+            Cell::Rocks(Ok(cell)) => cell.rocking.outcome.name(),
+            Cell::Rocks(Err(RockingError::FreeFlight { .. })) => FREE_FLIGHT,
+            Cell::Slides => slid.map_or(FAILED, |slid| slid.outcome.name()),
+            Cell::Rocks(Err(_)) | Cell::Refused(_) => FAILED,
+        };
+        // It does not rock: zero, which is not the same as missing.
+        let level = slid.filter(|slid| slid.outcome != SlidingOutcome::FreeFlight).map(|_| 0.0);
+        let reason = match cell {
+            Cell::Rocks(Ok(_)) => None,
+            Cell::Rocks(Err(error)) => Some(error.to_string()),
+            Cell::Slides => slide.and_then(|slide| slide.as_ref().err()).map(|problem| problem.message.clone()),
+            Cell::Refused(problem) => Some(problem.message.clone()),
+        };
         let shock = self.shock(index);
         let bottomed = shock.filter(ShockCell::is_beyond_numbers).map(|_| BOTTOMED.to_owned());
         let shock = shock.filter(|shock| !shock.is_beyond_numbers());
@@ -177,11 +216,11 @@ impl SpectrumChunk<'_> {
             .key("motion", self.name)
             .key("height_m", block.height_m())
             .key("thickness_m", block.thickness_m())
-            .key("outcome", rocking.map_or("failed", |rocking| rocking.outcome.name()))
-            .key("peak_rotation_rad", rocking.map(|rocking| rocking.peak_rotation_rad))
-            .key("impact_count", rocking.map(|rocking| rocking.impact_count))
-            .key("uplift_m", rocking.map(|rocking| rocking.uplift_m))
-            .key("cg_rise_m", rocking.map(|rocking| rocking.cg_rise_m))
+            .key("outcome", outcome)
+            .key("peak_rotation_rad", rocking.map(|rocking| rocking.peak_rotation_rad).or(level))
+            .key("impact_count", rocking.map(|rocking| rocking.impact_count).or(level.map(|_| 0)))
+            .key("uplift_m", rocking.map(|rocking| rocking.uplift_m).or(level))
+            .key("cg_rise_m", rocking.map(|rocking| rocking.cg_rise_m).or(level))
             .key("edge_acceleration_g", shock.and_then(|shock| shock.edge_acceleration_g))
             .key("edge_acceleration_impact_velocity_g", by_velocity_g)
             .key("ceiling_g", shock.map(|shock| shock.ceiling_g));
@@ -190,7 +229,15 @@ impl SpectrumChunk<'_> {
             let followed = rocking.is_some() && bottomed.is_none();
             row = row.key("sensitivity_ratio", ratio).key("sensitive", followed.then_some(sensitive));
         }
-        row.key("reason", cell.as_ref().err().map(ToString::to_string).or(bottomed))
+        if self.slide.is_some() {
+            let contact = slid.and_then(|slid| slid.contact);
+            row = row
+                .key("slide_peak_m", slid.map(|slid| slid.peak_m))
+                .key("slide_speed_max_m_s", slid.map(|slid| slid.speed_max_m_s))
+                .key("clearance_time_s", contact.map(|(time_s, _)| time_s))
+                .key("clearance_speed_m_s", contact.map(|(_, velocity_m_s)| velocity_m_s));
+        }
+        row.key("reason", reason.or(bottomed))
     }
 
     /// All rows.
@@ -206,9 +253,18 @@ impl SpectrumChunk<'_> {
             let shock = self.shock(index);
             let bottomed = shock.as_ref().is_some_and(ShockCell::is_beyond_numbers);
             tally.objects += 1;
-            tally.failed += usize::from(cell.is_err() || bottomed);
+            let slid =
+                self.slide.as_ref().filter(|_| matches!(cell, Cell::Slides)).and_then(|slide| slide.as_ref().ok());
+            let is_whole = match cell {
+                Cell::Rocks(cell) => cell.is_ok(),
+                Cell::Slides => slid.is_some_and(|slid| slid.outcome != SlidingOutcome::FreeFlight),
+                Cell::Refused(_) => false,
+            };
+            tally.failed += usize::from(!is_whole || bottomed);
+            tally.slid += usize::from(slid.is_some_and(|slid| slid.outcome == SlidingOutcome::Slid));
+            tally.largest_slide_m = larger(tally.largest_slide_m, slid.map(|slid| slid.peak_m.abs()));
             tally.sensitive += usize::from(self.sensitivities.as_ref().is_some_and(|all| all[index].sensitive));
-            let Ok(UpliftCell { rocking, .. }) = cell else { continue };
+            let Some(UpliftCell { rocking, .. }) = cell.rocked() else { continue };
             tally.rocked += usize::from(rocking.outcome == Outcome::Rocked);
             tally.overturned += usize::from(rocking.outcome == Outcome::Overturned);
             if rocking.outcome != Outcome::Overturned {
@@ -223,7 +279,7 @@ impl SpectrumChunk<'_> {
     /// that rocked without overturning.
     fn largest_compression_m(&self) -> Option<f64> {
         let (mass_kg, cushion) = self.cushion?;
-        let rocked = self.cells.iter().flatten().filter(|cell| cell.rocking.outcome == Outcome::Rocked);
+        let rocked = self.cells.iter().filter_map(Cell::rocked).filter(|cell| cell.rocking.outcome == Outcome::Rocked);
         let energy_of = |cell: &UpliftCell| {
             let landing = Landing::rocking(&cell.block, ImpactModel::Paper);
             landing.effective_mass_ratio * landing.edge_velocity_m_s(cell.rocking.cg_rise_m, G0_M_S2).powi(2)
@@ -270,21 +326,35 @@ pub fn spectrum<E>(
         let base = Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() };
         let intervals = motion.horizontal.accel_m_s2().len() - 1;
         let size = chunk(intervals).max(1);
+        let began = Instant::now();
+        let slide = request.surface.map(|surface| slide_under(&surface, base));
+        timing.solve_s += began.elapsed().as_secs_f64();
+        timing.block_steps += slide.iter().len() as u64 * intervals as u64;
         for start in (0..objects).step_by(size) {
             let blocks: Vec<Block> = request.grid.blocks(start..(start + size).min(objects)).collect();
             let began = Instant::now();
-            let cells = uplift_spectrum(&blocks, base, &request.options);
+            let carried = |block: &Block| request.surface.map_or(Ok(false), |surface| surface.carries(block));
+            let rocking: Vec<Block> =
+                blocks.iter().filter(|block| matches!(carried(block), Ok(false))).copied().collect();
+            let mut solved = uplift_spectrum(&rocking, base, &request.options).into_iter();
             timing.solve_s += began.elapsed().as_secs_f64();
-            timing.block_steps += blocks.len() as u64 * intervals as u64;
+            timing.block_steps += rocking.len() as u64 * intervals as u64;
             let sensitivities = timing.sensitivity_s.as_mut().map(|seconds| {
                 let began = Instant::now();
-                let sensitivities = uplift_sensitivity(&cells, base, &request.options);
+                let sensitivities = uplift_sensitivity(solved.as_slice(), base, &request.options);
                 *seconds += began.elapsed().as_secs_f64();
                 sensitivities
             });
+            let cell = |block: &Block| match carried(block) {
+                Ok(true) => Some(Cell::Slides),
+                Ok(false) => solved.next().map(Cell::Rocks),
+                Err(problem) => Some(Cell::Refused(problem)),
+            };
+            let cells = blocks.iter().filter_map(cell).collect();
+            let slide = slide.clone();
             let name = motion.name.as_str();
             let cushion = request.cushion.as_ref().map(|(mass_kg, edge)| (*mass_kg, &edge.cushion));
-            each(&SpectrumChunk { motion: index, name, cushion, blocks, cells, sensitivities })?;
+            each(&SpectrumChunk { motion: index, name, cushion, blocks, cells, sensitivities, slide })?;
         }
     }
     Ok(timing)
@@ -299,6 +369,9 @@ pub struct SpectrumTally {
     pub overturned: usize,
     pub failed: usize,
     pub sensitive: usize,
+    pub slid: usize,
+    /// By magnitude.
+    pub largest_slide_m: Option<f64>,
     /// Of the objects that do not overturn.
     pub largest_uplift_m: Option<f64>,
     /// Of the objects that do not overturn, from the uplift.
@@ -321,6 +394,7 @@ mod tests {
             options: RockingOptions::default(),
             cushion: Some((150.0, cushion::resolve(&cushion::spring(4.38e6), None).unwrap())),
             sensitivity: true,
+            surface: None,
         }
     }
 

@@ -33,7 +33,7 @@ pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>
     let done: Vec<_> = responses
         .filter_map(|response| match response {
             ObjectResponse::Done { uplift, shock, .. } => Some((uplift, shock)),
-            ObjectResponse::Failed(_) => None,
+            ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
         })
         .collect();
     let (first, shock) = done.first()?;

@@ -78,7 +78,7 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
         rows().filter_map(move |r| match r {
             ObjectResponse::Done { shock, .. } if velocity => shock.edge_acceleration_impact_velocity_g,
             ObjectResponse::Done { shock, .. } => shock.edge_acceleration_g,
-            ObjectResponse::Failed(_) => None,
+            ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
         })
     };
     LevelSummary {
@@ -113,6 +113,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
                 "npts": ground.motion.along.accel_m_s2().len(),
                 "components": if ground.motion.across.is_some() { 2 } else { 1 },
                 "pga_g": ground.motion.peak_m_s2() / G0_M_S2,
+                "vertical_pga_g": ground.vertical.as_ref().map(|vertical| vertical.peak_m_s2() / G0_M_S2),
                 "misfit": ground.misfit.as_ref().map(|misfit| facts!(
                     misfit; rms_ratio, worst_ratio, worst_period_s, pga_g, target_zpa_g, d5_95_s, pgv_m_s
                 )),
@@ -145,6 +146,8 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
             "ground": ground_inputs(&study.ground),
             "suite": study.ground.suite().map(Suite::facts),
             "floor_motions": floor_inputs(study),
+            "vertical": study.ground.vertical_words(),
+            "vertical_amplification_ratio": study.vertical_amplification_ratio,
             "motions": motions,
             "directions_deg": study.directions_deg,
             "building": study.building.as_ref().map(building_inputs),
@@ -202,7 +205,7 @@ fn building_inputs(building: &BuildingInput) -> Value {
 
 fn ground_inputs(ground: &Ground) -> Value {
     match ground {
-        Ground::Synthetic(SyntheticGround { target, count, seed }) => json!(
+        Ground::Synthetic(SyntheticGround { target, count, seed, .. }) => json!(
             Facts::default()
                 .key("code", target.code())
                 .key("edition", target.spectrum.name())
@@ -253,6 +256,7 @@ fn recorded_input(record: &RecordedMotion) -> Value {
         "sha256": record.sha256,
         "description": record.description,
         "across": across,
+        "vertical": record.vertical.as_ref().map(|vertical| vertical.file.as_ref().map(input_file)),
         "scale_ratio": record.scale_ratio,
         "station_xml": record.station_xml.iter().map(input_file).collect::<Vec<_>>(),
         "scale_target": record.scale_target.as_ref().map(input_file),

@@ -6,6 +6,7 @@ use freestand_output::facts::{Facts, table_csv};
 use crate::result::{FloorProfile, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::study::Study;
+use freestand::rocking::FREE_FLIGHT;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand_input::problem::Problem;
 
@@ -20,19 +21,21 @@ fn by_object(
         let extra = &extra;
         result.levels.iter().flat_map(move |level| {
             study.objects.blocks.iter().zip(&level.responses[motion]).map(move |(block, response)| {
-                let (done, direction_deg, reason) = match response {
+                let (done, direction_deg, unfinished) = match response {
                     ObjectResponse::Done { uplift, shock, direction_deg } => {
                         (Some((uplift, shock)), *direction_deg, None)
                     }
-                    ObjectResponse::Failed(reason) => (None, None, Some(reason.as_str())),
+                    ObjectResponse::FreeFlight(reason) => (None, None, Some((FREE_FLIGHT, reason.as_str()))),
+                    ObjectResponse::Failed(reason) => (None, None, Some(("failed", reason.as_str()))),
                 };
+                let (failed, reason) = unfinished.unzip();
                 let (rocking, shock) = done.map(|(uplift, shock)| (&uplift.rocking, shock)).unzip();
                 Facts::default()
                     .key("motion", name.as_str())
                     .key("level", level.level.name.as_str())
                     .key("height_m", block.height_m())
                     .key("thickness_m", block.thickness_m())
-                    .key("outcome", rocking.map_or("failed", |rocking| rocking.outcome.name()))
+                    .key("outcome", rocking.map(|rocking| rocking.outcome.name()).or(failed))
                     .key("uplift_m", rocking.map(|rocking| rocking.uplift_m))
                     .key("cg_rise_m", rocking.map(|rocking| rocking.cg_rise_m))
                     .key("edge_acceleration_g", shock.and_then(|shock| shock.edge_acceleration_g))

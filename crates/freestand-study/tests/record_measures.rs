@@ -53,6 +53,7 @@ fn files(path: PathBuf, read: ReadOptions, component: Option<String>) -> MotionF
         read,
         component,
         second: freestand_study::recorded::Second::None,
+        vertical: Default::default(),
         processing: Processing::default(),
     }
 }

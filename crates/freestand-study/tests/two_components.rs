@@ -35,7 +35,7 @@ fn responses(result: &StudyResult) -> Vec<(f64, Option<f64>)> {
     row.iter()
         .map(|response| match response {
             ObjectResponse::Done { uplift, direction_deg, .. } => (uplift.rocking.peak_rotation_rad, *direction_deg),
-            ObjectResponse::Failed(reason) => panic!("{reason}"),
+            ObjectResponse::FreeFlight(reason) | ObjectResponse::Failed(reason) => panic!("{reason}"),
         })
         .collect()
 }

@@ -13,6 +13,7 @@
 //! | rotation against time, event by event | [`rocking`] |
 //! | largest uplift over a grid of objects, and the resulting shock | [`spectra`] |
 //! | contact laws: the force of a cushion, and the landing of a mass on it | [`cushion`] |
+//! | a block that slides, or rolls on casters, instead of rocking | [`sliding`] |
 //! | the object on cushions, integrated in time: a check of that shock | [`compliant`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi et al. | [`impact`] |
 //! | a cushion identified from tests | [`identify`] |
@@ -80,6 +81,7 @@ pub mod oscillator;
 mod search;
 pub mod shock_response;
 pub mod signal;
+pub mod sliding;
 pub mod spectra;
 pub mod suite;
 pub mod synthesis;

@@ -63,6 +63,7 @@ fn recorded(study: &Study) -> Vec<Value> {
             "name": motion.name,
             "along": samples(&motion.motion),
             "across": motion.across.as_ref().map(|second| samples(&second.motion)),
+            "vertical": motion.vertical.as_ref().map(|vertical| samples(&vertical.motion)),
             "inputs": inputs,
         })
     };

@@ -122,9 +122,19 @@ fn assumptions(study: &Study) -> Vec<String> {
             compliant_factor,
             spread.restitution
         ),
-        "The motions are horizontal only. Not in the worlds: the soil, damage to the building (it stays elastic), \
-         sliding while rocking, walls and neighbours, rotation about a vertical axis."
-            .to_owned(),
+        format!(
+            "{} Not in the worlds: the soil, damage to the building (it stays elastic), sliding while rocking, walls \
+             and neighbours, rotation about a vertical axis.",
+            if study.ground.has_vertical() {
+                format!(
+                    "Vertical motion: {}; floors above the ground have {} times that of the ground.",
+                    study.ground.vertical_words(),
+                    study.vertical_amplification_ratio
+                )
+            } else {
+                "The motions are horizontal only.".to_owned()
+            }
+        ),
         format!(
             "Coefficient of friction where the inventory does not give it: {} to {}. Sliding is not computed; where it \
              occurs, rocking and its shock are smaller.",

@@ -3,7 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::compliant::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
-use freestand::rocking::{Base, Outcome as RockingOutcome, RockingImpact, rock};
+use freestand::rocking::{Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
@@ -388,7 +388,7 @@ fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize
         let shock = landing.impact_at_omega(mass_kg, &cushion, impact.omega_before_rad_s, G0_M_S2);
         shock.edge_acceleration_m_s2 > peak_m_s2
     };
-    let base = Base { horizontal: Some(at.component(lived.draw.is_along_x(axis))), vertical: None };
+    let base = at.base(lived.draw.is_along_x(axis));
     let history = rock(&block, base, &options(restitution)).ok()?;
     Some(history.impacts.iter().filter(|impact| above(impact)).count())
 }
@@ -399,8 +399,7 @@ fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) ->
     let lived = trial.lived.get(world)?;
     let (axis, _) = governing(lived.rigid.as_ref().ok()?)?;
     let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
-    let motion = at.component(lived.draw.is_along_x(axis));
-    let most = friction_needed_ratio(&block, motion, restitution)?;
+    let most = friction_needed_ratio(&block, at.base(lived.draw.is_along_x(axis)), restitution)?;
     let ratio = restitution.ratios(&block).ok()?[0];
     Some(slides(context, trial, most.max(impact_friction_needed_ratio(&block, ratio))))
 }

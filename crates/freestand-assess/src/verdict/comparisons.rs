@@ -5,7 +5,6 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
-use freestand::motion::Motion;
 use freestand::rocking::{Base, Restitution, rock_observed};
 
 use crate::inventory::{Item, Rating};
@@ -29,8 +28,7 @@ const P58_BETA: f64 = 0.5;
 const P58_SHARE: f64 = 0.8;
 
 /// Largest friction that the rocking needs; `None` where the history fails.
-pub(super) fn friction_needed_ratio(block: &Block, motion: &Motion, restitution: Restitution) -> Option<f64> {
-    let base = Base { horizontal: Some(motion), vertical: None };
+pub(super) fn friction_needed_ratio(block: &Block, base: Base, restitution: Restitution) -> Option<f64> {
     let mut largest = 0.0f64;
     let done = rock_observed(block, base, &options(restitution), |segment| {
         largest = largest.max(segment.friction_needed_ratio());

@@ -9,7 +9,7 @@ use freestand::compliant::{
     rock_compliant_many,
 };
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
-use freestand::rocking::{Base, rock_each};
+use freestand::rocking::rock_each;
 use freestand::worlds::Group;
 use rayon::prelude::*;
 
@@ -320,7 +320,7 @@ fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &
                 }
             }
         }
-        let base = Base { horizontal: Some(floor.component(is_x)), vertical: None };
+        let base = floor.base(is_x);
         let rocked = rock_each(&blocks, base, &options(freestand::rocking::Restitution::Housner));
         context.count(blocks.len());
         for (((place, axis), (block, _)), rocked) in places.into_iter().zip(blocks).zip(rocked) {
@@ -348,13 +348,12 @@ fn linear<'a>(trials: &[&Trial], job: &Job<'a>) -> Option<CompliantWorld<'a>> {
     let (mass_kg, cushion) = draw.body(subject)?;
     let stiffness_n_m = cushion.linear_stiffness_n_m()?;
     let (block, _) = draw.block(subject, axis)?;
-    let horizontal = Some(floor.component(draw.is_along_x(axis)));
     Some(CompliantWorld {
         block,
         mass_kg,
         stiffness_n_m,
         damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
-        motion: Base { horizontal, vertical: None },
+        motion: floor.base(draw.is_along_x(axis)),
     })
 }
 
@@ -435,7 +434,7 @@ fn curved(
     let (mass_kg, cushion) = draw.body(subject).ok_or_else(missing)?;
     let base = CompliantBase::new(mass_kg, cushion);
     let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
-    let motion = Base { horizontal: Some(floor.component(draw.is_along_x(axis))), vertical: None };
+    let motion = floor.base(draw.is_along_x(axis));
     match rock_compliant(&block, &base, motion, &options) {
         Ok(found) => Ok(pad_motion_of(subject, draw, &found, floor.pfa_m_s2)),
         Err(error) => toppled(&error),

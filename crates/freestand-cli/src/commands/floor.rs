@@ -7,12 +7,13 @@ use clap::Args;
 use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid};
-use freestand_input::words::number;
+use freestand_input::words::{counted, number};
+use freestand_records::write::write_csv;
 use freestand_study::building;
 use freestand_study::floor::{
     FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floor_response_figure, floors, spectra_csv,
 };
-use freestand_study::recorded::{MotionFiles, ReadMotion, read_all};
+use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
 
 use super::Done;
 use crate::args::{GlobalArgs, at_least_one};
@@ -40,6 +41,8 @@ Examples:
   freestand floor --motion a.AT2 b.AT2 c.AT2 --storey-table tower.csv --levels all --spectra \\
     --out floors
   freestand floor --motion a.AT2 --levels all --code as1170.4 --city Melbourne --site De \\
+    --out floors
+  freestand floor --motion h1.AT2 --vertical up.AT2 --vertical-amplification 1.5 --levels all \\
     --out floors
   freestand floor --motion record.v2 --components both --mode-table x.csv \\
     --across-mode-table y.csv --levels all",
@@ -71,6 +74,14 @@ pub(crate) struct FloorArgs {
     /// Periods of the spectra: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
     #[arg(long, grid = Dimension::Time, requires = "spectra")]
     periods: Option<Given<Vec<f64>>>,
+    /// Files with the vertical component, one for each --motion, or \"record\": the vertical component
+    /// of each file of --motion; processed and scaled as the horizontal one
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    vertical: Vec<PathBuf>,
+    /// Vertical acceleration of the floors above the ground, divided by that of the ground: 1 at
+    /// columns, more in the middle of a slab [default: 1]
+    #[arg(long, positive = Dimension::Ratio, requires = "vertical")]
+    vertical_amplification: Option<Given>,
     #[command(flatten)]
     second: SecondArgs,
     #[command(flatten)]
@@ -151,7 +162,10 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         damping_ratios: values.read(&args.spectrum_damping).unwrap_or_else(|| vec![DAMPING_RATIO]),
         periods_s: super::motion::periods(&args.periods, &mut values),
     });
+    let vertical = upward(args, &mut values);
+    let vertical_amplification_ratio = values.read(&args.vertical_amplification);
     let motions = MotionFiles {
+        vertical,
         second: args.second.second(args.motion.len(), &mut values),
         ..args.read.files(&args.motion, &mut values)
     };
@@ -164,6 +178,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
         tail_s,
         upsample: args.upsample.get(),
         spectra,
+        vertical_amplification_ratio,
         building,
         code: target.as_ref().map(|target| target.spectrum.clone()),
     };
@@ -176,6 +191,9 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     let read = read_all(&motions)?;
     let mut inputs = args.read.inputs(&args.motion);
     inputs.extend(args.second.across.iter().cloned());
+    if let Upward::Files(files) = &motions.vertical {
+        inputs.extend(files.iter().cloned());
+    }
     inputs.extend(request.building.tables.iter().map(|(_, table)| table.file.path.clone()));
     inputs.extend(args.target.inputs());
     let files = Files::begin(global, &inputs)?;
@@ -186,18 +204,39 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     Ok(Done::OK)
 }
 
+/// Where the vertical components are.
+fn upward(args: &FloorArgs, values: &mut Values) -> Upward {
+    match args.vertical.as_slice() {
+        [] => Upward::None,
+        [only] if only.as_os_str() == "record" => Upward::SameFile,
+        files => {
+            if files.len() != args.motion.len() {
+                let message =
+                    format!("--vertical has {}, --motion {}", counted(files.len(), "file"), args.motion.len());
+                values.push(Problem::value(message, "name one file for each file of --motion, in the same order"));
+            }
+            Upward::Files(files.to_vec())
+        }
+    }
+}
+
 /// Calculates one motion at a time, so that only its floors are in memory, and writes the files.
 fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<(FloorReport, Vec<String>), Failure> {
     let mut warnings = request.building.warnings.clone();
     let (mut motions, mut spectra_g) = (Vec::new(), Vec::new());
     for one in read {
         let mut done = floors(one, request)?;
+        let mut verticals = done.verticals.iter();
         for (level, floor) in done.report.levels.iter_mut().zip(&done.floors) {
             let folder = if read.len() > 1 { format!("{}/", done.report.motion) } else { String::new() };
             // Floors of a table may be at any level; levels that the user gave keep their digits.
             let ratio = if request.is_storeys { number(level.level_ratio, 4) } else { level.level_ratio.to_string() };
             let name = format!("{folder}level-{ratio}.csv");
             level.path = files.write(&name, || floor.csv())?;
+            if let Some(vertical) = verticals.next() {
+                let name = format!("{folder}level-{ratio}-vertical.csv");
+                level.vertical_path = files.write(&name, || write_csv(vertical))?;
+            }
         }
         warnings.extend(done.warnings);
         motions.push(done.report);
@@ -256,6 +295,7 @@ fn text(report: &FloorReport) -> String {
     }
     columns.extend([("pfv_m_s", "PFV [m/s]", 4), ("pfd_m", "PFD [m]", 4)]);
     columns.extend(has("drift_ratio").then_some(("drift_ratio", "drift [%]", 4)));
+    columns.extend(has("pfa_vertical_g").then_some(("pfa_vertical_g", "vertical PFA [g]", 4)));
     columns.extend(report.code_clause.map(|_| ("code_part_g", "code part [g]", 4)));
     columns.extend((!several).then_some(("path", "file", 0)));
     let levels = report.levels.iter().map(|level| level.facts.clone().key("path", level.path.clone()));

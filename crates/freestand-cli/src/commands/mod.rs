@@ -16,6 +16,7 @@ mod rock;
 mod run;
 mod shock;
 mod shock_spectrum;
+mod sliding;
 mod spectrum;
 mod spectrum_text;
 mod tolerance;

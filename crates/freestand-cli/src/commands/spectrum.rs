@@ -15,8 +15,9 @@ use serde::Serialize;
 
 use super::Done;
 use super::block::RockingArgs;
+use super::sliding::SlidingArgs;
 use super::spectrum_text::Seen;
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -41,6 +42,9 @@ Examples:
   A million objects in a file, each with its sensitivity to an error of the motion:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
       --thicknesses \"0.1 m:1 m:1000\" --accuracy fast --sensitivity --csv rows.csv
+  Trolleys with brakes on half of their wheels, which slide or rock according to their size:
+    freestand spectrum --motion record.AT2 --heights \"0.8 m:1.6 m:9\" --thicknesses \"0.4 m\" \
+      --casters --brakes --friction 0.25
 
 Rows are written as they are computed: a large grid needs time and disk space, not memory.")]
 pub(crate) struct SpectrumArgs {
@@ -66,6 +70,11 @@ pub(crate) struct SpectrumArgs {
     mass: Option<Given>,
     #[command(flatten)]
     cushion: CushionArgs,
+    /// Coefficient of friction of objects that slide, at rest [default: 0.5]
+    #[arg(long, positive = Dimension::Ratio, help_heading = "Sliding and casters")]
+    friction: Option<Given>,
+    #[command(flatten)]
+    sliding: Named<SlidingArgs>,
     #[command(flatten)]
     rocking: RockingArgs,
     /// Report how strongly each object amplifies an error of the motion
@@ -116,7 +125,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let files = Files::begin(global, &inputs)?;
     let mut rows = Rows::begin(SCHEMA, printer, &files, args.csv.as_deref(), &inputs)?;
     let total = request.grid.objects() * reading.motions.len();
-    let mut seen = Seen::new(reading.motions.len(), total, request.sensitivity);
+    let mut seen = Seen::new(reading.motions.len(), total, &request);
     let bar = printer.progress_bar(printer.json());
     bar.set_length(total as u64);
     bar.set_message("rocking histories");
@@ -154,6 +163,15 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         accuracy: args.rocking.accuracy,
         ..RockingOptions::default()
     };
+    if args.friction.is_some() && !args.sliding.is_given() {
+        values.push(Problem::value("--friction is used by objects that slide", "add --sliding, or --casters --brakes"));
+    }
+    let friction = values.read(&args.friction);
+    let surface = args.sliding.surface(friction, &mut values);
+    if args.sliding.is_given() && (args.mass.is_some() || args.sensitivity) {
+        let message = "the shock and the sensitivity are those of rocking objects, and these slide or roll";
+        values.push(Problem::value(message, "leave --mass, the cushion and --sensitivity out"));
+    }
     values.finish()?;
     let (motions, verticals) = (args.motion.len(), args.vertical.len());
     if verticals > 0 && verticals != motions {
@@ -165,7 +183,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let grid = Grid::new(heights, thicknesses)?;
     let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
     checked(options.restitution, &blocks)?;
-    Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity })
+    Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity, surface })
 }
 
 /// Reads all records before the calculation, so that a problem in the last one is found early.

@@ -2,7 +2,7 @@
 //! where to find the others, and a summary of each motion.
 
 use freestand_input::words::counted;
-use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumTally, SpectrumTiming};
+use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming};
 
 use crate::printer::{Column, cells, headings, optional, significant, table};
 
@@ -27,6 +27,17 @@ const COLUMNS: [Column; 10] = [
     ("sensitive", "sensitive", 0),
 ];
 
+/// Of objects that slide or roll; where casters are braked, some of them rock.
+const SLIDING_COLUMNS: [Column; 7] = [
+    ("motion", "motion", 0),
+    ("height_m", "height [m]", 4),
+    ("thickness_m", "thickness [m]", 4),
+    ("outcome", "outcome", 0),
+    ("slide_peak_m", "slide [mm]", 4),
+    ("slide_speed_max_m_s", "speed [m/s]", 4),
+    ("uplift_m", "uplift [mm]", 4),
+];
+
 /// The rows that the text shows, and the sums over all rows.
 #[derive(Debug)]
 pub(crate) struct Seen {
@@ -35,16 +46,22 @@ pub(crate) struct Seen {
     rows: Vec<Vec<String>>,
     total: usize,
     sensitivity: bool,
+    slides: bool,
 }
 
 impl Seen {
     /// For `total` rows of this number of motions.
-    pub(crate) fn new(motions: usize, total: usize, sensitivity: bool) -> Self {
-        Self { tallies: vec![SpectrumTally::default(); motions], rows: Vec::new(), total, sensitivity }
+    pub(crate) fn new(motions: usize, total: usize, request: &SpectrumRequest) -> Self {
+        let (tallies, rows) = (vec![SpectrumTally::default(); motions], Vec::new());
+        Self { tallies, rows, total, sensitivity: request.sensitivity, slides: request.surface.is_some() }
     }
 
     fn columns(&self) -> &'static [Column] {
-        if self.sensitivity { &COLUMNS } else { &COLUMNS[..COLUMNS.len() - 2] }
+        match (self.slides, self.sensitivity) {
+            (true, _) => &SLIDING_COLUMNS,
+            (false, true) => &COLUMNS,
+            (false, false) => &COLUMNS[..COLUMNS.len() - 2],
+        }
     }
 
     pub(crate) fn add(&mut self, chunk: &SpectrumChunk) {
@@ -86,12 +103,16 @@ impl Seen {
             "largest shock, uplift [g]",
         ];
         headings.extend(self.sensitivity.then_some("sensitive"));
+        headings.extend(self.slides.then_some(["slid", "largest slide [mm]"]).iter().flatten());
         let rows = motions.iter().zip(&self.tallies).take(MAX_SHOWN_MOTIONS).map(|(motion, tally)| {
             let mut row = vec![motion.name.clone()];
             row.extend([tally.objects, tally.rocked, tally.overturned, tally.failed].map(|count| count.to_string()));
             row.push(millimetres(tally.largest_uplift_m));
             row.push(optional(tally.largest_edge_acceleration_g, 4, ""));
             row.extend(self.sensitivity.then(|| tally.sensitive.to_string()));
+            if self.slides {
+                row.extend([tally.slid.to_string(), millimetres(tally.largest_slide_m)]);
+            }
             row
         });
         let mut text = table(&headings, &rows.collect::<Vec<_>>());

@@ -222,6 +222,10 @@ pub struct RockingImpact {
     pub omega_after_rad_s: f64,
 }
 
+/// The outcome in tables of a history that ended because the base fell away
+/// ([`RockingError::FreeFlight`]).
+pub const FREE_FLIGHT: &str = "free-flight";
+
 /// How a history ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {

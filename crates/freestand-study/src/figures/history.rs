@@ -134,7 +134,7 @@ pub fn rock_figure(
     draw(page).map(Some)
 }
 
-fn entry(sign: Sign, words: &str) -> Entry {
+pub(super) fn entry(sign: Sign, words: &str) -> Entry {
     Entry { sign, words: words.into() }
 }
 

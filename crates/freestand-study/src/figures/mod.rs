@@ -7,9 +7,11 @@
 mod floor_spectra;
 mod history;
 mod response;
+mod slide;
 mod vary;
 
 pub use history::rock_figure;
+pub use slide::slide_figure;
 
 use rayon::prelude::*;
 

@@ -16,6 +16,7 @@ use crate::building::{BuildingInput, damping_words, mode_facts, model_words};
 use crate::inspect::check_upsampling;
 use crate::recorded::ReadMotion;
 use crate::statistics::{QUANTILES, ranked_quantile};
+use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, RecordedMotion};
 use crate::target::{CodeParts, code_parts};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::significant;
@@ -45,6 +46,8 @@ pub struct FloorRequest {
     pub upsample: usize,
     /// Response spectra of the floors, where requested.
     pub spectra: Option<SpectraRequest>,
+    /// Vertical acceleration of the levels above the ground over that of the ground; `None`: 1.
+    pub vertical_amplification_ratio: Option<f64>,
     /// A code, whose accelerations of rigid parts are compared with those of the floors.
     pub code: Option<CodeSpectrum>,
 }
@@ -65,6 +68,8 @@ pub struct MotionFloors {
     pub report: MotionReport,
     /// The motions of the levels, as long as the record and its tail.
     pub floors: Vec<HorizontalMotion>,
+    /// The vertical motions of the levels, of the same length; none if the record has none.
+    pub verticals: Vec<Motion>,
     /// Pseudo-accelerations, `[level][damping][period]` \[g\]; empty where not requested.
     pub spectra_g: Vec<Vec<Vec<f64>>>,
     /// Warnings for the user.
@@ -138,6 +143,9 @@ pub struct MotionLevel {
     pub pfd_m: f64,
     pub drift_ratio: Option<f64>,
     pub path: Option<String>,
+    /// Peak vertical acceleration, if the record has a vertical component.
+    pub pfa_vertical_g: Option<f64>,
+    pub vertical_path: Option<String>,
 }
 
 /// Calculates the floors under one motion.
@@ -157,6 +165,10 @@ pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors,
         warnings.extend(late_peak_warning(&recorded.name, level_ratio, &axes, i));
         levels.push(motion_level(level_ratio, &axes, i, request)?);
     }
+    let verticals = verticals(recorded, request)?;
+    for (level, vertical) in levels.iter_mut().zip(&verticals) {
+        level.pfa_vertical_g = Some(vertical.peak_m_s2() / G0_M_S2);
+    }
     let fine: Vec<HorizontalMotion> = pairs(along.fine, across.as_ref().map(|axis| axis.fine.clone()));
     let spectra_g = match &request.spectra {
         Some(spectra) => fine.iter().map(|floor| spectra::of_floor(floor, spectra)).collect::<Result<_, _>>()?,
@@ -173,9 +185,24 @@ pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors,
             levels,
         },
         floors: pairs(along.floors, across.map(|axis| axis.floors)),
+        verticals,
         spectra_g,
         warnings,
     })
+}
+
+/// The vertical motion of the ground at every level, amplified above the ground.
+fn verticals(recorded: &RecordedMotion, request: &FloorRequest) -> Result<Vec<Motion>, Problem> {
+    let Some(vertical) = &recorded.vertical else { return Ok(Vec::new()) };
+    let padded = with_tail(&vertical.motion, request.tail_s)?;
+    let amplification = request.vertical_amplification_ratio.unwrap_or(DEFAULT_VERTICAL_AMPLIFICATION);
+    let at = |&level_ratio: &f64| {
+        let factor = if level_ratio == 0.0 { 1.0 } else { amplification };
+        padded.scaled(factor).map_err(|error| {
+            Problem::new(ProblemKind::Computation, error.to_string()).hint("check the record and its scale")
+        })
+    };
+    request.levels_ratio.iter().map(at).collect()
 }
 
 fn pairs(along: Vec<Motion>, across: Option<Vec<Motion>>) -> Vec<HorizontalMotion> {
@@ -267,6 +294,8 @@ fn motion_level(
         pfd_m: larger(|peak| peak.displacement_m),
         drift_ratio: has_drift.then(|| larger(|peak| peak.drift_m) / storey_m),
         path: None,
+        pfa_vertical_g: None,
+        vertical_path: None,
     })
 }
 
@@ -324,6 +353,8 @@ impl FloorReport {
                 .key("pfd_m", of(|level| Some(level.pfd_m))[1].unwrap_or_default())
                 .key("drift_ratio", of(|level| level.drift_ratio)[1])
                 .key("code_part_g", code.as_ref().and_then(|code| code.accel_g.get(i)).copied());
+            let vertical = of(|level| level.pfa_vertical_g)[1];
+            let facts = vertical.iter().fold(facts, |facts, &pfa_g| facts.key("pfa_vertical_g", pfa_g));
             let path = first.levels.get(i).and_then(|level| level.path.clone()).filter(|_| !several);
             LevelReport { facts, path }
         });

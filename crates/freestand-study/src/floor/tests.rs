@@ -26,6 +26,7 @@ fn request(along: Building, across: Option<Building>) -> FloorRequest {
         tail_s: 2.0,
         upsample: 1,
         spectra: None,
+        vertical_amplification_ratio: None,
         code: None,
     }
 }
@@ -66,6 +67,7 @@ fn read(components: usize, scale: f64) -> ReadMotion {
         read: ReadOptions::default(),
         component: None,
         second,
+        vertical: Default::default(),
         processing: Default::default(),
     };
     let (mut motions, failures) = read_recorded(&files);

@@ -26,6 +26,7 @@ fn request(folder: &Path, files: &[(&str, &str)]) -> InfoRequest {
             read: ReadOptions::default(),
             component: None,
             second: crate::recorded::Second::None,
+            vertical: Default::default(),
             processing: Processing::default(),
         },
         block: None,
@@ -135,6 +136,7 @@ fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
         matched: None,
         suite: None,
         across: None,
+        vertical: None,
     };
     ReadMotion { motion, notes: Vec::new(), start_note: None, unit: "m/s2" }
 }

@@ -15,6 +15,7 @@ pub(crate) struct BuildingOptions {
     pub(crate) words: Words,
     pub(crate) levels: Option<Written<Vec<LevelOptions>>>,
     pub(crate) period_measured: Option<Written<bool>>,
+    pub(crate) vertical_amplification: Option<Written<f64>>,
     /// Floors by the names that lists of objects use.
     pub(crate) floors: Option<Written<Vec<FloorOptions>>>,
     pub(crate) first_floor: Option<Written<String>>,
@@ -73,10 +74,12 @@ pub(super) fn building(reader: &mut Reader, table: &mut Section) -> BuildingOpti
     }
     let first_floor = table.string(reader, "first_floor");
     let period_measured = table.boolean(reader, "period_measured");
+    let vertical_amplification = table.ratio(reader, "vertical_amplification");
     BuildingOptions {
         words,
         levels: levels(reader, table),
         period_measured,
+        vertical_amplification,
         floors: floors(reader, table),
         first_floor,
     }

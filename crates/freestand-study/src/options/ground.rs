@@ -7,7 +7,7 @@ use super::processing::processing;
 use super::target::TARGET_KEYS;
 use super::{Reader, Section, Written, bare_number, read_words};
 use freestand_input::keys::Words;
-use freestand_input::quantity::Dimension;
+use freestand_input::quantity::{Dimension, parse};
 
 /// `[ground]`, as written. A `None` is a key that is missing or that was refused.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -27,6 +27,7 @@ pub(crate) struct GroundOptions {
     pub(crate) across: Option<Written<Vec<Written<String>>>>,
     pub(crate) components: Option<Written<ComponentsOption>>,
     pub(crate) rotation_step_rad: Option<Written<f64>>,
+    pub(crate) vertical: Option<Written<VerticalOption>>,
     /// The values of [`crate::recorded::MotionFiles::read`].
     pub(crate) reading: Words,
     /// The line of `processing`.
@@ -53,10 +54,50 @@ pub(super) fn ground(reader: &mut Reader<'_>, table: &mut Section) -> GroundOpti
         across: table.strings(reader, "across"),
         components: components(reader, table),
         rotation_step_rad: table.quantity(reader, "rotation_step", Dimension::Angle),
+        vertical: vertical(reader, table),
         reading,
         processing,
         is_incomplete: false,
     }
+}
+
+/// `vertical`: where the vertical motion comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum VerticalOption {
+    /// This share of the target.
+    Ratio(f64),
+    /// The vertical spectrum of the code.
+    Code,
+    /// The vertical component of each record.
+    Record,
+    /// These files, one for each motion.
+    Files(Vec<Written<String>>),
+}
+
+fn vertical(reader: &mut Reader<'_>, table: &mut Section<'_, '_>) -> Option<Written<VerticalOption>> {
+    let (value, line) = table.take(reader, "vertical")?;
+    let named = |word: &str| value.as_str().is_some_and(|text| text.eq_ignore_ascii_case(word));
+    let option = match value {
+        _ if named("code") => Some(VerticalOption::Code),
+        _ if named("record") => Some(VerticalOption::Record),
+        DeValue::Array(items) => {
+            let file = |item: &toml::Spanned<DeValue>| {
+                let line = reader.line_of(item.span().start);
+                item.get_ref().as_str().map(|name| Written { value: name.to_owned(), line })
+            };
+            items.iter().map(file).collect::<Option<Vec<_>>>().map(VerticalOption::Files)
+        }
+        _ => {
+            let text = value.as_str().map(str::to_owned).or_else(|| bare_number(value));
+            let ratio = text.and_then(|text| parse(&text, Dimension::Ratio).ok());
+            ratio.map(VerticalOption::Ratio)
+        }
+    };
+    if option.is_none() {
+        let hint = "write vertical = 0.67 (a share of the target), \"code\", \"record\", or a list of files";
+        reader.wrong_type(line, "vertical", "a ratio, \"code\", \"record\" or a list of files", value, hint);
+    }
+    option.map(|value| Written { value, line })
 }
 
 /// `components`: both components of a file, or two by name or number.

@@ -30,7 +30,7 @@ use outputs::outputs;
 
 pub(crate) use assessment::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 pub(crate) use building::{BuildingOptions, LevelOptions};
-pub(crate) use ground::{ComponentsOption, GroundOptions};
+pub(crate) use ground::{ComponentsOption, GroundOptions, VerticalOption};
 pub(crate) use objects::{ObjectsOptions, RestitutionOption};
 pub(crate) use outputs::{HistoryOptions, OutputsOptions};
 pub(crate) use point_source::PointSourceOptions;

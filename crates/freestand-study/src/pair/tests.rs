@@ -18,6 +18,7 @@ fn request(folder: &std::path::Path, files: &[(&str, &str)]) -> PairFiles {
         read,
         component: None,
         second: crate::recorded::Second::None,
+        vertical: Default::default(),
         processing,
     };
     PairFiles { files, components: None }

@@ -7,10 +7,12 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use freestand::motion::Motion;
+use freestand::rocking::Base;
 use freestand::signal::rotate::Pair;
 
 pub(crate) use folder::{Folder, read_folder};
 
+use crate::rock;
 use crate::study::{RecordedMotion, SecondComponent};
 use freestand_input::file::load;
 use freestand_input::file::{InputFile, sha256_hex};
@@ -21,7 +23,7 @@ use freestand_input::words::number;
 use freestand_output::facts::Facts;
 use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit};
 use freestand_records::processing::{
-    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process_file, process_pair,
+    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process, process_file, process_pair,
 };
 
 /// Files whose motions are used.
@@ -35,6 +37,8 @@ pub struct MotionFiles {
     pub component: Option<String>,
     /// Where the second horizontal component comes from.
     pub second: Second,
+    /// Where the vertical component comes from.
+    pub vertical: Upward,
     /// What is done to the samples.
     pub processing: Processing,
 }
@@ -52,6 +56,7 @@ impl MotionFiles {
             read: ReadOptions { unit, dt_s, uneven_dt_s, station_xml, is_shock: false },
             component: reader.words.get("component").map(str::to_owned),
             second: Second::None,
+            vertical: Upward::None,
             processing,
         }
     }
@@ -65,6 +70,18 @@ pub enum Second {
     None,
     /// In the same file; the names or numbers of both, or `None` if only two are possible.
     SameFile(Option<(String, String)>),
+    /// In these files, one for each of the first.
+    Files(Vec<PathBuf>),
+}
+
+/// The place of the vertical component of each motion.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub enum Upward {
+    /// It is not used.
+    #[default]
+    None,
+    /// In the same file.
+    SameFile,
     /// In these files, one for each of the first.
     Files(Vec<PathBuf>),
 }
@@ -147,7 +164,11 @@ pub(crate) fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize
 
 fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion, Problems> {
     let loaded = Loaded::read(path, files)?;
-    Ok(match &files.second {
+    let missing = |what: &str| {
+        let problem = Problem::new(ProblemKind::Value, format!("there is no file with its {what} component"));
+        problem.in_file(path).hint("name one for each motion, in the same order")
+    };
+    let mut read = match &files.second {
         Second::None => loaded.motion(Used::Chosen, files)?,
         Second::SameFile(called) => {
             let called = called.as_ref().map(|(first, second)| (first.as_str(), second.as_str()));
@@ -155,13 +176,22 @@ fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion
         }
         Second::Files(paths) => {
             let Some(second_path) = paths.get(index) else {
-                let problem = Problem::new(ProblemKind::Value, "there is no file with its second component");
-                return Err(problem.in_file(path).hint("name one for each motion, in the same order").into());
+                return Err(missing("second").into());
             };
             let second = Loaded::read(second_path, files)?;
             loaded.motion(Used::With(&second), files)?
         }
-    })
+    };
+    match &files.vertical {
+        Upward::None => {}
+        Upward::SameFile => read.motion.vertical = Some(loaded.vertical(None, &read.motion, files)?),
+        Upward::Files(paths) => {
+            let Some(vertical_path) = paths.get(index) else { return Err(missing("vertical").into()) };
+            let other = Loaded::read(vertical_path, files)?;
+            read.motion.vertical = Some(loaded.vertical(Some(&other), &read.motion, files)?);
+        }
+    }
+    Ok(read)
 }
 
 /// A file as it was read.
@@ -233,12 +263,43 @@ impl Loaded {
             suite: None,
             motion: processed.motion,
             across,
+            vertical: None,
         };
         // Two components that were turned to an azimuth are of one file and have the same unit.
         let component = file.select(files.component.as_deref()).ok().or(file.components.first());
         let unit = component.map_or("m/s2", |component| component.unit);
         let notes = file.notes.iter().cloned().chain(processed.notes).collect();
         Ok(ReadMotion { motion, notes, start_note: start_note(file), unit })
+    }
+
+    /// The vertical component that belongs to a horizontal motion: of this file, or of another one.
+    /// It is processed in the same way, and scaled by the same factor.
+    fn vertical(
+        &self,
+        other: Option<&Self>,
+        horizontal: &RecordedMotion,
+        files: &MotionFiles,
+    ) -> Result<SecondComponent, Problem> {
+        let file = &other.unwrap_or(self).file;
+        let in_file = |problem: Problem| problem.in_file(&file.path);
+        let mut upward = file.components.iter().filter(|component| component.direction == Some(Direction::Up));
+        let component = match (upward.next(), upward.next(), other, file.components.as_slice()) {
+            (Some(up), None, ..) => up,
+            // A file that is named as the vertical one need not say so.
+            (None, _, Some(_), [only]) => only,
+            _ => {
+                let problem = Problem::new(ProblemKind::Value, "does not have exactly one vertical component");
+                return Err(in_file(problem)
+                    .hint("name a file with only the vertical component in `vertical`, or leave `vertical` out"));
+            }
+        };
+        let processing =
+            Processing { azimuth_deg: None, scale: Scale::Factor(horizontal.scale_ratio), ..files.processing.clone() };
+        let motion = process(component, &processing).map_err(in_file)?.motion;
+        let base = Base { horizontal: Some(&horizontal.motion), vertical: Some(&motion) };
+        base.check().map_err(|error| in_file(rock::problem(error)))?;
+        let input = other.map(|other| InputFile { path: other.file.path.clone(), sha256: other.sha256.clone() });
+        Ok(SecondComponent { file: input, motion })
     }
 }
 
@@ -315,6 +376,7 @@ mod tests {
             read: ReadOptions::default(),
             component: None,
             second: Second::None,
+            vertical: Default::default(),
             processing: Processing::default(),
         };
         let (sender, receiver) = std::sync::mpsc::channel();

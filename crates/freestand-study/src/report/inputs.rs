@@ -34,6 +34,7 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
         }
         Ground::OnFloors => html.push_str(&paragraph("None: the study gives the motions of the floors.")),
     }
+    html.push_str(&vertical_motion(study, result));
     if let Some(input) = &study.building {
         html.push_str(&heading("Building"));
         html.push_str(&building(study, input, result));
@@ -47,6 +48,23 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
     html.push_str(&heading("Objects"));
     html.push_str(&objects(study));
     html
+}
+
+/// Where the vertical motion comes from, and how strong it is.
+fn vertical_motion(study: &Study, result: &StudyResult) -> String {
+    let words = study.ground.vertical_words();
+    let peaks_g = result.ground.iter().filter_map(|ground| Some(ground.vertical.as_ref()?.peak_m_s2() / G0_M_S2));
+    let facts = match peaks_g.reduce(f64::max) {
+        None => vec![("Vertical motion", words)],
+        Some(peak_g) => vec![
+            ("Vertical motion", words),
+            ("Largest vertical PGA", format!("{} g", fixed(peak_g, 3))),
+            ("Vertical acceleration of floors above the ground", {
+                format!("{} times that of the ground", number(study.vertical_amplification_ratio, 4))
+            }),
+        ],
+    };
+    properties("", &facts)
 }
 
 fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {

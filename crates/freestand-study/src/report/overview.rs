@@ -205,7 +205,7 @@ fn tolerance_words(study: &Study, levels: &[LevelSummary]) -> String {
 fn failures(result: &StudyResult) -> String {
     let mut reasons: Vec<(&str, usize)> = Vec::new();
     for response in result.levels.iter().flat_map(|level| level.responses.iter().flatten()) {
-        if let ObjectResponse::Failed(reason) = response {
+        if let ObjectResponse::FreeFlight(reason) | ObjectResponse::Failed(reason) = response {
             match reasons.iter_mut().find(|(known, _)| known == reason) {
                 Some((_, count)) => *count += 1,
                 None => reasons.push((reason, 1)),

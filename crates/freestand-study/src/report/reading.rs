@@ -104,7 +104,12 @@ pub(super) fn assumptions(study: &Study) -> String {
          sufficient for this.",
         "The rocking is computed on a rigid floor; the cushion only determines the shock, as a linear spring \
          without damping.",
-        "Only the horizontal motion is considered, not the vertical one.",
+        if study.ground.has_vertical() {
+            "The vertical motion of the floor changes the weight of the object, by (1 + vertical acceleration/g), at \
+             uplift and while it rocks; the floors above the ground have that of the ground, times one factor."
+        } else {
+            "Horizontal only: the vertical motion of the floor is not considered."
+        },
         match study.building.as_ref().map(|building| building.along.model()) {
             Some(Model::Beam { .. }) => {
                 "The building is linear and elastic and uniform over its height; the objects do not affect it."

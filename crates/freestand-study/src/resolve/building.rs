@@ -4,10 +4,10 @@ use std::collections::HashSet;
 
 use freestand::code_spectrum::PeriodCode;
 
-use super::{MAX_LEVELS, Resolver};
+use super::{MAX_LEVELS, Resolver, or};
 use crate::building::{self, BuildingInput};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
-use crate::study::{FirstFloor, Level, NamedFloor};
+use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, FirstFloor, Level, NamedFloor};
 use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
@@ -92,6 +92,13 @@ impl Resolver<'_> {
             floor.level_ratio = (floor.level_ratio / roof_m).max(0.0);
         }
         floors
+    }
+
+    /// Vertical acceleration of the floors over that of the ground.
+    pub(super) fn vertical_amplification(&mut self, written: &BuildingOptions) -> f64 {
+        let accept = |ratio: f64| ratio > 0.0 && ratio.is_finite();
+        self.require(&written.vertical_amplification, accept, "vertical_amplification", "a ratio above 0");
+        or(&written.vertical_amplification, DEFAULT_VERTICAL_AMPLIFICATION)
     }
 
     /// Whether floor 1 is the ground.

@@ -7,13 +7,19 @@ use super::recorded::reading_keys;
 use super::suite::suite_keys;
 use super::{MAX_MOTIONS, Overrides, Resolver, or};
 use crate::matched::{MatchMethod, Matched, match_record};
-use crate::options::GroundOptions;
-use crate::study::{BuildingInput, DEFAULT_MOTIONS, DEFAULT_SEED, Ground, Level, RecordedMotion, SyntheticGround};
+use crate::options::{GroundOptions, VerticalOption};
+use crate::study::{
+    BuildingInput, DEFAULT_MOTIONS, DEFAULT_SEED, Ground, Level, RecordedMotion, SyntheticGround, VerticalTarget,
+};
 use crate::target::Target;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
+
+/// Largest ratio of the vertical spectrum to the horizontal one: near a fault it reaches 1 to 2 at short
+/// periods; more is a mistake.
+const MAX_VERTICAL_RATIO: f64 = 3.0;
 
 /// Keys of `processing` that scale records to a target of their own.
 pub(super) const SCALES_TO: [&str; 3] = ["scale_to", "scale_to_sa", "scale_to_spectrum"];
@@ -28,9 +34,14 @@ impl Resolver<'_> {
         levels: &[Level],
     ) -> Option<Ground> {
         if let Some(files) = &overrides.motions {
+            if written.vertical.is_some() {
+                let why = "[ground] vertical is not used, because other motions replace those of the study";
+                self.warnings.push(why.to_owned());
+            }
             return self.read(files, None).map(Ground::Recorded);
         }
         if let Some(folder) = &written.suite {
+            self.without_vertical(written, "the records of a suite are selected by their horizontal components");
             return self.suite(written, folder, building, levels).map(Ground::Recorded);
         }
         for (key, line) in suite_keys(written) {
@@ -53,11 +64,15 @@ impl Resolver<'_> {
                 self.note(Some(by.line), "match needs motions", hint);
             }
             return match &written.point_source {
-                Some(source) => self.simulated(written, source, overrides).map(Ground::Simulated),
+                Some(source) => {
+                    self.without_vertical(written, "simulated motions are horizontal");
+                    self.simulated(written, source, overrides).map(Ground::Simulated)
+                }
                 None => self.synthetic(written, overrides),
             };
         };
         if let Some(by) = &written.match_by {
+            self.without_vertical(written, "matching changes the horizontal component only");
             return self.matched(written, motions, by).map(Ground::Recorded);
         }
         for (key, line) in synthetic_keys(written) {
@@ -142,6 +157,7 @@ impl Resolver<'_> {
             "a whole number from 1 to 1000",
         );
         let target = self.target(written)?;
+        let vertical = self.vertical_target(written, &target);
         self.warnings.extend(target.warnings.iter().cloned());
         // A larger count was refused above; the names of its motions are still listed.
         let count = usize::try_from(or(&written.count, DEFAULT_MOTIONS).min(MAX_MOTIONS)).unwrap_or_default();
@@ -149,7 +165,41 @@ impl Resolver<'_> {
             target,
             count,
             seed: overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED)),
+            vertical,
         }))
+    }
+
+    /// Notes `vertical` where there is no vertical motion.
+    fn without_vertical(&mut self, written: &GroundOptions, why: &str) {
+        if let Some(vertical) = &written.vertical {
+            self.note(Some(vertical.line), format!("vertical has no effect here: {why}"), "leave vertical out");
+        }
+    }
+
+    /// The vertical target of synthetic motions: none unless the study has one.
+    fn vertical_target(&mut self, written: &GroundOptions, target: &Target) -> VerticalTarget {
+        let Some(Written { value, line }) = &written.vertical else { return VerticalTarget::None };
+        let (message, hint) = match value {
+            VerticalOption::Ratio(0.0) => return VerticalTarget::None,
+            VerticalOption::Ratio(ratio) if *ratio > 0.0 && *ratio <= MAX_VERTICAL_RATIO => {
+                return VerticalTarget::Ratio(*ratio);
+            }
+            VerticalOption::Code if target.spectrum.vertical_sa_g(0.0).is_some() => return VerticalTarget::Code,
+            VerticalOption::Ratio(ratio) => (
+                format!("vertical must be from 0 to {MAX_VERTICAL_RATIO}, not {ratio}"),
+                "give the vertical spectrum as a share of the horizontal one, such as vertical = 0.67",
+            ),
+            VerticalOption::Code => (
+                format!("the vertical spectrum of {} is not known to this program", target.spectrum.name()),
+                "give a share of the horizontal spectrum, such as vertical = 0.67",
+            ),
+            VerticalOption::Record | VerticalOption::Files(_) => (
+                "vertical names records, but the motions are synthetic".to_owned(),
+                "name the horizontal records in motions, or give a share of the spectrum, such as vertical = 0.67",
+            ),
+        };
+        self.note(Some(*line), message, hint);
+        VerticalTarget::None
     }
 
     pub(super) fn target(&mut self, written: &GroundOptions) -> Option<Target> {

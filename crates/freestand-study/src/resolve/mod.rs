@@ -128,6 +128,7 @@ pub fn resolve_with(
     let levels = resolver.levels(&building, &ground);
     let is_measured = building.period_measured.as_ref().is_some_and(|measured| measured.value);
     let (floors, first_floor) = (resolver.floors(&building), resolver.first_floor(&building));
+    let vertical_amplification_ratio = resolver.vertical_amplification(&building);
     let (ground_input, building_input) = if has_measured_floors(&building) {
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
@@ -156,6 +157,7 @@ pub fn resolve_with(
             directions_deg,
             building,
             levels,
+            vertical_amplification_ratio,
             floors,
             first_floor,
             objects,

@@ -1,7 +1,7 @@
 //! Reads motions of the ground and of floors from files, as the keys of `[ground]` say.
 
-use crate::options::{BuildingOptions, ComponentsOption, GroundOptions};
-use crate::recorded::{MotionFiles, Second, read_recorded};
+use crate::options::{BuildingOptions, ComponentsOption, GroundOptions, VerticalOption};
+use crate::recorded::{MotionFiles, Second, Upward, read_recorded};
 use crate::study::{Level, RecordedMotion};
 use freestand_input::toml_reader::Written;
 use freestand_input::word_reader::WordReader;
@@ -74,6 +74,30 @@ impl Resolver<'_> {
                 "name one file in across for each motion, in the same order",
             );
         }
+        let vertical = match written.vertical.as_ref().map(|written| (&written.value, written.line)) {
+            None => Upward::None,
+            Some((VerticalOption::Record, _)) => Upward::SameFile,
+            Some((VerticalOption::Files(files), line)) => {
+                if files.len() != motions.value.len() {
+                    let (first, second) = (motions.value.len(), files.len());
+                    self.note(
+                        Some(line),
+                        format!(
+                            "vertical names {}, but motions names {}",
+                            counted(second, "file"),
+                            counted(first, "file")
+                        ),
+                        "name one file in vertical for each motion, in the same order",
+                    );
+                }
+                Upward::Files(files.iter().map(|file| self.base_dir.join(&file.value)).collect())
+            }
+            Some((VerticalOption::Ratio(_) | VerticalOption::Code, line)) => {
+                let hint = "write vertical = \"record\" for the vertical components of the files, or name the files";
+                self.note(Some(line), "records are not matched to a vertical spectrum", hint);
+                Upward::None
+            }
+        };
         // Without the keys that were refused, the files would be refused as well.
         if written.is_incomplete || self.problems.len() > before {
             return None;
@@ -88,7 +112,7 @@ impl Resolver<'_> {
             }
             (None, None) => Second::None,
         };
-        let files = MotionFiles { paths: motions.value.iter().map(path).collect(), second, ..reading };
+        let files = MotionFiles { paths: motions.value.iter().map(path).collect(), second, vertical, ..reading };
         let lines: Vec<usize> = motions.value.iter().map(|file| file.line).collect();
         self.read(&files, Some(&lines))
     }
@@ -125,6 +149,7 @@ impl Resolver<'_> {
             ("across", ground.across.as_ref().map(|w| w.line)),
             ("match", ground.match_by.as_ref().map(|w| w.line)),
             ("suite", ground.suite.as_ref().map(|w| w.line)),
+            ("vertical", ground.vertical.as_ref().map(|w| w.line)),
         ];
         // Those of the second axis are in `across`.
         let model_keys = building.words.lines().filter(|(key, _)| !key.starts_with("across_"));

@@ -185,6 +185,7 @@ fn recorded_motions_are_named_and_fingerprinted() {
         read: ReadOptions::default(),
         component: None,
         second: crate::recorded::Second::None,
+        vertical: Default::default(),
         processing: Processing::default(),
     };
     let study = builtin(&Overrides { seed: Some(7), motions: Some(files), ..Overrides::default() }).unwrap();

@@ -5,11 +5,13 @@ mod motions;
 mod warnings;
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::{ImpactModel, Landing};
-use freestand::rocking::{Base, HistoryRecorder, Outcome, RockingOptions, Until, rock_observed};
+use freestand::motion::Motion;
+use freestand::rocking::{Base, HistoryRecorder, Outcome, RockingError, RockingOptions, Until, rock_observed};
 use freestand::spectra::{UpliftCell, uplift_spectrum};
 use rayon::prelude::*;
 
@@ -19,7 +21,7 @@ use crate::statistics::object_statistics;
 use crate::study::{Level, Study};
 use freestand_input::problem::{Problem, Problems};
 use freestand_records::horizontal::HorizontalMotion;
-use motions::{floor_profile, floors, spectrum_of};
+use motions::{floor_profile, floors, spectrum_of, verticals};
 pub use motions::{floors_under, ground_motions};
 use warnings::result_warnings;
 
@@ -95,6 +97,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     };
     let ground = ground_motions(&study.ground, || tell(Stage::GroundMotions, 0))?;
     let floors = floors(study, &ground, || tell(Stage::FloorMotions, 0))?;
+    let verticals = verticals(study, &ground)?;
     let profile = floor_profile(study, &ground, || tell(Stage::FloorMotions, 0))?;
 
     let finished = std::sync::atomic::AtomicUsize::new(0);
@@ -105,7 +108,8 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
         .map(|&(level, motion)| {
             let mut governing: Vec<ObjectResponse> = Vec::new();
             for &direction_deg in &study.directions_deg {
-                let row = object_responses(study, &floors[level][motion], direction_deg);
+                let row =
+                    object_responses(study, &floors[level][motion], verticals[level][motion].as_deref(), direction_deg);
                 let done = finished.fetch_add(row.len(), std::sync::atomic::Ordering::Relaxed) + row.len();
                 tell(Stage::RockingHistories, done)?;
                 governing = if governing.is_empty() { row } else { larger(governing, row) };
@@ -116,9 +120,9 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
 
     let mut responses = responses.into_iter();
     let mut levels = Vec::with_capacity(study.levels.len());
-    for (level, floors) in study.levels.iter().zip(floors) {
+    for ((level, floors), verticals) in study.levels.iter().zip(floors).zip(verticals) {
         let responses: Vec<_> = responses.by_ref().take(floors.len()).collect();
-        levels.push(level_result(level, floors, responses)?);
+        levels.push(level_result(level, (floors, verticals), responses)?);
     }
     let mut warnings = study.warnings.clone();
     warnings.extend(result_warnings(study, &ground, &levels));
@@ -139,13 +143,18 @@ fn options(study: &Study) -> RockingOptions {
     }
 }
 
-fn object_responses(study: &Study, floor: &HorizontalMotion, direction_deg: f64) -> Vec<ObjectResponse> {
+fn object_responses(
+    study: &Study,
+    floor: &HorizontalMotion,
+    vertical: Option<&Motion>,
+    direction_deg: f64,
+) -> Vec<ObjectResponse> {
     let objects = &study.objects;
     let motion = match floor.in_direction(direction_deg) {
         Ok(motion) => motion,
         Err(error) => return vec![ObjectResponse::Failed(error.to_string()); objects.blocks.len()],
     };
-    let base = Base { horizontal: Some(&motion), vertical: None };
+    let base = Base { horizontal: Some(&motion), vertical };
     let direction_deg = floor.across.is_some().then_some(direction_deg);
     uplift_spectrum(&objects.blocks, base, &options(study))
         .into_iter()
@@ -157,6 +166,7 @@ fn object_responses(study: &Study, floor: &HorizontalMotion, direction_deg: f64)
                 }
                 ObjectResponse::Done { uplift, shock, direction_deg }
             }
+            Err(error @ RockingError::FreeFlight { .. }) => ObjectResponse::FreeFlight(error.to_string()),
             Err(error) => ObjectResponse::Failed(error.to_string()),
         })
         .collect()
@@ -168,7 +178,7 @@ fn object_responses(study: &Study, floor: &HorizontalMotion, direction_deg: f64)
 /// the largest of all directions, so it may belong to another direction.
 fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<ObjectResponse> {
     let rank = |response: &ObjectResponse| match response {
-        ObjectResponse::Failed(_) => (2, 0.0),
+        ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => (2, 0.0),
         ObjectResponse::Done { uplift, .. } => {
             (u8::from(uplift.rocking.outcome == Outcome::Overturned), uplift.rocking.cg_rise_m)
         }
@@ -179,7 +189,7 @@ fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<Object
     };
     let velocity_g = |response: &ObjectResponse| match response {
         ObjectResponse::Done { shock, .. } => shock.edge_acceleration_impact_velocity_g,
-        ObjectResponse::Failed(_) => None,
+        ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
     };
     let merged = |(one, other): (ObjectResponse, ObjectResponse)| {
         let (one_g, other_g) = (velocity_g(&one), velocity_g(&other));
@@ -196,14 +206,14 @@ fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<Object
 
 fn level_result(
     level: &Level,
-    floors: Vec<HorizontalMotion>,
+    (floors, verticals): (Vec<HorizontalMotion>, Vec<Option<Arc<Motion>>>),
     responses: Vec<Vec<ObjectResponse>>,
 ) -> Result<LevelResult, Problems> {
     let spectra = floors.par_iter().map(spectrum_of).collect::<Result<_, _>>()?;
     let objects = responses.first().map_or(0, Vec::len);
     let statistics =
         (0..objects).map(|object| object_statistics(responses.iter().map(|motion| &motion[object]))).collect();
-    Ok(LevelResult { level: level.clone(), floors, spectra, responses, statistics })
+    Ok(LevelResult { level: level.clone(), floors, verticals, spectra, responses, statistics })
 }
 
 /// The history that is drawn: the study's choice; otherwise, on the highest floor and for the first
@@ -217,7 +227,7 @@ fn example_history(
     let direction_deg = governing_direction(study, &level.responses[motion], &block);
     let floor = level.floors[motion].in_direction(direction_deg.unwrap_or(0.0))?;
     let floor = floor.as_ref();
-    let base = Base { horizontal: Some(floor), vertical: None };
+    let base = Base { horizontal: Some(floor), vertical: level.verticals[motion].as_deref() };
     let mut recorder = HistoryRecorder::new(Some(floor), floor.dt_s());
     let rocking = rock_observed(&block, base, &options(study), |segment| recorder.observe(segment))?;
     let points = recorder.finish(&rocking);
@@ -249,7 +259,7 @@ fn governing_direction(study: &Study, row: &[ObjectResponse], block: &Block) -> 
     let object = study.objects.blocks.iter().position(is_it)?;
     match row.get(object)? {
         ObjectResponse::Done { direction_deg, .. } => *direction_deg,
-        ObjectResponse::Failed(_) => None,
+        ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => None,
     }
 }
 

@@ -1,9 +1,12 @@
 //! The motions of the ground and of the floors.
 
+use std::sync::Arc;
+
 use freestand::G0_M_S2;
 use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
-use freestand::synthesis::{Misfit, SynthesisOptions, synthesize};
+use freestand::synthesis::{Misfit, SynthesisOptions, stream, synthesize};
+use freestand::worlds::Component;
 use rayon::prelude::*;
 
 use super::{SPECTRUM_DAMPING_RATIO, spectrum_periods_s};
@@ -11,7 +14,9 @@ use crate::floor::{every_floor, largest_psa_m_s2};
 use crate::matched::synthetic_name;
 use crate::result::{FloorProfile, GroundMotion, PseudoSpectrum};
 use crate::simulated::simulator;
-use crate::study::{BuildingInput, Ground, RecordedMotion, SimulatedGround, Study};
+use crate::study::{
+    BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study, SyntheticGround, VerticalTarget,
+};
 use crate::target::code_parts;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_records::horizontal::HorizontalMotion;
@@ -21,9 +26,9 @@ pub fn ground_motions(
     ground: &Ground,
     go_on: impl Fn() -> Result<(), Problems> + Sync,
 ) -> Result<Vec<GroundMotion>, Problems> {
-    let finish = |name: String, motion: HorizontalMotion, misfit| -> Result<GroundMotion, Problems> {
+    let finish = |name: String, motion: HorizontalMotion, vertical, misfit| -> Result<GroundMotion, Problems> {
         let spectrum = spectrum_of(&motion)?;
-        Ok(GroundMotion { name, motion, spectrum, misfit })
+        Ok(GroundMotion { name, motion, vertical, spectrum, misfit })
     };
     match ground {
         Ground::Synthetic(synthetic) => (0..synthetic.count)
@@ -34,7 +39,7 @@ pub fn ground_motions(
                 let matched = synthesize(|t| synthetic.target.spectrum.sa_g(t), synthetic.seed, i as u64, &options)
                     .map_err(failed("a synthetic motion"))?;
                 let motion = HorizontalMotion { along: matched.motion, across: None };
-                finish(synthetic_name(i), motion, Some(matched.misfit))
+                finish(synthetic_name(i), motion, vertical_motion(synthetic, i as u32)?, Some(matched.misfit))
             })
             .collect(),
         Ground::Simulated(simulated) => simulated_motions(simulated, &go_on, finish),
@@ -42,11 +47,43 @@ pub fn ground_motions(
             .par_iter()
             .map(|record| {
                 let misfit = record.matched.as_ref().map(|matched| matched.misfit);
-                finish(record.name.clone(), record.as_used(), misfit)
+                let vertical = record.vertical.as_ref().map(|vertical| vertical.motion.clone());
+                finish(record.name.clone(), record.as_used(), vertical, misfit)
             })
             .collect(),
         Ground::OnFloors => Ok(Vec::new()),
     }
+}
+
+/// The vertical motion that belongs to a synthetic one, from a stream of its own: the one that a world
+/// of this number draws it from.
+fn vertical_motion(synthetic: &SyntheticGround, index: u32) -> Result<Option<Motion>, Problems> {
+    if synthetic.vertical == VerticalTarget::None {
+        return Ok(None);
+    }
+    let sa_g = |period_s| synthetic.vertical.sa_g(&synthetic.target, period_s).unwrap_or(f64::NAN);
+    let stream = stream(Component::Vertical.number(), index);
+    let matched = synthesize(sa_g, synthetic.seed, stream, &SynthesisOptions::default());
+    matched.map(|matched| Some(matched.motion)).map_err(failed("a vertical motion"))
+}
+
+/// Vertical motions of the levels, `[level][motion]`: those of the ground, which floors above it
+/// amplify, with the zeros that the horizontal ones ring down in.
+pub(super) fn verticals(study: &Study, ground: &[GroundMotion]) -> Result<Vec<Vec<Option<Arc<Motion>>>>, Problems> {
+    let Some(building) = &study.building else {
+        return Ok(study.levels.iter().map(|level| vec![None; level.motions.len()]).collect());
+    };
+    let of = |motion: &GroundMotion, ratio: f64| -> Result<Option<Arc<Motion>>, Problems> {
+        let Some(vertical) = &motion.vertical else { return Ok(None) };
+        let padded = vertical.with_zero_tail(building.tail_s()).and_then(|motion| motion.scaled(ratio));
+        padded.map(|motion| Some(Arc::new(motion))).map_err(failed(format!("the vertical motion of {}", motion.name)))
+    };
+    let both: Vec<[Option<Arc<Motion>>; 2]> = ground
+        .iter()
+        .map(|motion| Ok([of(motion, 1.0)?, of(motion, study.vertical_amplification_ratio)?]))
+        .collect::<Result<_, Problems>>()?;
+    let is_above = |level: &Level| usize::from(level.level_ratio != Some(0.0));
+    Ok(study.levels.iter().map(|level| both.iter().map(|both| both[is_above(level)].clone()).collect()).collect())
 }
 
 /// Earthquake by earthquake, each motion from the same streams of random numbers as in `motion
@@ -54,7 +91,7 @@ pub fn ground_motions(
 fn simulated_motions(
     simulated: &SimulatedGround,
     go_on: impl Fn() -> Result<(), Problems> + Sync,
-    finish: impl Fn(String, HorizontalMotion, Option<Misfit>) -> Result<GroundMotion, Problems> + Sync,
+    finish: impl Fn(String, HorizontalMotion, Option<Motion>, Option<Misfit>) -> Result<GroundMotion, Problems> + Sync,
 ) -> Result<Vec<GroundMotion>, Problems> {
     let wrong = "a simulated motion";
     let mut motions = Vec::new();
@@ -65,7 +102,7 @@ fn simulated_motions(
             .map(|index| {
                 go_on()?;
                 let along = simulator.motion(simulated.request.seed, found.stream(index)).map_err(failed(wrong))?;
-                finish(found.motion_name(index), HorizontalMotion { along, across: None }, None)
+                finish(found.motion_name(index), HorizontalMotion { along, across: None }, None, None)
             })
             .collect::<Result<_, Problems>>()?;
         motions.extend(made);

@@ -14,7 +14,8 @@ pub(super) fn result_warnings(study: &Study, ground: &[GroundMotion], levels: &[
     let peak = peak_warning(ground.iter().filter_map(|motion| motion.misfit.as_ref()));
     let mut warnings: Vec<String> = peak.into_iter().collect();
     let rows = || levels.iter().flat_map(|level| level.responses.iter().flatten());
-    let failed = rows().filter(|response| matches!(response, ObjectResponse::Failed(_))).count();
+    let failed =
+        rows().filter(|response| matches!(response, ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_))).count();
     if failed > 0 {
         warnings.push(format!(
             "{failed} of {} histories could not be calculated: see the column reason of srs.csv",

@@ -27,6 +27,7 @@ fn read(path: std::path::PathBuf) -> Vec<ReadMotion> {
         read: ReadOptions { is_shock: true, ..ReadOptions::default() },
         component: None,
         second: crate::recorded::Second::None,
+        vertical: Default::default(),
         processing: Processing::default(),
     };
     let (motions, failures) = read_recorded(&files);

@@ -23,6 +23,10 @@ use freestand_records::horizontal::HorizontalMotion;
 /// Default seed of the random numbers.
 pub const DEFAULT_SEED: u64 = 1;
 
+/// Default of the vertical acceleration of floors over that of the ground: at the columns of a building
+/// they move vertically as the ground does.
+pub const DEFAULT_VERTICAL_AMPLIFICATION: f64 = 1.0;
+
 /// Default number of motions that are generated.
 pub const DEFAULT_MOTIONS: u64 = 10;
 
@@ -42,6 +46,8 @@ pub struct Study {
     pub building: Option<BuildingInput>,
     /// The floors of interest, in the order given.
     pub levels: Vec<Level>,
+    /// Vertical acceleration of the floors above the ground, divided by that of the ground.
+    pub vertical_amplification_ratio: f64,
     /// Floors by the names that lists of objects use, with those of `levels` beside them.
     pub floors: Vec<NamedFloor>,
     /// Whether floor 1 of a list is the ground; `None`: the list decides.
@@ -157,6 +163,29 @@ impl Ground {
         }
     }
 
+    /// Whether the motions have vertical components.
+    pub fn has_vertical(&self) -> bool {
+        match self {
+            Self::Synthetic(synthetic) => synthetic.vertical != VerticalTarget::None,
+            Self::Recorded(motions) => motions.iter().any(|motion| motion.vertical.is_some()),
+            Self::Simulated(_) | Self::OnFloors => false,
+        }
+    }
+
+    /// Where the vertical motion comes from, in words.
+    pub fn vertical_words(&self) -> String {
+        match self {
+            Self::Synthetic(SyntheticGround { vertical: VerticalTarget::Ratio(ratio), .. }) => {
+                format!("matched to {} of the target at every period, with phases of its own", number(*ratio, 3))
+            }
+            Self::Synthetic(SyntheticGround { vertical: VerticalTarget::Code, .. }) => {
+                "matched to the vertical spectrum of the code, with phases of its own".to_owned()
+            }
+            Self::Recorded(_) if self.has_vertical() => "the vertical components of the records".to_owned(),
+            _ => "horizontal only".to_owned(),
+        }
+    }
+
     /// Whether the motions have two horizontal components.
     pub fn has_two_components(&self, levels: &[Level]) -> bool {
         self.recorded(levels).any(|motion| motion.across.is_some())
@@ -172,6 +201,31 @@ pub struct SyntheticGround {
     pub count: usize,
     /// Seed of the random numbers.
     pub seed: u64,
+    /// The target of the vertical motions.
+    pub vertical: VerticalTarget,
+}
+
+/// The target of vertical motions that are made with synthetic ones.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub enum VerticalTarget {
+    /// There is no vertical motion.
+    #[default]
+    None,
+    /// This share of the horizontal target, above 0, at every period.
+    Ratio(f64),
+    /// The vertical spectrum of the code.
+    Code,
+}
+
+impl VerticalTarget {
+    /// The vertical target at a period \[g\]; `None` without one.
+    pub fn sa_g(self, target: &Target, period_s: f64) -> Option<f64> {
+        match self {
+            Self::None => None,
+            Self::Ratio(ratio) => Some(ratio * target.spectrum.sa_g(period_s)),
+            Self::Code => target.spectrum.vertical_sa_g(period_s),
+        }
+    }
 }
 
 /// Motions of point sources.
@@ -235,9 +289,11 @@ pub struct RecordedMotion {
     pub motion: Motion,
     /// The second horizontal component, at right angles to the first, if any.
     pub across: Option<SecondComponent>,
+    /// The vertical component, positive upward, if it is used.
+    pub vertical: Option<SecondComponent>,
 }
 
-/// The second horizontal component of a recorded motion.
+/// The second horizontal component of a recorded motion, or its vertical one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SecondComponent {
     /// The file, if it is not that of the first component.
@@ -258,7 +314,8 @@ impl RecordedMotion {
         let second = self.across.as_ref().and_then(|second| second.file.as_ref());
         let matched = self.matched.as_ref().map(|matched| &matched.target);
         let target = matched.or_else(|| Some(&self.suite.as_ref()?.target)).and_then(|target| target.file.as_ref());
-        self.station_xml.iter().chain(&self.scale_target).chain(target).chain(second)
+        let vertical = self.vertical.as_ref().and_then(|vertical| vertical.file.as_ref());
+        self.station_xml.iter().chain(&self.scale_target).chain(target).chain(second).chain(vertical)
     }
 }
 

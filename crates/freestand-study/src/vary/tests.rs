@@ -122,6 +122,7 @@ fn damping_of_a_table_and_records_of_the_command_line_are_not_varied() {
         read: ReadOptions::default(),
         component: None,
         second: Second::None,
+        vertical: Default::default(),
         processing: Processing::default(),
     };
     let overrides = Overrides { motions: Some(motions), ..Overrides::default() };

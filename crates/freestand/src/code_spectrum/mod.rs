@@ -56,6 +56,15 @@ pub enum CodeSpectrum {
 }
 
 impl CodeSpectrum {
+    /// Vertical spectral acceleration at 5 % damping \[g\]; `None` for a code whose vertical spectrum
+    /// is not in this crate.
+    pub fn vertical_sa_g(&self, period_s: f64) -> Option<f64> {
+        match self {
+            Self::Eurocode8(code) => Some(code.vertical_sa_g(period_s)),
+            Self::As1170_4(_) | Self::Asce7(_) | Self::Nzs1170_5(_) | Self::Table(_) => None,
+        }
+    }
+
     /// Spectral acceleration at 5 % damping \[g\].
     ///
     /// NaN for a negative period, and outside a table that is not extended: check

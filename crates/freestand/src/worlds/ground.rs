@@ -59,7 +59,8 @@ pub enum Component {
 }
 
 impl Component {
-    fn number(self) -> u32 {
+    /// The earthquake number of its [`stream`]: what a study and its worlds draw the component from.
+    pub fn number(self) -> u32 {
         match self {
             Self::X => 0,
             Self::Y => 1,

@@ -1,6 +1,7 @@
 //! `freestand rock`: one object under one motion, or under each of several.
 
 mod compliant;
+mod sliding;
 
 use std::path::{Path, PathBuf};
 
@@ -19,6 +20,7 @@ use self::compliant::CompliantArgs;
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
 use super::motion::plot::{PlotArgs, Target, place};
+use super::sliding::SlidingArgs;
 use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -41,6 +43,12 @@ Examples:
     freestand rock --motion a.AT2 b.AT2 --height 1.5m --thickness 0.3m --plot --out histories
   Free rocking from a rotation of 5 degrees:
     freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m
+  A low chest that slides before it can rock, with 20 cm of room on its left:
+    freestand rock --motion record.AT2 --sliding --friction 0.3 --friction-kinetic 0.25 \
+      --height 0.8m --thickness 0.6m --clearance-left \"200 mm\"
+  A trolley on casters, as a figure:
+    freestand rock --motion record.AT2 --casters --rolling-resistance 0.02 --height 1.4m \
+      --thickness 0.6m --plot trolley.svg
   A cabinet released on its pads, with the history of the landing:
     freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" \\
       --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing")]
@@ -68,7 +76,8 @@ pub(crate) struct RockArgs {
     #[arg(long, positive = Dimension::Mass, help_heading = "The object")]
     mass: Option<Given>,
     /// Coefficient of friction: on a rigid base, used for the warning about sliding [default: 0.5];
-    /// on a compliant base, the ratio at which the edges slip [default: no slip]
+    /// with --sliding or --brakes, the friction at rest [default: 0.5]; on a compliant base, the
+    /// ratio at which the edges slip [default: no slip]
     #[arg(long, non_negative = Dimension::Ratio, help_heading = "The object")]
     friction: Option<Given>,
     #[command(flatten)]
@@ -78,6 +87,8 @@ pub(crate) struct RockArgs {
 
     #[command(flatten)]
     compliant: Named<CompliantArgs>,
+    #[command(flatten)]
+    sliding: Named<SlidingArgs>,
 
     #[command(flatten)]
     rocking: RockingArgs,
@@ -102,11 +113,19 @@ pub(crate) struct RockArgs {
 }
 
 pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if let Some(failure) = args.sliding.refused(args.compliant.is_compliant()) {
+        return Err(failure);
+    }
     if args.compliant.is_compliant() {
         return compliant::run(args, global, printer);
     }
     if let Some(flag) = args.compliant.given.iter().find(|flag| *flag != "base") {
         return Err(Failure::usage(format!("--{flag} applies only to a compliant base"), "add --base compliant"));
+    }
+    if args.sliding.is_given()
+        && let Some(done) = sliding::run(args, global, printer)?
+    {
+        return Ok(done);
     }
     let target = args.plot.target(global)?;
     let (request, mut reading) = request(args)?;
@@ -225,6 +244,24 @@ impl Reading {
     }
 }
 
+impl RockArgs {
+    /// Refuses flags that name one file if there are several motions.
+    fn refuse_one_file_for_several(&self) -> Result<(), Failure> {
+        if self.motion.len() < 2 {
+            return Ok(());
+        }
+        if self.vertical.is_some() {
+            let hint = "give one --motion with its --vertical at a time";
+            return Err(Failure::usage("--vertical belongs to one motion, but several are given", hint));
+        }
+        if self.history.is_some() {
+            let hint = "name a folder with --out: it gets the history of each";
+            return Err(Failure::usage("--history names one file, but there are several motions", hint));
+        }
+        Ok(())
+    }
+}
+
 fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let mut values = Values::default();
     let height = values.read(&args.height);
@@ -257,16 +294,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let Some(block) = block else {
         return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
     };
-    if args.motion.len() > 1 {
-        if args.vertical.is_some() {
-            let hint = "give one --motion with its --vertical at a time";
-            return Err(Failure::usage("--vertical belongs to one motion, but several are given", hint));
-        }
-        if args.history.is_some() {
-            let hint = "name a folder with --out: it gets the history of each";
-            return Err(Failure::usage("--history names one file, but there are several motions", hint));
-        }
-    }
+    args.refuse_one_file_for_several()?;
     let no_motion = args.motion.is_empty() && args.vertical.is_none();
     if no_motion {
         args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;

@@ -1,0 +1,283 @@
+//! A block that slides, or an object on casters: its travel, what it reaches, and whether a stop
+//! would overturn it.
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::impact::ASSUMED_FRICTION;
+use freestand::motion::{MAX_SAMPLES, Motion};
+use freestand::rocking::{Base, RockingError, Until};
+use freestand::sliding::{
+    Clearance, Friction, Sliding, SlidingError, SlidingOptions, SlidingOutcome, SlidingPiece, slide_observed,
+    trip_speed_m_s,
+};
+
+use crate::rock;
+use freestand_input::problem::Problem;
+use freestand_input::words::significant;
+use freestand_output::facts;
+use freestand_output::facts::Facts;
+use freestand_output::rows::numbers_csv;
+
+/// Rolling resistance of casters on a usual floor: 0.01 on a hard floor, 0.05 on carpet. From
+/// memory; it decreases with the diameter of the wheel and depends on the floor covering (Gille and
+/// Clerc-Urmès 2024, 44 wheels on 5 floors).
+pub const DEFAULT_ROLLING_RESISTANCE: f64 = 0.02;
+
+/// What is under an object that does not rock.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Contact {
+    /// A base that slides.
+    Base,
+    /// Casters that roll.
+    Casters,
+    /// Casters with brakes, whose wheels slide.
+    BrakedCasters,
+}
+
+impl Contact {
+    /// The model of the object in every output: `slide` or `roll`.
+    pub fn model(self) -> &'static str {
+        match self {
+            Self::Base | Self::BrakedCasters => "slide",
+            Self::Casters => "roll",
+        }
+    }
+}
+
+/// What was given about the contact; what is missing gets its default.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfaceGiven {
+    /// What is under the object.
+    pub contact: Contact,
+    /// μ_s of a base or of braked wheels.
+    pub friction: Option<f64>,
+    /// μ_k; μ_s if missing.
+    pub friction_kinetic: Option<f64>,
+    /// μ_r of casters that roll.
+    pub rolling_resistance: Option<f64>,
+    /// Room on both sides.
+    pub clearance: Clearance,
+}
+
+/// The contact of an object that slides or rolls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surface {
+    /// What is under the object.
+    pub contact: Contact,
+    /// Friction, or rolling resistance.
+    pub friction: Friction,
+    /// Room on both sides.
+    pub clearance: Clearance,
+    /// Whether the coefficient is a default.
+    is_assumed: bool,
+}
+
+impl Surface {
+    /// The contact with its defaults.
+    ///
+    /// # Errors
+    /// Coefficients that are impossible, or μ_k above μ_s.
+    pub fn new(given: &SurfaceGiven) -> Result<Self, Problem> {
+        let (ratio, default) = match given.contact {
+            Contact::Base | Contact::BrakedCasters => (given.friction, ASSUMED_FRICTION),
+            Contact::Casters => (given.rolling_resistance, DEFAULT_ROLLING_RESISTANCE),
+        };
+        let static_ratio = ratio.unwrap_or(default);
+        let friction = Friction::new(static_ratio, given.friction_kinetic.unwrap_or(static_ratio)).map_err(problem)?;
+        Ok(Self { contact: given.contact, friction, clearance: given.clearance, is_assumed: ratio.is_none() })
+    }
+
+    /// The key of its coefficient.
+    fn key(&self) -> &'static str {
+        match self.contact {
+            Contact::Base | Contact::BrakedCasters => "friction",
+            Contact::Casters => "rolling_resistance",
+        }
+    }
+
+    /// Whether `block` slides on it, and never rocks. Braked casters that hold let it rock.
+    ///
+    /// # Errors
+    /// A base or casters that were said to slide, but hold the block until an edge lifts.
+    pub fn carries(&self, block: &Block) -> Result<bool, Problem> {
+        if self.friction.is_below_uplift(block) {
+            return Ok(true);
+        }
+        match self.contact {
+            Contact::BrakedCasters => Ok(false),
+            Contact::Base | Contact::Casters => Err(self.refused(block)),
+        }
+    }
+
+    fn refused(&self, block: &Block) -> Problem {
+        let limit = freestand::rocking::RockingModel::Rigid.uplift_threshold_ratio(block);
+        let message = format!(
+            "with a coefficient of {} an edge lifts before the object {}: it may rock and slide at once (this model \
+             holds up to {}, half the base width over the height of the centre of gravity)",
+            self.friction.static_ratio(),
+            if self.contact == Contact::Casters { "rolls" } else { "slides" },
+            significant(limit, 4),
+        );
+        Problem::value(message, format!("use `base` compliant with `friction`, or a smaller `{}`", self.key()))
+    }
+
+    fn options(&self, gravity_m_s2: f64, until: Until) -> SlidingOptions {
+        SlidingOptions { clearance: self.clearance, gravity_m_s2, until, ..SlidingOptions::new(self.friction) }
+    }
+}
+
+/// An object that slides under a motion.
+#[derive(Debug, Clone)]
+pub struct SlideRequest {
+    /// The object.
+    pub block: Block,
+    /// What is under it.
+    pub surface: Surface,
+    /// Horizontal motion of its base.
+    pub horizontal: Option<Motion>,
+    /// Vertical motion of its base.
+    pub vertical: Option<Motion>,
+    /// g \[m/s²\].
+    pub gravity_m_s2: f64,
+    /// When to stop.
+    pub until: Until,
+}
+
+/// The object at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlidePoint {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// x \[m\].
+    pub slide_m: f64,
+    /// ẋ \[m/s\].
+    pub velocity_m_s: f64,
+    /// Horizontal acceleration of the base \[m/s²\].
+    pub base_accel_m_s2: f64,
+}
+
+/// The slide of an object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SlideReport {
+    /// The document of `freestand rock`.
+    pub facts: Facts<'static>,
+    /// Warnings about the validity of the result.
+    pub warnings: Vec<String>,
+    /// Its history, where it was recorded: at every sample of the motion and at every event.
+    pub history: Vec<SlidePoint>,
+}
+
+/// Calculates the slide; its history is recorded only if `record` is true.
+///
+/// # Errors
+/// A block that this surface holds until it rocks, free flight, and input that the solver refuses.
+pub fn slide(request: &SlideRequest, record: bool) -> Result<SlideReport, Problem> {
+    let SlideRequest { block, surface, horizontal, vertical, gravity_m_s2, until } = request;
+    if !surface.carries(block)? {
+        return Err(surface.refused(block));
+    }
+    let base = Base { horizontal: horizontal.as_ref(), vertical: vertical.as_ref() };
+    let mut history: Vec<SlidePoint> = Vec::new();
+    let mut last: Option<SlidingPiece> = None;
+    let accel = |time_s: f64| base.horizontal.map_or(0.0, |motion| motion.at_m_s2(time_s));
+    let point =
+        |time_s, (slide_m, velocity_m_s)| SlidePoint { time_s, slide_m, velocity_m_s, base_accel_m_s2: accel(time_s) };
+    let sliding = slide_observed(base, &surface.options(*gravity_m_s2, *until), |piece| {
+        // A stop and the rest that follows it begin at the same instant as a piece of no length.
+        if record && history.len() < MAX_SAMPLES && piece.length_s > 0.0 {
+            history.push(point(piece.start_s, piece.state(0.0)));
+            last = Some(*piece);
+        }
+    })
+    .map_err(problem)?;
+    if sliding.outcome == SlidingOutcome::FreeFlight {
+        return Err(rock::problem(RockingError::FreeFlight { time_s: sliding.end_time_s }));
+    }
+    if let Some(piece) = last {
+        history.push(point(sliding.end_time_s, piece.state(piece.length_s)));
+    }
+    Ok(SlideReport { facts: facts(request, &sliding), warnings: warnings(request, &sliding), history })
+}
+
+/// The slide of every object on this surface under one motion, which does not depend on their size,
+/// up to the end of the motion or to free flight.
+///
+/// # Errors
+/// Input that the solver refuses.
+pub fn slide_under(surface: &Surface, base: Base) -> Result<Sliding, Problem> {
+    freestand::sliding::slide(base, &surface.options(G0_M_S2, Until::EndOfMotion)).map_err(problem)
+}
+
+fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
+    let (friction, clearance) = (request.surface.friction, request.surface.clearance);
+    let (coefficient, kinetic) = match request.surface.contact {
+        Contact::Base | Contact::BrakedCasters => ("friction", "  while sliding"),
+        Contact::Casters => ("rolling resistance", ""),
+    };
+    let none = Vec::<Facts<'static>>::new();
+    Facts::default()
+        .fact("outcome", "outcome", sliding.outcome.name())
+        .fact("model", "model", request.surface.contact.model())
+        .and(facts!(sliding; end_time_s "end"))
+        .fact("slide_peak_m", "largest slide", sliding.peak_m)
+        .fact("slide_peak_time_s", "  at", sliding.peak_time_s)
+        .fact("slide_final_m", "slide at the end", sliding.final_m)
+        .fact("slide_path_m", "length of the path", sliding.path_m)
+        .fact("slide_speed_max_m_s", "largest speed", sliding.speed_max_m_s)
+        .fact("slide_count", "slides from rest", sliding.slide_count)
+        .fact("first_slide_time_s", "  first at", sliding.first_slide_time_s)
+        .fact("clearance_left_m", "clearance to the left", clearance.left_m)
+        .fact("clearance_right_m", "clearance to the right", clearance.right_m)
+        .fact("clearance_time_s", "clearance reached at", sliding.contact.map(|(time_s, _)| time_s))
+        .fact("clearance_speed_m_s", "  with the velocity", sliding.contact.map(|(_, velocity_m_s)| velocity_m_s))
+        .fact("trip_speed_m_s", "speed at which a stop trips it", trip_speed_m_s(&request.block, request.gravity_m_s2))
+        .fact("friction_ratio", coefficient, friction.static_ratio())
+        .fact("friction_kinetic_ratio", kinetic, friction.kinetic_ratio())
+        .fact("slide_threshold_g", "slides above", friction.static_ratio() * request.gravity_m_s2 / G0_M_S2)
+        // It does not rock: zeros, not missing values.
+        .key("peak_rotation_rad", 0.0)
+        .key("uplift_m", 0.0)
+        .key("cg_rise_m", 0.0)
+        .key("impact_count", 0usize)
+        .key("impacts", none)
+}
+
+fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let surface = &request.surface;
+    if surface.is_assumed {
+        let (key, ratio) = (surface.key(), surface.friction.static_ratio());
+        let name = key.replace('_', " ");
+        warnings.push(format!("the {name} of {ratio} is assumed: `{key}` replaces it"));
+    }
+    let trip = trip_speed_m_s(&request.block, request.gravity_m_s2);
+    if let Some((_, velocity_m_s)) = sliding.contact.filter(|(_, velocity)| velocity.abs() >= trip) {
+        warnings.push(format!(
+            "it reaches its clearance at {} m/s, and its trip speed is {} m/s: a low stop there would overturn it",
+            significant(velocity_m_s.abs(), 3),
+            significant(trip, 3)
+        ));
+    }
+    if sliding.final_velocity_m_s != 0.0 {
+        warnings
+            .push("it still moves at the end of the calculation: a longer `duration` follows it to rest".to_owned());
+    }
+    warnings
+}
+
+/// A problem of the solver, with what to do about it.
+pub fn problem(error: SlidingError) -> Problem {
+    let hint = match error {
+        SlidingError::Base(error) => return rock::problem(error),
+        SlidingError::Friction { .. } => "give a `friction_kinetic` of at most `friction`",
+        SlidingError::Clearance { .. } => "give the distance to whatever is beside the object, at least 0 m",
+    };
+    Problem::value(error.to_string(), hint)
+}
+
+/// A history as CSV: time, slide, velocity, base acceleration. Its rows are at the samples of the
+/// motion and at every onset and stop.
+pub fn history_csv(history: &[SlidePoint]) -> String {
+    let row = |p: &SlidePoint| [p.time_s, p.slide_m, p.velocity_m_s, p.base_accel_m_s2];
+    numbers_csv("time_s,slide_m,velocity_m_s,base_accel_m_s2", history.iter().map(row))
+}
