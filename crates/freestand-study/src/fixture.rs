@@ -46,6 +46,7 @@ pub(crate) fn study() -> Study {
     }
     Study {
         source: None,
+        is_builtin: false,
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
             target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),
@@ -53,6 +54,7 @@ pub(crate) fn study() -> Study {
             seed: 1,
         }),
         directions_deg: vec![0.0],
+        building_name: None,
         building: Some(BuildingInput {
             storeys: 30,
             height_m: 90.0,

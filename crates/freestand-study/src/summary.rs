@@ -147,7 +147,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
             "floor_motions": floor_inputs(study),
             "motions": motions,
             "directions_deg": study.directions_deg,
-            "building": study.building.as_ref().map(building_inputs),
+            "building": study.building.as_ref().map(|building| building_inputs(study.building_name.as_deref(), building)),
             "objects": {
                 "heights_m": objects.heights_m,
                 "thicknesses_m": objects.thicknesses_m,
@@ -170,7 +170,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
     })
 }
 
-fn building_inputs(building: &BuildingInput) -> Value {
+fn building_inputs(name: Option<&str>, building: &BuildingInput) -> Value {
     let axis = |axis: &Building, note: Option<&str>| {
         json!({
             "model": model_words(axis),
@@ -182,6 +182,7 @@ fn building_inputs(building: &BuildingInput) -> Value {
         })
     };
     let mut inputs = json!({
+        "name": name,
         "storeys": building.storeys,
         "storey_height_m": building.storey_height_m,
         "height_m": building.height_m,
