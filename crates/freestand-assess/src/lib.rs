@@ -9,6 +9,7 @@ pub mod inventory;
 pub mod job;
 pub mod library;
 pub mod output;
+mod rank;
 mod restraint;
 pub mod result;
 pub mod validate;

@@ -1,7 +1,7 @@
 //! The words, signs and colours that all outputs of an assessment share.
 
-use crate::result::{Assessment, Decision, Probability};
-use freestand_input::words::{number, percent};
+use crate::result::{Assessment, Decision, FallsAnswer, Probability};
+use freestand_input::words::{counted, fixed, number, percent};
 use freestand_study::result::Ranked;
 
 /// The colours of a decision; its sign and its word always accompany them.
@@ -88,22 +88,47 @@ pub fn probability(probability: Probability) -> String {
     if low == high {
         return percent(value, 0);
     }
-    let digits = |share: f64| freestand_input::words::fixed(100.0 * share, usize::from(high < 0.1));
+    let digits = |share: f64| fixed(100.0 * share, usize::from(high < 0.1));
     format!("{} % ({}–{} %)", digits(value), digits(low), digits(high))
 }
 
-/// Demand/capacity of the median motion in a sentence.
+/// P(it falls) in words; a dash where it is not known. Motions that are too few to leave an object
+/// as it is are named.
+pub fn falls(found: &Assessment) -> String {
+    with_motions(found, found.p_overturn)
+}
+
+/// The same for P(its tolerance is exceeded).
+pub fn exceeded(found: &Assessment) -> String {
+    with_motions(found, found.p_exceed)
+}
+
+/// The probability that decides in words: `falls 31 % (25–37 %)`.
+pub fn chance(found: &Assessment) -> String {
+    let Some(answers) = &found.answers else { return "–".to_owned() };
+    let is_shock = answers.falls == FallsAnswer::Stays && answers.asks_shock && found.p_exceed.is_some();
+    if is_shock { format!("exceeded {}", exceeded(found)) } else { format!("falls {}", falls(found)) }
+}
+
+fn with_motions(found: &Assessment, p: Option<Probability>) -> String {
+    let Some(p) = p else { return "–".to_owned() };
+    let few = found.answers.as_ref().and_then(|answers| answers.few_motions);
+    few.map_or_else(
+        || probability(p),
+        |few| {
+            let motions = counted(few.motions as usize, "motion");
+            format!("{motions}: {} to {}", fixed(100.0 * p.low, 0), percent(p.high, 0))
+        },
+    )
+}
+
+/// Demand/capacity of the median world by the model that decides, in a sentence.
 pub fn margin(found: &Assessment) -> String {
-    let Some(capacity) = &found.capacity else {
-        return "Not known, because the tolerance was not given.".to_owned();
-    };
-    match capacity.demand_capacity {
-        Ranked::Overturned => "It overturns in the median world.".to_owned(),
-        Ranked::NoData => "Not known.".to_owned(),
-        Ranked::Value(ratio) if ratio > 1.0 => {
-            format!("The demand of the median world is {} times the tolerance.", number(ratio, 3))
-        }
-        Ranked::Value(ratio) => format!("The demand of the median world is {} of the tolerance.", percent(ratio, 0)),
+    match found.demand_capacity_median() {
+        None => "not known: no tolerance was given".to_owned(),
+        Some(Ranked::Overturned) => "at least half of the worlds overturn it".to_owned(),
+        Some(Ranked::NoData) => "not known: its mass or its cushion was not given".to_owned(),
+        Some(Ranked::Value(ratio)) => number(ratio, 3),
     }
 }
 

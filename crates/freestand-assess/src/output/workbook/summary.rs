@@ -8,7 +8,8 @@ use crate::output::Head;
 use crate::output::overview::{Counts, Overview, RATINGS};
 use crate::output::sources::Sources;
 use crate::output::table::{COLUMNS, Kind};
-use crate::output::words::{HOW_TO_READ, advice, colours, label, probability, ranked, sign};
+use crate::output::words::{HOW_TO_READ, advice, colours, label, ranked, sign};
+use crate::rank::RULE;
 use crate::result::{Criterion, Decision};
 
 use super::cells::{Styles, put_number, put_text};
@@ -25,14 +26,20 @@ pub(super) fn summary(head: &Head, overview: &Overview, styles: &Styles) -> Resu
     let mut page = Page { sheet, styles, row: 0 };
     page.text(0, "Assessment: which objects must be restrained", &styles.title)?;
     page.row += 1;
+    if let Some(no_study) = &head.no_study {
+        page.text(0, no_study, &styles.warning)?;
+        page.row += 1;
+    }
     if let Some(partial) = overview.partial() {
         page.text(0, &partial, &styles.warning)?;
         page.row += 1;
     }
+    page.pairs("Building and earthquake", &head.place)?;
     page.counts(overview)?;
     page.floors(overview)?;
     page.consequences(overview)?;
     page.first(overview)?;
+    page.list("Problems of the list", &head.problems)?;
     page.list("Warnings", &head.warnings)?;
     page.pairs("Inputs", &head.facts)?;
     page.list("Assumptions", &head.assumptions)?;
@@ -179,6 +186,8 @@ impl Page<'_> {
 
     fn first(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("The most urgent objects (all objects: sheet Objects, column rank)")?;
+        self.text(0, RULE, &self.styles.text)?;
+        self.row += 1;
         self.header(
             &[
                 "rank, object",
@@ -200,9 +209,7 @@ impl Page<'_> {
             let ratio = one.demand_capacity.map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
             self.text(3, &ratio, &self.styles.text)?;
             self.text(4, one.governing.map_or("–", Criterion::name), &self.styles.text)?;
-            let of = if one.is_overturn_only { "overturns: " } else { "" };
-            let chance = one.probability.map_or_else(|| "–".to_owned(), |p| format!("{of}{}", probability(p)));
-            self.text(5, &chance, &self.styles.text)?;
+            self.text(5, &one.chance, &self.styles.text)?;
             let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
             self.text(6, &shock, &self.styles.text)?;
             self.text(7, &one.why, &self.styles.text)?;
