@@ -418,7 +418,8 @@ impl Assessment {
     /// Shock of the median world, by the model that decides \[g\].
     pub fn edge_acceleration_g_median(&self) -> Option<Ranked> {
         let pads = self.on_pads.as_ref().filter(|_| self.decides_on_pads());
-        pads.map(|pads| pads.edge_acceleration_g_median).or(self.shock.as_ref().map(|shock| shock.edge_acceleration_g[1]))
+        pads.map(|pads| pads.edge_acceleration_g_median)
+            .or(self.shock.as_ref().map(|shock| shock.edge_acceleration_g[1]))
     }
 }
 

@@ -26,7 +26,10 @@ pub fn check(study: &Study) -> Facts<'static> {
     // The motions are listed below `ground`, without a label of their own.
     let facts = recorded.iter().fold(facts, |facts, one| facts.line(" ", Some(motion_words(one))));
     let facts = facts.key("directions_deg", study.directions_deg.as_slice());
-    let facts = study.building.iter().fold(facts, |facts, building| facts.and(building_facts(study.building_name.as_deref(), building)));
+    let facts = study
+        .building
+        .iter()
+        .fold(facts, |facts, building| facts.and(building_facts(study.building_name.as_deref(), building)));
     let directions = study.directions_deg.len();
     let directions = (directions > 1).then(|| format!("{directions} over half a circle, the worst counts"));
     let level_words =

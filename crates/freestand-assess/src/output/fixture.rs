@@ -34,17 +34,14 @@ pub(super) const HOSTILE: [&str; 6] = [
 
 pub(super) fn head(total: usize) -> Head {
     Head {
-        no_study: None,
+        no_study: Some("No study given: this is a 30-storey tower in Melbourne, not your building.".into()),
         place: vec![
             ("Building".into(), "Main, 30 storeys, 90 m high".into()),
             ("Place".into(), "Melbourne".into()),
             ("List".into(), "ward.xlsx, sheet Objects, 24 objects".into()),
         ],
         one_line: "Melbourne (AS 1170.4-2007, site class De, 500 years); Main, 30 storeys, 90 m high".into(),
-        facts: vec![
-            ("Period of the building".into(), "3.1 s".into()),
-            ("Seed of the motions".into(), "seed 1".into()),
-        ],
+        facts: vec![("Period of the building".into(), "3.1 s".into()), ("Seed of the motions".into(), "seed 1".into())],
         problems: vec!["error: unreadable: Height: 1 cell (D2)".into()],
         most_important: vec!["The building stays elastic.".into()],
         assumptions: vec![

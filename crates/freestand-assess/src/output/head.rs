@@ -2,8 +2,8 @@
 
 use crate::inventory::{Inventory, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
-use freestand_study::study::assessment::Settings;
 use freestand_study::places::Confidence;
+use freestand_study::study::assessment::Settings;
 use freestand_study::study::{Ground, Study};
 use freestand_study::target::Target;
 
@@ -128,7 +128,7 @@ fn place(study: &Study, inventory: &Inventory) -> Vec<(String, String)> {
 fn motions(study: &Study) -> String {
     let of = match &study.ground {
         Ground::Synthetic(synthetic) => {
-            return format!("a synthetic motion in every world, for {}", synthetic.target.title_words());
+            return format!("synthetic, a new one in every world: {}", synthetic.target.title_words());
         }
         Ground::Simulated(simulated) => simulated.title_words(),
         Ground::Recorded(_) => match (study.ground.suite(), study.ground.target()) {

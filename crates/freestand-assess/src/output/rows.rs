@@ -98,7 +98,10 @@ mod tests {
     fn values_have_their_types() {
         let rows = rows(&inventory((0..4).map(item).collect()));
         let first = &rows[0];
-        assert_eq!((first["row"].as_u64(), first["rank"].as_u64(), rows[3]["row"].as_u64()), (Some(2), Some(4), Some(5)));
+        assert_eq!(
+            (first["row"].as_u64(), first["rank"].as_u64(), rows[3]["row"].as_u64()),
+            (Some(2), Some(4), Some(5))
+        );
         assert_eq!((first["id"].as_str(), first["quantity"].as_u64()), (Some("O-0000"), Some(1)));
         assert_eq!((first["falls"].as_str(), first["close_call"].as_bool()), (Some("falls"), Some(false)));
         assert_eq!((first["restraint_force_n"].as_f64(), first["width_m"].is_null()), (Some(410.0), true));

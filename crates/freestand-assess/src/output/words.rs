@@ -57,9 +57,9 @@ pub fn colours(decision: Decision) -> Colours {
 /// The tier that decided, in words.
 pub fn tier(tier: u8) -> &'static str {
     match tier {
-        0 => "tier 0: it rocks in no world",
-        2 => "tier 2: a rigid base",
-        3 => "tier 3: a rigid base and its pads",
+        0 => "both models: it does not rock",
+        2 => "the model on a rigid base",
+        3 => "both models: on a rigid base and on its pads",
         _ => "",
     }
 }
@@ -133,21 +133,24 @@ pub fn margin(found: &Assessment) -> String {
 }
 
 /// How to read a list of objects; shown with every such list.
-pub const HOW_TO_READ: [&str; 7] = [
+pub const HOW_TO_READ: [&str; 8] = [
     "Restrain (▲): it falls or exceeds its tolerance with a probability above the accepted one, or too close to it to \
-     call, and no softer pad suffices.",
+     call, and no softer pad is enough.",
     "Soften (◆): its shock alone is too hard or too close to call, and on a softer pad it would be left as it is. The pad \
      went through the same worlds in both models.",
     "No verdict (?): data that a verdict needs are missing; the reason says which. Whether it falls is always said.",
     "Leave (●): the object may stay as it is under the assumed hazard: the upper end of every interval that was asked \
      for is below the accepted probability.",
-    "Demand/capacity is that of the median world on a rigid base; above 1 the tolerance is exceeded. “Overturned” ranks \
-     above every number.",
+    "Demand/capacity and the median shock are those of the median world, by the model that decides; above 1 the \
+     tolerance is exceeded. The governing criterion is that of the world that decides. “Overturned” ranks above every \
+     number: at least half of the worlds overturn the object.",
     "A world is one draw of everything that is not known: ground motion, building, restitution, pads, size, mass, error \
      of the models. A probability is the share of the worlds; its interval (98 % unless the study says otherwise) \
      follows in brackets. Worlds are added until the interval leaves the accepted probability.",
     "Shocks are those of the edge that lands: by Eq. (5) or (8) of Al Abadi et al. on a rigid base, and calculated in \
      time on its pads. The worse model counts.",
+    "“How it was calculated” below an object holds its equations, the formulas of the forces and comparisons. It is \
+     printed where it is open.",
 ];
 
 #[cfg(test)]

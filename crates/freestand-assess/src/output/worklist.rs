@@ -325,9 +325,10 @@ mod tests {
 
     #[test]
     fn floors_of_two_buildings_are_told_apart() {
-        let mut items: Vec<Item> = vec![item(0), item(3)];
-        (items[0].floor, items[1].floor) = ("1".to_owned(), "1".to_owned());
-        items[1].building = "Annex".to_owned();
+        // The second is to be left.
+        let mut items: Vec<Item> = (0..3).map(item).collect();
+        items.iter_mut().for_each(|item| item.floor = "1".to_owned());
+        items[2].building = "Annex".to_owned();
         let floors: Vec<String> = worklist(items).into_iter().map(|row| row[0].clone()).collect();
         assert_eq!(floors.len(), 2);
         assert!(floors.contains(&"Main, 1".to_owned()) && floors.contains(&"Annex, 1".to_owned()), "{floors:?}");

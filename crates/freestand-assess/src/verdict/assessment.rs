@@ -7,8 +7,8 @@ use freestand::rocking::{Base, Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::spectra::landings;
 
 use crate::result::{
-    Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FloorFacts,
-    FewMotions, ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
+    Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions, FloorFacts,
+    ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;

@@ -3,7 +3,9 @@
 use freestand::decision::Side;
 
 use crate::inventory::{Consequences, Rating};
-use crate::result::{AcceptedFor, Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer};
+use crate::result::{
+    AcceptedFor, Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer,
+};
 use freestand_input::words::{counted, percent_significant};
 use freestand_study::study::assessment::{Accepted, SMALL_ITEM_J};
 
@@ -107,7 +109,9 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
     match (shock, case.softer) {
         (ShockAnswer::Stands, _) => (Decision::Leave, format!("{falling} {shock_words}")),
         (_, Some((true, note))) => (Decision::Soften, format!("{falling} {shock_words} {note}")),
-        (_, Some((false, note))) => (Decision::Restrain, format!("{falling} {shock_words} No softer pad is enough: {note}")),
+        (_, Some((false, note))) => {
+            (Decision::Restrain, format!("{falling} {shock_words} No softer pad is enough: {note}"))
+        }
         (_, None) if case.governing == Some(Criterion::FloorAcceleration) => (
             Decision::Restrain,
             format!(
@@ -115,7 +119,9 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
                  it, and move it to a lower floor or isolate it."
             ),
         ),
-        (_, None) => (Decision::Restrain, format!("{falling} {shock_words} No softer pad helps: {}.", case.beyond_pads)),
+        (_, None) => {
+            (Decision::Restrain, format!("{falling} {shock_words} No softer pad helps: {}.", case.beyond_pads))
+        }
     }
 }
 
@@ -308,7 +314,10 @@ mod tests {
             decide(&case(&Answers { few_motions, ..close })).1
         };
         let said = why(FewMotions::of(3, Some(44)));
-        assert!(said.contains("3 motions are too few to leave it as it is") && said.contains("at least 44 would do"), "{said}");
+        assert!(
+            said.contains("3 motions are too few to leave it as it is") && said.contains("at least 44 would do"),
+            "{said}"
+        );
         assert!(why(FewMotions::of(1, None)).contains("1 motion is too few"));
         assert_eq!((FewMotions::of(44, Some(44)), FewMotions::of(43, Some(44)).is_some()), (None, true));
     }

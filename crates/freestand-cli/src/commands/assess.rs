@@ -199,7 +199,8 @@ fn print_json(report: &JobReport, out: &Path, inventory: &Inventory) -> Result<(
     print_text(&rows_head(SCHEMA)?)?;
     let mut separator = "\n    ";
     object_rows(out, inventory, |row| {
-        let row = serde_json::to_string(row).map_err(|error| Failure::computation(format!("a row is not JSON: {error}")))?;
+        let row =
+            serde_json::to_string(row).map_err(|error| Failure::computation(format!("a row is not JSON: {error}")))?;
         print_text(&format!("{separator}{row}"))?;
         separator = ",\n    ";
         Ok::<(), Failure>(())

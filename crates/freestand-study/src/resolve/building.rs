@@ -78,7 +78,10 @@ impl Resolver<'_> {
         if name.is_empty() || name.chars().count() > MAX_NAME_CHARS || name.contains(char::is_control) {
             self.note(
                 Some(*line),
-                format!("name must be a text of 1 to {MAX_NAME_CHARS} characters on one line, not \"{}\"", shorten(value)),
+                format!(
+                    "name must be a text of 1 to {MAX_NAME_CHARS} characters on one line, not \"{}\"",
+                    shorten(value)
+                ),
                 "give the name of the building, such as name = \"Main block\"",
             );
         }

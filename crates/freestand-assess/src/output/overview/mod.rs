@@ -305,7 +305,11 @@ pub(super) fn place(item: &Item) -> String {
             parts.push(part);
         }
     }
-    if parts.is_empty() { item.level_ratio.map_or_else(String::new, |_| floor_words(&floor_key(item), true)) } else { parts.join(", ") }
+    if parts.is_empty() {
+        item.level_ratio.map_or_else(String::new, |_| floor_words(&floor_key(item), true))
+    } else {
+        parts.join(", ")
+    }
 }
 
 #[cfg(test)]

@@ -95,11 +95,8 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
 
 /// What the object is, and where it is.
 fn object_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
-    let mut rows = vec![
-        ("Place", place(item)),
-        ("Quantity", item.quantity.to_string()),
-        ("Consequences", consequences(item)),
-    ];
+    let mut rows =
+        vec![("Place", place(item)), ("Quantity", item.quantity.to_string()), ("Consequences", consequences(item))];
     if let Some(floor) = &found.floor {
         rows.push(("Level", fixed(floor.level_ratio, 2)));
         let (median, most) = (number(floor.pfa_g_median, 3), number(floor.pfa_g_max, 3));
@@ -219,7 +216,8 @@ fn in_brief(found: &Assessment) -> String {
 fn depends_on(shares: &Shares) -> Vec<String> {
     let mut known: Vec<_> = shares.by_group.iter().filter_map(|(cause, share)| Some((cause, (*share)?))).collect();
     known.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let named: Vec<String> = known.iter().map(|(cause, share)| format!("{} {}", cause.name(), percent(*share, 0))).collect();
+    let named: Vec<String> =
+        known.iter().map(|(cause, share)| format!("{} {}", cause.name(), percent(*share, 0))).collect();
     let mut said = Vec::new();
     if !named.is_empty() {
         said.push(format!("The answer depends on: {}.", named.join(", ")));

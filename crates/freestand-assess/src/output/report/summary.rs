@@ -143,7 +143,14 @@ fn ten(overview: &Overview, pages: usize) -> String {
     }
     let mut html = cards(
         "ten",
-        &[("Rank", true), ("Object", false), ("Floor", false), ("Action", false), ("Probability", false), ("Force", true)],
+        &[
+            ("Rank", true),
+            ("Object", false),
+            ("Floor", false),
+            ("Action", false),
+            ("Probability", false),
+            ("Force", true),
+        ],
     );
     html.push_str("<tbody>\n");
     for one in overview.urgent.values().take(TEN) {
@@ -260,7 +267,8 @@ fn work_list(overview: &Overview, pages: usize) -> String {
         if last != Some(&task.floor) {
             html.push_str(if last.is_some() { "</tbody>\n<tbody>\n" } else { "<tbody>\n" });
             let floor = floor_words(&task.floor, overview.has_buildings());
-            let _ = writeln!(html, "<tr class=\"floor\"><th scope=\"rowgroup\" colspan=\"7\">{}</th></tr>", name(&floor));
+            let _ =
+                writeln!(html, "<tr class=\"floor\"><th scope=\"rowgroup\" colspan=\"7\">{}</th></tr>", name(&floor));
             last = Some(&task.floor);
         }
         html.push_str(&work_row(task, pages));
