@@ -77,7 +77,7 @@ fn every_figure_is_drawn_with_its_axes() {
         ("overturning", &["Height of the object (m)", "Share of motions"]),
         ("floor_spectra", &["Period (s)", "Spectral acceleration (g)", "ground", "target: code spectrum", "T₁"]),
         ("floor_profile", &["Peak floor acceleration (g)", "Height (m)", "median", "16 and 84 %", "a code’s line"]),
-        ("history", &["Time (s)", "Rotation θ/α (–)", "Floor accel. (g)", "Shock (g)"]),
+        ("history", &["Time (s)", "Rotation θ/α (–)", "Floor acceleration (g)", "Shock (g)"]),
         ("record_01", &["Time (s)"]),
         ("record_02", &["Time (s)"]),
     ];
