@@ -107,7 +107,8 @@ pub fn exceeded(found: &Assessment) -> String {
 pub fn chance(found: &Assessment) -> String {
     let Some(answers) = &found.answers else { return "–".to_owned() };
     let is_shock = answers.falls == FallsAnswer::Stays && answers.asks_shock && found.p_exceed.is_some();
-    if is_shock { format!("exceeded {}", exceeded(found)) } else { format!("falls {}", falls(found)) }
+    let comma = if answers.few_motions.is_some() { "," } else { "" };
+    if is_shock { format!("exceeded{comma} {}", exceeded(found)) } else { format!("falls{comma} {}", falls(found)) }
 }
 
 fn with_motions(found: &Assessment, p: Option<Probability>) -> String {
@@ -163,6 +164,27 @@ mod tests {
         assert_eq!(said(0.42, 0.314, 0.526), "42 % (31–53 %)");
         assert_eq!(said(0.004, 0.0, 0.021), "0.4 % (0.0–2.1 %)");
         assert_eq!(said(0.25, 0.25, 0.25), "25 %");
+    }
+
+    /// The probability that decides is that of falling where it falls, else that of a shock that is too
+    /// hard; motions that are too few are named.
+    #[test]
+    fn the_probability_that_decides_is_named() {
+        let item = crate::output::fixture::item(0);
+        let mut found = crate::output::fixture::assessment(&item, 0);
+        found.p_overturn = Some(Probability { value: 0.0, low: 0.0, high: 0.78 });
+        found.p_exceed = Some(Probability { value: 0.42, low: 0.31, high: 0.53 });
+        assert_eq!(chance(&found), "falls 0 % (0–78 %)");
+        found.answers.as_mut().unwrap().few_motions = crate::result::FewMotions::of(3, Some(44));
+        assert_eq!(
+            (chance(&found).as_str(), falls(&found).as_str()),
+            ("falls, 3 motions: 0 to 78 %", "3 motions: 0 to 78 %")
+        );
+        let answers = found.answers.as_mut().unwrap();
+        (answers.few_motions, answers.falls) = (None, FallsAnswer::Stays);
+        assert_eq!(chance(&found), "exceeded 42 % (31–53 %)");
+        found.answers = None;
+        assert_eq!((chance(&found), falls(&Assessment { p_overturn: None, ..found })), ("–".into(), "–".into()));
     }
 
     /// Word, sign and colour of every decision differ from those of the others.

@@ -32,7 +32,7 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String 
     let sections = [
         ("first", "The most urgent objects", first(overview, pages)),
         ("floors", "Work list by floor and room", work),
-        ("consequences", "Actions by consequence", consequences(overview)),
+        ("consequences", "Verdicts by consequence", consequences(overview)),
         ("warnings", "Problems and warnings", warnings(head, overview)),
         ("facts", "Inputs", properties("", &facts)),
         ("assumptions", "Assumptions", list(&head.assumptions)),
@@ -344,7 +344,7 @@ fn floors(overview: &Overview, is_elastic: bool) -> String {
         .collect();
     let mut html = table("", &[headings], &rows);
     html.push_str(&paragraph(
-        "Number of objects by floor, from the top down, and by action. Median PFA: the median of the peak floor \
+        "Number of objects by floor, from the top down, and by verdict. Median PFA: the median of the peak floor \
          accelerations of all worlds.",
     ));
     if floors.iter().any(|floor| is_elastic && floor.pfa_g_median.is_some_and(|pfa_g| pfa_g > DAMAGED_FROM_G)) {

@@ -14,13 +14,19 @@ use crate::result::{Criterion, Decision};
 
 use super::cells::{Styles, put_number, put_text};
 
+/// Widths of the columns of the first sheet, in characters.
+const WIDTHS: [f64; 8] = [34.0, 22.0, 30.0, 16.0, 16.0, 26.0, 16.0, 70.0];
+
+/// Height of a line of text \[points\].
+const LINE_POINTS: f64 = 15.0;
+
 /// The first sheet.
 pub(super) fn summary(head: &Head, overview: &Overview, styles: &Styles) -> Result<Worksheet, XlsxError> {
     let mut sheet = Worksheet::new();
     sheet.set_name("Summary")?;
     sheet.set_landscape();
     sheet.set_print_fit_to_pages(1, 0);
-    for (column, width) in (0..).zip([34.0, 22.0, 30.0, 16.0, 16.0, 22.0, 16.0, 70.0]) {
+    for (column, width) in (0..).zip(WIDTHS) {
         sheet.set_column_width(column, width)?;
     }
     let mut page = Page { sheet, styles, row: 0 };
@@ -104,6 +110,19 @@ impl Page<'_> {
         put_text(&mut self.sheet, (self.row, column), text, format)
     }
 
+    /// A sentence over the whole width. Without a line break it would widen the printed page until
+    /// nothing on it can be read.
+    fn sentence(&mut self, text: &str) -> Result<(), XlsxError> {
+        let last = WIDTHS.len() as ColNum - 1;
+        let fitting = super::cells::fitting(text);
+        // Letters differ in width: a tenth is left free.
+        let lines = (fitting.chars().count() as f64 / (0.9 * WIDTHS.iter().sum::<f64>())).ceil().clamp(1.0, 20.0);
+        self.sheet.merge_range(self.row, 0, self.row, last, &fitting, &self.styles.wrapped)?;
+        self.sheet.set_row_height(self.row, LINE_POINTS * lines)?;
+        self.row += 1;
+        Ok(())
+    }
+
     fn heading(&mut self, text: &str) -> Result<(), XlsxError> {
         self.row += 1;
         self.text(0, text, &self.styles.heading)?;
@@ -129,7 +148,7 @@ impl Page<'_> {
 
     fn counts(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Verdicts")?;
-        self.header(&["verdict", "objects", "pieces", "share of the objects", "what to do"], 1..4)?;
+        self.header(&["verdict", "objects", "pieces", "share of the objects", "action"], 1..4)?;
         for decision in Decision::ALL {
             let format = self.styles.text.clone().set_background_color(colours(decision).fill);
             self.text(0, &format!("{} {}", sign(decision), label(decision)), &format)?;
@@ -186,8 +205,7 @@ impl Page<'_> {
 
     fn first(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("The most urgent objects (all objects: sheet Objects, column rank)")?;
-        self.text(0, RULE, &self.styles.text)?;
-        self.row += 1;
+        self.sentence(RULE)?;
         self.header(
             &[
                 "rank, object",
@@ -212,7 +230,7 @@ impl Page<'_> {
             self.text(5, &one.chance, &self.styles.text)?;
             let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
             self.text(6, &shock, &self.styles.text)?;
-            self.text(7, &one.why, &self.styles.text)?;
+            self.text(7, &one.why, &self.styles.wrapped)?;
             self.row += 1;
         }
         Ok(())
@@ -225,8 +243,7 @@ impl Page<'_> {
             self.row += 1;
         }
         for text in texts {
-            self.text(0, text.as_ref(), &self.styles.text)?;
-            self.row += 1;
+            self.sentence(text.as_ref())?;
         }
         Ok(())
     }
