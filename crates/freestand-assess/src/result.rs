@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use freestand_input::words::number;
 pub use freestand_study::result::Ranked;
 
 /// The verdict: what to do with an object.
@@ -401,6 +402,32 @@ impl Assessment {
     /// Whether the compliant base decides.
     pub fn decides_on_pads(&self) -> bool {
         self.answers.as_ref().is_some_and(Answers::decides_on_pads)
+    }
+
+    /// The force to design its restraint for: the one that counts, or that of the computed floor
+    /// where the one that counts would not lift it and it falls all the same.
+    pub fn design_force(&self) -> Option<&RestraintForce> {
+        let reported = reported_force(&self.restraint)?;
+        let falls = self.answers.as_ref().is_some_and(|answers| answers.falls != FallsAnswer::Stays);
+        let mut lifting =
+            self.restraint.iter().filter(|force| !force.is_for_comparison && force.anchor_tension_n > 0.0);
+        if falls && reported.anchor_tension_n <= 0.0 { lifting.next().or(Some(reported)) } else { Some(reported) }
+    }
+
+    /// Why the design force is not the one that counts, in a sentence; `None` where it is.
+    pub fn beyond_code(&self) -> Option<String> {
+        let (force, reported) = (self.design_force()?, reported_force(&self.restraint)?);
+        if force == reported {
+            return None;
+        }
+        let (worlds, p) = (self.answers.as_ref()?.worlds, self.p_overturn?);
+        let fallen = (p.value * f64::from(worlds)).round();
+        Some(format!(
+            "The force by {} alone would not lift it, but {fallen} of {worlds} simulated earthquakes overturn it: design \
+             for {} N.",
+            reported.source,
+            number(force.force_n, 3)
+        ))
     }
 
     /// Whether it is left as it is, and only falling was assessed.

@@ -115,7 +115,7 @@ fn place(study: &Study, inventory: &Inventory) -> Vec<(String, String)> {
         fact("Code", target.one_line());
         fact("Site", target.site_words());
         let years = target.spectrum.return_period_years();
-        let of_code = || "that of the hazard map of the code".to_owned();
+        let of_code = || "that of the hazard values of the code".to_owned();
         fact("Return period", years.map_or_else(of_code, |years| format!("{years} years")));
     }
     fact("Motions", motions(study));

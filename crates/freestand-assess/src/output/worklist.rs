@@ -6,7 +6,7 @@ use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 
 use crate::inventory::Item;
 use crate::library::Confidence;
-use crate::result::{Assessment, Decision, RestraintForce, reported_force};
+use crate::result::{Assessment, Decision, RestraintForce};
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 use freestand_output::folder::OutputFolder;
@@ -58,7 +58,7 @@ pub(super) fn task(line: &Line) -> Option<Task> {
     if found.decision == Decision::Leave {
         return None;
     }
-    let (item, force) = (line.item, reported_force(&found.restraint));
+    let (item, force) = (line.item, found.design_force());
     Some(Task {
         rank,
         floor: floor_key(item),
@@ -81,7 +81,8 @@ fn how(item: &Item, found: &Assessment, force: Option<&RestraintForce>) -> Strin
         (Decision::Restrain, Some(force)) => {
             let bracket_mm = number(1e3 * force.bracket_height_m, 4);
             if force.anchor_tension_n > 0.0 {
-                format!("Anchor it along both edges, or fix it with a bracket at a height of {bracket_mm} mm.")
+                let beyond = found.beyond_code().map_or_else(String::new, |beyond| format!(" {beyond}"));
+                format!("Anchor it along both edges, or fix it with a bracket at a height of {bracket_mm} mm.{beyond}")
             } else {
                 format!(
                     "No tension: its weight holds it down. Fix its base against the force, or fix it with a bracket at \
@@ -321,6 +322,27 @@ mod tests {
         assert!(soften[6].contains("1100 N/mm"), "{soften:?}");
         let unknown = rows.iter().find(|row| row[5] == "no-verdict").unwrap();
         assert_eq!(unknown[6], "Find out its tolerance.");
+    }
+
+    /// The weight alone would hold it against the force of the code, but it falls: the anchors are
+    /// those of the computed floor, and the list says why.
+    #[test]
+    fn what_falls_is_not_held_by_its_weight() {
+        let item = item(0);
+        let mut found = crate::output::fixture::assessment(&item, 0);
+        found.restraint[0].anchor_tension_n = 0.0;
+        found.restraint[1].is_for_comparison = false;
+        let made = |found: &Assessment| task(&Line { item: &item, found: Some((1, found)) }).unwrap();
+        let of_floor = made(&found);
+        assert_eq!((of_floor.force_n, of_floor.anchor_tension_n), (Some(530.0), Some(720.0)));
+        let said = "The force by AS 1170.4-2007, 8.2 alone would not lift it, but 25 of 80 simulated earthquakes overturn \
+                    it: design for 530 N.";
+        assert!(of_floor.how.ends_with(said), "{}", of_floor.how);
+        // It stays, and only its shock is too hard: its weight does hold it.
+        found.answers.as_mut().unwrap().falls = crate::result::FallsAnswer::Stays;
+        let of_code = made(&found);
+        assert_eq!((of_code.force_n, of_code.anchor_tension_n), (Some(410.0), Some(0.0)));
+        assert!(of_code.how.starts_with("No tension: its weight holds it down."), "{}", of_code.how);
     }
 
     #[test]

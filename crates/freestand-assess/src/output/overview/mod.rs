@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use crate::inventory::{Item, Rating};
-use crate::result::{Assessment, Criterion, Decision, reported_force};
+use crate::result::{Assessment, Criterion, Decision};
 use freestand_study::result::Ranked;
 
 use super::table::Line;
@@ -292,7 +292,7 @@ fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
         exceeded: exceeded(found),
         chance: chance(found),
         shock_g: found.edge_acceleration_g_median(),
-        force_n: reported_force(&found.restraint).map(|force| force.force_n),
+        force_n: found.design_force().map(|force| force.force_n),
         why: found.why.clone(),
     }
 }

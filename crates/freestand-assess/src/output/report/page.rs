@@ -255,6 +255,9 @@ fn what_to_do(found: &Assessment) -> String {
         let _ = writeln!(html, "<p>{} Check: {}</p>", words(&said), words(&softening.note));
     }
     html.push_str(&forces(found.restraint.iter().filter(|force| !force.is_for_comparison)));
+    let is_held = found.design_force().is_some_and(|force| force.anchor_tension_n <= 0.0);
+    let held = is_held.then(|| "No tension: its weight holds it down.".to_owned());
+    html.push_str(&found.beyond_code().or(held).map_or_else(String::new, |said| paragraph(&said)));
     html
 }
 
@@ -290,11 +293,7 @@ fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
         figure("in concrete"),
         figure("at the feet"),
     ];
-    let mut html = table("", &[headings], &rows);
-    if forces.iter().any(|force| force.anchor_tension_n <= 0.0) {
-        html.push_str(&paragraph("No tension: its weight holds it down."));
-    }
-    html
+    table("", &[headings], &rows)
 }
 
 /// What was assumed about the row.
