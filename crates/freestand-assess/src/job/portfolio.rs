@@ -5,10 +5,11 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::inventory::{Inventory, Item};
+use crate::output::words::listed;
 use crate::output::{Lived, Row};
 use crate::rank::Urgency;
 use crate::result::{Assessment, Decision};
-use crate::verdict::{Context, Member, Subject, assess_group, blank, listed};
+use crate::verdict::{Context, Member, Subject, assess_group, blank};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;

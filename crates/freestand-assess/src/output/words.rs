@@ -133,6 +133,15 @@ pub fn margin(found: &Assessment) -> String {
     }
 }
 
+/// `level`, `level and height`, `level, height and thickness`.
+pub(crate) fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
 /// How to read a list of objects; shown with every such list.
 pub const HOW_TO_READ: [&str; 8] = [
     "Restrain (▲): it falls or exceeds its tolerance with a probability above the accepted one, or too close to it to \

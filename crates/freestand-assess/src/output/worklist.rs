@@ -124,7 +124,7 @@ fn find_out(item: &Item, found: &Assessment) -> String {
     match missing.is_empty() {
         true if is_recalled => "Confirm its tolerance.".to_owned(),
         true => "Complete its row of the list.".to_owned(),
-        false => format!("Find out its {}.", crate::verdict::listed(&missing)),
+        false => format!("Find out its {}.", super::words::listed(&missing)),
     }
 }
 

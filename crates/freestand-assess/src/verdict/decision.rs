@@ -3,6 +3,7 @@
 use freestand::decision::Side;
 
 use crate::inventory::{Consequences, Rating};
+use crate::output::words::listed;
 use crate::result::{
     AcceptedFor, Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer,
 };
@@ -227,15 +228,6 @@ fn governing_words(governing: Option<Criterion>) -> &'static str {
 /// A share in percent; below 0.01 % its digits mean nothing.
 pub(super) fn percent(share: f64) -> String {
     if share > 0.0 && share < 1e-4 { "under 0.01 %".to_owned() } else { percent_significant(share, 2) }
-}
-
-/// `level`, `level and height`, `level, height and thickness`.
-pub(crate) fn listed(names: &[&str]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
 }
 
 #[cfg(test)]

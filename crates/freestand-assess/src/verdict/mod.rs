@@ -35,7 +35,6 @@ use freestand_study::study::assessment::{Questions, Settings};
 
 use trial::Trial;
 
-pub(crate) use decision::listed;
 pub(crate) use object::Subject;
 
 /// What all objects share.

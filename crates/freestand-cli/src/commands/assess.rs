@@ -93,12 +93,12 @@ pub(crate) struct AssessArgs {
     pages: Option<usize>,
     /// End with status 1 if an object gets this verdict; give it once for each verdict
     #[arg(long, value_enum, value_name = "VERDICT")]
-    fail_on: Vec<Verdict>,
+    fail_on: Vec<FailOn>,
 }
 
 /// The verdicts by their names in outputs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Verdict {
+enum FailOn {
     /// Fix it to the building
     Restrain,
     /// Put it on a softer pad
@@ -109,7 +109,7 @@ enum Verdict {
     Leave,
 }
 
-impl Verdict {
+impl FailOn {
     fn decision(self) -> Decision {
         match self {
             Self::Restrain => Decision::Restrain,
