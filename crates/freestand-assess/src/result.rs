@@ -187,6 +187,8 @@ pub struct OnPads {
     pub lift_m_median: Ranked,
     /// Compression that 95 % of the worlds do not exceed \[m\].
     pub compression_m_p95: f64,
+    /// Worlds in which a history on pads failed.
+    pub failed: usize,
 }
 
 /// What the answer depends on.
@@ -399,6 +401,16 @@ pub struct Assessment {
 }
 
 impl Assessment {
+    /// Whether a history failed, by either model.
+    pub fn has_failed_histories(&self) -> bool {
+        let failed_on_pads = self.on_pads.as_ref().is_some_and(|pads| pads.failed > 0);
+        match &self.response {
+            Some(response) => response.failed > 0 || failed_on_pads,
+            // Its floor is known, but every history failed.
+            None => self.floor.is_some(),
+        }
+    }
+
     /// Whether the compliant base decides.
     pub fn decides_on_pads(&self) -> bool {
         self.answers.as_ref().is_some_and(Answers::decides_on_pads)

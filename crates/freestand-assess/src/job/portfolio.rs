@@ -196,12 +196,7 @@ impl<'a> Portfolio<'a> {
                 *tier += 1;
             }
             self.only_falling += usize::from(one.is_left_for_falling_alone());
-            let is_failed = match (&one.response, &one.floor) {
-                (Some(response), _) => response.failed > 0,
-                // Its floor is known, but every history failed.
-                (None, floor) => floor.is_some(),
-            };
-            self.failed += usize::from(is_failed);
+            self.failed += usize::from(one.has_failed_histories());
         }
     }
 

@@ -241,6 +241,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             demand_capacity_median: Ranked::Value(0.78),
             lift_m_median: Ranked::Value(0.021),
             compression_m_p95: 0.012,
+            failed: 0,
         }),
         shares: (index % 4 == 3).then(|| Shares {
             by_group: Cause::ALL.map(|cause| (cause, Some(0.3))).to_vec(),

@@ -246,6 +246,7 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
         edge_acceleration_g_median: rank(|one| one.edge_m_s2 / G0_M_S2),
         demand_capacity_median: ratios_on_pads(trial),
         lift_m_median: rank(|one| one.lift_m),
+        failed: trial.lived.iter().filter(|one| matches!(one.pads, Some(Err(_)))).count(),
         compression_m_p95: quantile(worlds().map(|(_, axes)| most(axes, |one| one.compression_m)), 0.95),
     })
 }

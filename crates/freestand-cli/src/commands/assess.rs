@@ -193,19 +193,27 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named })
 }
 
+/// Bytes of a document that are printed at once.
+const PIECE_BYTES: usize = 1 << 16;
+
 /// The document: a row for each object, as they are in objects.csv, and the summary. Rows are
 /// printed one by one, because a million of them do not fit into memory.
 fn print_json(report: &JobReport, out: &Path, inventory: &Inventory) -> Result<(), Failure> {
-    print_text(&rows_head(SCHEMA)?)?;
+    let mut pending = rows_head(SCHEMA)?;
     let mut separator = "\n    ";
     object_rows(out, inventory, |row| {
         let row =
             serde_json::to_string(row).map_err(|error| Failure::computation(format!("a row is not JSON: {error}")))?;
-        print_text(&format!("{separator}{row}"))?;
+        pending.push_str(separator);
+        pending.push_str(&row);
         separator = ",\n    ";
+        if pending.len() > PIECE_BYTES {
+            print_text(&std::mem::take(&mut pending))?;
+        }
         Ok::<(), Failure>(())
     })?;
-    print_text(&rows_tail(SCHEMA, report, &report.all_warnings())?)
+    pending.push_str(&rows_tail(SCHEMA, report, &report.all_warnings())?);
+    print_text(&pending)
 }
 
 fn text(report: &JobReport) -> String {

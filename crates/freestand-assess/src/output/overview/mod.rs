@@ -198,7 +198,7 @@ impl Overview {
         self.without_tolerance += usize::from(found.capacity.is_none() && item.tolerance.is_none());
         self.only_falling += usize::from(found.is_left_for_falling_alone());
         self.without_response += usize::from(found.response.is_none());
-        self.with_failed_motions += usize::from(found.response.as_ref().is_some_and(|response| response.failed > 0));
+        self.with_failed_motions += usize::from(found.response.is_some() && found.has_failed_histories());
         let rated = [item.consequences.life_safety, item.consequences.property, item.consequences.function];
         for (consequence, rating) in self.consequences.iter_mut().zip(rated) {
             consequence.ratings[rating_index(rating)].add(decision, item.quantity);
