@@ -162,7 +162,7 @@ fn spectra(
         let sign = Sign::Line { colour: DARK, width_px: 1.2, dash: Some(CEILING_DASH) };
         legend.push(Entry { sign, words: "uplift ceiling".into() });
     }
-    legend.push(Entry { sign: Sign::Cross, words: "median overturned".into() });
+    legend.push(Entry { sign: Sign::Cross, words: "half or more overturn it".into() });
     let title = match result.motions.len() {
         1 => title.to_owned(),
         n => format!("{title}: median of {n} motions"),

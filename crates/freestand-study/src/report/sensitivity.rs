@@ -18,7 +18,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
         words("Changed"),
         figure("median PFA (g)"),
         figure("overturned"),
-        figure("median overturned"),
+        figure("objects that half overturn"),
         figure("largest median (g)"),
         figure("largest shock (g)"),
         figure("shock ratio"),
