@@ -148,7 +148,7 @@ fn first_table(levels: &[LevelSummary]) -> String {
             figure("failed"),
             figure("uplift"),
             figure("overturned"),
-            figure("objects that half overturn"),
+            figure("overturned by half of the motions"),
             markup("largest median".into(), "n first"),
             figure("largest"),
             markup("largest median".into(), "n first"),
@@ -177,10 +177,10 @@ fn first_table(levels: &[LevelSummary]) -> String {
         .collect();
     let mut html = classed_table("glance", "Summary of each level", &headings, &rows);
     html.push_str(&paragraph(
-        "Shares refer to all histories (object × motion) except those that failed. Objects that half overturn: those \
-         that half or more of the motions overturn. Largest median: the largest median over the motions of any other \
-         object. Largest: the largest value of any history without overturning. Uplift and velocity are the two \
-         sources of the energy at impact; the paper uses the uplift.",
+        "Shares refer to all histories (object × motion) except those that failed. Overturned by half of \
+         the motions: objects that half or more of them overturn. Largest median: the largest median over the motions \
+         of any other object. Largest: the largest value of any history without overturning. Uplift and velocity are \
+         the two sources of the energy at impact; the paper uses the uplift.",
     ));
     html
 }
