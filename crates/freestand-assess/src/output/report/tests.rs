@@ -87,6 +87,23 @@ fn the_first_sheet_and_the_work_list_are_there() {
     assert!(text(section("first")).contains(crate::rank::RULE));
 }
 
+/// What is printed of an object is short: the rest is folded. A sheet holds some 4,300 characters of
+/// its small print (measured: three objects of 1,450), so that two objects of 2,000 share one, and 62
+/// stay under 40 sheets.
+#[test]
+fn an_object_prints_on_half_a_sheet() {
+    let html = html(&inventory((0..12).map(item).collect()), 12, 200);
+    let document = parse(&html);
+    let is_folded = |node: &roxmltree::Node| node.ancestors().any(|one| one.has_tag_name("details"));
+    for object in document.descendants().filter(|node| node.attribute("class") == Some("object")) {
+        let texts = object.descendants().filter(|node| node.is_text() && !is_folded(node));
+        let printed: usize = texts.filter_map(|node| node.text()).map(|text| text.trim().chars().count()).sum();
+        assert!((300..2_000).contains(&printed), "{printed}");
+        let folded: String = object.descendants().filter(is_folded).filter_map(|node| node.text()).collect();
+        assert!(folded.contains("How it was calculated") && folded.contains("R_D"), "{folded}");
+    }
+}
+
 #[test]
 fn hostile_texts_stay_texts() {
     let html = html(&inventory(hostile_items()), 8, 200);
