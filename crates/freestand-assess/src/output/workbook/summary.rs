@@ -115,11 +115,17 @@ impl Page<'_> {
     fn sentence(&mut self, text: &str) -> Result<(), XlsxError> {
         let last = WIDTHS.len() as ColNum - 1;
         let fitting = super::cells::fitting(text);
-        // Letters differ in width: a tenth is left free.
-        let lines = (fitting.chars().count() as f64 / (0.9 * WIDTHS.iter().sum::<f64>())).ceil().clamp(1.0, 20.0);
         self.sheet.merge_range(self.row, 0, self.row, last, &fitting, &self.styles.wrapped)?;
-        self.sheet.set_row_height(self.row, LINE_POINTS * lines)?;
+        self.heighten(&fitting, WIDTHS.iter().sum())?;
         self.row += 1;
+        Ok(())
+    }
+
+    /// Makes the row high enough for a text that is wrapped within `width` characters.
+    fn heighten(&mut self, text: &str, width: f64) -> Result<(), XlsxError> {
+        // Letters differ in width: a tenth is left free.
+        let lines = (text.chars().count() as f64 / (0.9 * width)).ceil().clamp(1.0, 20.0);
+        self.sheet.set_row_height(self.row, LINE_POINTS * lines)?;
         Ok(())
     }
 
@@ -231,6 +237,7 @@ impl Page<'_> {
             let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
             self.text(6, &shock, &self.styles.text)?;
             self.text(7, &one.why, &self.styles.wrapped)?;
+            self.heighten(&one.why, WIDTHS[7])?;
             self.row += 1;
         }
         Ok(())
