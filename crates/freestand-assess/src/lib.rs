@@ -10,6 +10,7 @@ pub mod job;
 pub mod library;
 pub mod one_object;
 pub mod output;
+mod rank;
 pub mod restrain;
 mod restraint;
 pub mod result;

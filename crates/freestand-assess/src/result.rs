@@ -107,9 +107,37 @@ pub struct Answers {
     pub compliant: Option<ModelAnswers>,
     /// The restitution that was drawn, at 16 and 84 %.
     pub restitution_p16_p84: [f64; 2],
+    /// The motions that the worlds use in turn, where they are too few for `leave`.
+    pub few_motions: Option<FewMotions>,
+}
+
+/// Motions that are too few for `leave`, however many worlds use them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FewMotions {
+    /// How many there are.
+    pub motions: u32,
+    /// The fewest that could carry `leave`; `None`: no number within the largest number of worlds.
+    pub needed: Option<u32>,
+}
+
+impl FewMotions {
+    /// `None` where `motions` are enough.
+    pub fn of(motions: u32, needed: Option<u32>) -> Option<Self> {
+        needed.is_none_or(|needed| motions < needed).then_some(Self { motions, needed })
+    }
 }
 
 impl Answers {
+    /// Whether the compliant base decides: its interval has the larger upper end, for the tolerance
+    /// where that is known, else for falling.
+    pub fn decides_on_pads(&self) -> bool {
+        let Some(pads) = &self.compliant else { return false };
+        match (self.rigid.exceed, pads.exceed) {
+            (Some(rigid), Some(pads)) => pads.high > rigid.high,
+            _ => pads.overturn.high > self.rigid.overturn.high,
+        }
+    }
+
     /// Whether an answer is too close to call.
     pub fn is_close(&self) -> bool {
         self.close_on() != ""
@@ -152,10 +180,14 @@ pub struct OnPads {
     pub rebound_restitution: f64,
     /// Shock on the compliant base, median world \[g\].
     pub edge_acceleration_g_median: Ranked,
+    /// Demand/capacity on the compliant base, median world.
+    pub demand_capacity_median: Ranked,
     /// Uplift on the compliant base, median world \[m\].
     pub lift_m_median: Ranked,
     /// Compression that 95 % of the worlds do not exceed \[m\].
     pub compression_m_p95: f64,
+    /// Worlds in which a history on pads failed.
+    pub failed: usize,
 }
 
 /// What the answer depends on.
@@ -365,6 +397,47 @@ pub struct Assessment {
     pub chain: Option<Chain>,
     /// Assumptions and warnings, and how the row was read.
     pub notes: Vec<String>,
+}
+
+impl Assessment {
+    /// Whether a history failed, by either model.
+    pub fn has_failed_histories(&self) -> bool {
+        let failed_on_pads = self.on_pads.as_ref().is_some_and(|pads| pads.failed > 0);
+        match &self.response {
+            Some(response) => response.failed > 0 || failed_on_pads,
+            // Its floor is known, but every history failed.
+            None => self.floor.is_some(),
+        }
+    }
+
+    /// Whether the compliant base decides.
+    pub fn decides_on_pads(&self) -> bool {
+        self.answers.as_ref().is_some_and(Answers::decides_on_pads)
+    }
+
+    /// The force that its anchors and a bracket are designed for: [`design_force`].
+    pub fn design_force(&self) -> Option<&RestraintForce> {
+        design_force(&self.restraint)
+    }
+
+    /// Whether it is left as it is, and only falling was assessed.
+    pub fn is_left_for_falling_alone(&self) -> bool {
+        self.decision == Decision::Leave && self.answers.as_ref().is_some_and(|answers| !answers.asks_shock)
+    }
+
+    /// Demand/capacity of the median world, by the model that decides.
+    pub fn demand_capacity_median(&self) -> Option<Ranked> {
+        let capacity = self.capacity.as_ref()?;
+        let pads = self.on_pads.as_ref().filter(|_| self.decides_on_pads());
+        Some(pads.map_or(capacity.demand_capacity, |pads| pads.demand_capacity_median))
+    }
+
+    /// Shock of the median world, by the model that decides \[g\].
+    pub fn edge_acceleration_g_median(&self) -> Option<Ranked> {
+        let pads = self.on_pads.as_ref().filter(|_| self.decides_on_pads());
+        pads.map(|pads| pads.edge_acceleration_g_median)
+            .or(self.shock.as_ref().map(|shock| shock.edge_acceleration_g[1]))
+    }
 }
 
 /// The floor of an object.

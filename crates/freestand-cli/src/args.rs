@@ -41,9 +41,10 @@ impl GlobalArgs {
         self.seed.unwrap_or(DEFAULT_SEED)
     }
 
-    /// The output folder of a command that always writes one.
-    pub(crate) fn folder(&self) -> PathBuf {
-        self.out.clone().unwrap_or_else(|| PathBuf::from("freestand-out"))
+    /// The output folder of a command that always writes one; `default` is where no `--out` is given.
+    /// Each command has its own, because a folder belongs to the command that wrote it.
+    pub(crate) fn folder(&self, default: &str) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| PathBuf::from(default))
     }
 }
 

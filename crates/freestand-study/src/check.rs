@@ -28,7 +28,10 @@ pub fn check(study: &Study) -> Facts<'static> {
     // The motions are listed below `ground`, without a label of their own.
     let facts = recorded.iter().fold(facts, |facts, one| facts.line(" ", Some(motion_words(one))));
     let facts = facts.key("directions_deg", study.directions_deg.as_slice());
-    let facts = study.building.iter().fold(facts, |facts, building| facts.and(building_facts(building)));
+    let facts = study
+        .building
+        .iter()
+        .fold(facts, |facts, building| facts.and(building_facts(study.building_name.as_deref(), building)));
     let directions = study.directions_deg.len();
     let directions = (directions > 1).then(|| format!("{directions} over half a circle, the worst counts"));
     let level_words =
@@ -138,19 +141,22 @@ fn motion_words(one: &RecordedMotion) -> String {
     format!("{}: {}{factor}, PGA {pga} g{rms}", one.name, one.description)
 }
 
-fn building_facts(input: &BuildingInput) -> Facts<'static> {
+fn building_facts(name: Option<&str>, input: &BuildingInput) -> Facts<'static> {
     let BuildingInput { storeys, height_m, along, across, .. } = input;
     let (model, modes) = (model_words(along), along.modes().len());
     let across = across.as_ref().map(|across| {
         let period_s = significant(across.period_s(), 4);
         format!("{}, period {period_s} s, damping {}", model_words(across), damping_words(across))
     });
-    let size = format!("{}, {} high", counted(*storeys, "storey"), format_si(*height_m, Dimension::Length));
+    let called = name.map_or_else(String::new, |name| format!("{name}, "));
+    let height = format_si(*height_m, Dimension::Length);
+    let size = format!("{called}{}, {height} high", counted(*storeys, "storey"));
     let damping = damping_words(along);
     Facts::default()
         .line("building", Some(size))
         .line("period", Some(format!("{} s: {}", significant(along.period_s(), 4), input.period_note)))
         .line("model", Some(format!("{model}, damping {damping}, {}", counted(modes, "mode"))))
+        .key("building_name", name.map(str::to_owned))
         .key("storeys", *storeys)
         .key("building_height_m", *height_m)
         .key("period_s", along.period_s())

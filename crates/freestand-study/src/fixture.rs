@@ -47,6 +47,7 @@ pub(crate) fn study() -> Study {
     }
     Study {
         source: None,
+        is_builtin: false,
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
             target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),
@@ -55,6 +56,7 @@ pub(crate) fn study() -> Study {
             vertical: VerticalTarget::None,
         }),
         directions_deg: vec![0.0],
+        building_name: None,
         building: Some(BuildingInput {
             storeys: 30,
             height_m: 90.0,

@@ -150,7 +150,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
             "vertical_amplification_ratio": study.vertical_amplification_ratio,
             "motions": motions,
             "directions_deg": study.directions_deg,
-            "building": study.building.as_ref().map(building_inputs),
+            "building": study.building.as_ref().map(|building| building_inputs(study.building_name.as_deref(), building)),
             "objects": {
                 "heights_m": objects.heights_m,
                 "thicknesses_m": objects.thicknesses_m,
@@ -173,7 +173,7 @@ pub fn summary(study: &Study, result: &StudyResult, files: &[String]) -> Value {
     })
 }
 
-fn building_inputs(building: &BuildingInput) -> Value {
+fn building_inputs(name: Option<&str>, building: &BuildingInput) -> Value {
     let axis = |axis: &Building, note: Option<&str>| {
         json!({
             "model": model_words(axis),
@@ -185,6 +185,7 @@ fn building_inputs(building: &BuildingInput) -> Value {
         })
     };
     let mut inputs = json!({
+        "name": name,
         "storeys": building.storeys,
         "storey_height_m": building.storey_height_m,
         "height_m": building.height_m,

@@ -14,9 +14,11 @@ use serde::Serialize;
 use serde_json::json;
 use store::PROGRESS;
 
-use crate::inventory::{Floors, Inventory, Mapping, ReadOptions, console_lines, read_inventory};
+use crate::inventory::{Floors, Inventory, Mapping, ReadOptions, read_inventory};
 use crate::library::{Libraries, Lookup};
-use crate::output::{Head, OUTCOMES_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all, write_worlds};
+use crate::output::{
+    First, Head, OUTCOMES_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all, write_worlds,
+};
 use crate::result::Decision;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
@@ -26,13 +28,22 @@ use freestand_output::paths::io_problem;
 use freestand_study::resolve::motion_paths;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
+use freestand_study::target::Target;
 
 /// Schema of `manifest.json` and of the document of `freestand assess`.
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 7] =
-    ["objects.csv", "objects.parquet", WORLDS_NAME, OUTCOMES_NAME, "report.html", "assessment.xlsx", MANIFEST];
+const OUTPUTS: [&str; 8] = [
+    "objects.csv",
+    "objects.parquet",
+    WORKLIST_NAME,
+    WORLDS_NAME,
+    OUTCOMES_NAME,
+    "report.html",
+    "assessment.xlsx",
+    MANIFEST,
+];
 
 /// Settings of a job.
 #[derive(Debug, Clone, Copy, Default)]
@@ -48,7 +59,7 @@ pub struct Job {
 }
 
 /// The summary of a job; its fields are the keys of the JSON document.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct JobReport {
     /// Rows of the inventory.
     pub objects: usize,
@@ -72,9 +83,40 @@ pub struct JobReport {
     pub files: Vec<String>,
     /// The files of an earlier run that were removed from it.
     pub removed: Vec<String>,
-    /// Warnings.
+    /// The sentence that says whose building this is, where no study was given.
+    pub no_study: Option<String>,
+    /// What the study calls the building.
+    pub building_name: Option<String>,
+    /// The place whose hazard was used.
+    pub place_name: Option<String>,
+    /// Place and building in words.
+    #[serde(skip)]
+    pub place: String,
+    /// Objects that are left as they are, assessed for falling alone.
+    pub only_falling: usize,
+    /// The most urgent objects.
+    #[serde(skip)]
+    pub first: Vec<First>,
+    /// What is wrong or doubtful in the list, a line for each kind and column.
+    #[serde(skip)]
+    pub problems: Vec<String>,
+    /// Other warnings.
     #[serde(skip)]
     pub warnings: Vec<String>,
+}
+
+impl JobReport {
+    /// Objects with this decision.
+    pub fn count(&self, decision: Decision) -> u64 {
+        self.decisions.get(decision.name()).and_then(serde_json::Value::as_u64).unwrap_or(0)
+    }
+
+    /// What a JSON document says beside the result: whose building it is, the problems of the list,
+    /// and the other warnings.
+    pub fn all_warnings(&self) -> Vec<String> {
+        let problems = self.problems.iter().map(|line| format!("in the list: {line}"));
+        self.no_study.iter().cloned().chain(problems).chain(self.warnings.iter().cloned()).collect()
+    }
 }
 
 /// Reads the inventory at `path`, or the one that the study names, with the libraries that the
@@ -102,8 +144,6 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
         read_inventory(path, &options)
     };
     let mut inventory = libraries.looked_up(read)?;
-    let said = console_lines(&inventory.findings).into_iter().map(|line| format!("in the list: {line}"));
-    inventory.warnings.splice(0..0, said.collect::<Vec<_>>());
     let mapped = mapping.as_ref().map_or("", |mapping| mapping.sha256.as_str());
     let storeys = request.storeys.map_or_else(String::new, |storeys| storeys.to_string());
     inventory.read_with = format!("mapping {mapped}; storeys {storeys}; anchored {}", request.assess_anchored);
@@ -167,7 +207,7 @@ pub fn assess_into(
     let key = resume_key(study, inventory, PART);
     let head = head(study, inventory);
     if job.resume
-        && let Some(report) = finished(target, &key, (study, inventory), job)
+        && let Some(report) = finished(target, &key, (study, inventory), job, &head)
     {
         return Ok(report);
     }
@@ -180,7 +220,7 @@ pub fn assess_into(
     let mut portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), (job.resume, job.outcomes), progress)?;
     let settings = &study.assessment;
     let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
-    write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
+    let first = write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
     if job.outcomes {
         let mut file = folder.begin(OUTCOMES_NAME)?;
         file.write(&outcomes_head()?)?;
@@ -198,7 +238,8 @@ pub fn assess_into(
     if portfolio.interrupted {
         portfolio.keep_in(&folder)?;
     }
-    let mut report = report(&portfolio, inventory, &head, target);
+    let mut report = report(&portfolio, study, inventory, &head, target);
+    report.first = first;
     report.files = folder.names()?;
     report.files.push(MANIFEST.to_owned());
     report.files.sort_unstable();
@@ -235,7 +276,7 @@ fn worlds_into(
     written
 }
 
-fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Path) -> JobReport {
+fn report(portfolio: &Portfolio, study: &Study, inventory: &Inventory, head: &Head, target: &Path) -> JobReport {
     JobReport {
         objects: inventory.items.len(),
         resumed: portfolio.resumed,
@@ -252,7 +293,22 @@ fn report(portfolio: &Portfolio, inventory: &Inventory, head: &Head, target: &Pa
         out: target.display().to_string(),
         files: Vec::new(),
         removed: Vec::new(),
+        only_falling: portfolio.only_falling,
+        first: Vec::new(),
+        ..said(study, head)
+    }
+}
+
+/// What a report says about the study and the list, whatever became of the objects.
+fn said(study: &Study, head: &Head) -> JobReport {
+    JobReport {
+        no_study: head.no_study.clone(),
+        building_name: study.building_name.clone(),
+        place_name: study.ground.code_spectrum().and_then(Target::place_name),
+        place: head.one_line.clone(),
+        problems: head.problems.clone(),
         warnings: head.warnings.clone(),
+        ..JobReport::default()
     }
 }
 
@@ -286,10 +342,12 @@ fn manifest(study: &Study, inventory: &Inventory, report: &JobReport, key: &str)
         "decisions": report.decisions,
         "tiers": report.tiers,
         "failed": report.failed,
+        "only_falling": report.only_falling,
+        "first": report.first,
         "inputs": inputs(study, inventory),
         "files": report.files,
     });
-    document(SCHEMA, &body, &report.warnings)
+    document(SCHEMA, &body, &report.all_warnings())
 }
 
 fn input(file: &InputFile) -> serde_json::Value {
@@ -301,7 +359,13 @@ fn file_name(path: &Path) -> Option<String> {
 }
 
 /// The report of a folder that is complete already; `None` where something is left to do.
-fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), job: &Job) -> Option<JobReport> {
+fn finished(
+    target: &Path,
+    key: &str,
+    (study, inventory): (&Study, &Inventory),
+    job: &Job,
+    head: &Head,
+) -> Option<JobReport> {
     let manifest: serde_json::Value = serde_json::from_slice(&std::fs::read(target.join(MANIFEST)).ok()?).ok()?;
     let has = |name: &str, value: serde_json::Value| manifest.get(name).is_some_and(|found| *found == value);
     if !(has("schema", json!(SCHEMA))
@@ -330,6 +394,8 @@ fn finished(target: &Path, key: &str, (study, inventory): (&Study, &Inventory), 
         out: target.display().to_string(),
         files,
         removed: Vec::new(),
-        warnings: serde_json::from_value(manifest.get("warnings")?.clone()).ok()?,
+        only_falling: serde_json::from_value(manifest.get("only_falling")?.clone()).ok()?,
+        first: serde_json::from_value(manifest.get("first")?.clone()).ok()?,
+        ..said(study, head)
     })
 }

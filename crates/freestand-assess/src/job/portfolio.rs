@@ -1,14 +1,15 @@
 //! A whole inventory: assessed part by part, each part stored when it is done, then ranked.
 
-use std::cmp::Reverse;
 use std::ops::ControlFlow;
 
 use std::path::Path;
 
-use crate::inventory::{Consequences, Inventory, Item};
+use crate::inventory::{Inventory, Item};
+use crate::output::words::listed;
 use crate::output::{Lived, Row};
+use crate::rank::Urgency;
 use crate::result::{Assessment, Decision};
-use crate::verdict::{Context, Member, Subject, assess_group, blank, listed, restraint_of};
+use crate::verdict::{Context, Member, Subject, assess_group, blank, restraint_of};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;
@@ -40,6 +41,8 @@ pub(super) struct Portfolio<'a> {
     pub(super) tiers: [usize; 4],
     /// Objects with a history that failed.
     pub(super) failed: usize,
+    /// Objects that are left as they are, assessed for falling alone.
+    pub(super) only_falling: usize,
     /// The worlds that were asked.
     pub(super) lived: Lived,
     /// The worlds of this run, where it assessed objects: their ground motions are still there.
@@ -82,6 +85,7 @@ pub(super) fn assess<'a>(
         decisions: [0; 4],
         tiers: [0; 4],
         failed: 0,
+        only_falling: 0,
         lived: Lived::default(),
         worlds: None,
     };
@@ -183,46 +187,6 @@ fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>
     Ok(found.into_iter().flatten().collect())
 }
 
-/// The criteria by which objects are ranked, in this order: decision, life safety, probability,
-/// other consequences, demand/capacity.
-struct Urgency<'a> {
-    id: &'a str,
-    decision: Decision,
-    consequences: Consequences,
-    probability: f64,
-    demand: f64,
-}
-
-impl<'a> Urgency<'a> {
-    fn new(item: &'a Item, found: &Assessment) -> Self {
-        let value = |p: Option<crate::result::Probability>| p.map_or(0.0, |p| p.value);
-        let p84 = found.capacity.as_ref().map(|capacity| capacity.demand_capacity_p84);
-        Self {
-            id: &item.id,
-            decision: found.decision,
-            consequences: item.consequences,
-            probability: value(found.p_overturn).max(value(found.p_exceed)),
-            demand: match p84 {
-                Some(crate::result::Ranked::Value(ratio)) => ratio,
-                Some(crate::result::Ranked::Overturned) => f64::INFINITY,
-                _ => 0.0,
-            },
-        }
-    }
-
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        let Consequences { life_safety, property, function } = self.consequences;
-        let theirs = other.consequences;
-        self.decision
-            .cmp(&other.decision)
-            .then(Reverse(life_safety).cmp(&Reverse(theirs.life_safety)))
-            .then(other.probability.total_cmp(&self.probability))
-            .then(Reverse((function, property)).cmp(&Reverse((theirs.function, theirs.property))))
-            .then(other.demand.total_cmp(&self.demand))
-            .then(self.id.cmp(other.id))
-    }
-}
-
 impl<'a> Portfolio<'a> {
     fn count(&mut self, items: &[Item], found: &[Assessment]) {
         for (item, one) in items.iter().zip(found) {
@@ -235,12 +199,8 @@ impl<'a> Portfolio<'a> {
             if let Some(tier) = self.tiers.get_mut(usize::from(one.tier)) {
                 *tier += 1;
             }
-            let is_failed = match (&one.response, &one.floor) {
-                (Some(response), _) => response.failed > 0,
-                // Its floor is known, but every history failed.
-                (None, floor) => floor.is_some(),
-            };
-            self.failed += usize::from(is_failed);
+            self.only_falling += usize::from(one.is_left_for_falling_alone());
+            self.failed += usize::from(one.has_failed_histories());
         }
     }
 

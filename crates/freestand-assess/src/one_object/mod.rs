@@ -16,8 +16,9 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::facts::Facts;
 use freestand_study::recorded::ReadMotion;
 
+use crate::output::words::listed;
 use crate::result::Assessment;
-use crate::verdict::{Context, Member, Subject, Tally, assess_one, listed};
+use crate::verdict::{Context, Member, Subject, Tally, assess_one};
 use crate::worlds::Worlds;
 
 pub use sentence::AnswerKind;

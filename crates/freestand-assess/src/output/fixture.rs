@@ -34,12 +34,16 @@ pub(super) const HOSTILE: [&str; 6] = [
 
 pub(super) fn head(total: usize) -> Head {
     Head {
-        facts: vec![
-            ("Inventory".into(), "ward.xlsx, sheet Objects, SHA-256 0123…cdef".into()),
-            ("Hazard".into(), "AS 1170.4-2007, Melbourne, class De, 500 years".into()),
-            ("Building".into(), "30 storeys, 90 m, 3.1 s".into()),
-            ("Motions".into(), "20 synthetic motions, seed 1".into()),
+        no_study: Some("No study given: this is a 30-storey tower in Melbourne, not your building.".into()),
+        place: vec![
+            ("Building".into(), "Main, 30 storeys, 90 m high".into()),
+            ("Place".into(), "Melbourne".into()),
+            ("List".into(), "ward.xlsx, sheet Objects, 24 objects".into()),
         ],
+        one_line: "Melbourne (AS 1170.4-2007, site class De, 500 years); Main, 30 storeys, 90 m high".into(),
+        facts: vec![("Period of the building".into(), "3.1 s".into()), ("Seed of the motions".into(), "seed 1".into())],
+        problems: vec!["error: unreadable: Height: 1 cell (D2)".into()],
+        most_important: vec!["The building stays elastic.".into()],
         assumptions: vec![
             "Accepted probability 10 %: assumption of this study.".into(),
             "Model error 0.085: Table I, five tests of one cabinet.".into(),
@@ -235,8 +239,10 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             let_go_share: 0.6,
             rebound_restitution: 0.55,
             edge_acceleration_g_median: Ranked::Value(3.9),
+            demand_capacity_median: Ranked::Value(0.78),
             lift_m_median: Ranked::Value(0.021),
             compression_m_p95: 0.012,
+            failed: 0,
         }),
         shares: (index % 4 == 3).then(|| Shares {
             by_group: Cause::ALL.map(|cause| (cause, Some(0.3))).to_vec(),
@@ -278,6 +284,7 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
         rigid: model,
         compliant: (index % 4 == 3).then_some(model),
         restitution_p16_p84: [0.93, 0.97],
+        few_motions: None,
     }
 }
 

@@ -1,19 +1,31 @@
 //! The head of every output: the inputs in words, and all assumptions.
 
-use crate::inventory::Inventory;
+use crate::inventory::{Inventory, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
+use freestand_study::places::Confidence;
 use freestand_study::study::assessment::Settings;
 use freestand_study::study::{Ground, Study};
+use freestand_study::target::Target;
 
 /// What all outputs of an assessment share.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Head {
+    /// What the reader must know first where no study was given: whose building this is.
+    pub no_study: Option<String>,
+    /// Building, place, code, site, return period, motions, list: name and value in words.
+    pub place: Vec<(String, String)>,
+    /// Place and building on one line.
+    pub one_line: String,
     /// Name and value in words: the inventory and its fingerprint, the study, the hazard, the
     /// building, the motions, seed, version.
     pub facts: Vec<(String, String)>,
+    /// What was assumed, in a few lines for the first page.
+    pub most_important: Vec<String>,
     /// What was assumed, one sentence each, with its source.
     pub assumptions: Vec<String>,
-    /// Warnings.
+    /// What is wrong or doubtful in the list, a line for each kind and column.
+    pub problems: Vec<String>,
+    /// Other warnings.
     pub warnings: Vec<String>,
     /// Whether the floors are those of a building that stays elastic, and not given.
     pub is_elastic: bool,
@@ -25,20 +37,12 @@ pub(crate) struct Head {
 pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
     let mut facts: Vec<(String, String)> = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
-    let file = inventory.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let sheet = inventory.sheet.as_ref().map_or_else(String::new, |sheet| format!(", sheet {sheet}"));
-    fact("Inventory", format!("{file}{sheet}, {}", counted(inventory.items.len(), "object")));
-    fact("SHA-256 of the inventory", inventory.sha256.clone());
+    fact("SHA-256 of the list", inventory.sha256.clone());
     let source = study.source.as_deref().and_then(|path| path.file_name());
     fact("Study", source.map_or_else(|| "the built-in study".to_owned(), |name| name.to_string_lossy().into_owned()));
-    fact("Motions", motions(study));
     if let Some(building) = &study.building {
-        let height = number(building.height_m, 4);
         let period = number(building.along.period_s(), 3);
-        fact(
-            "Building",
-            format!("{}, {height} m, T₁ = {period} s: {}", counted(building.storeys, "storey"), building.period_note),
-        );
+        fact("Period of the building", format!("T₁ = {period} s: {}", building.period_note));
     }
     if let Some(seed) = study.ground.seed() {
         fact("Seed of the motions", seed.to_string());
@@ -46,18 +50,85 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
     fact("Seed of the draws", study.assessment.seed.to_string());
     fact("Version", format!("freestand {}", env!("CARGO_PKG_VERSION")));
     Head {
+        no_study: no_study(study),
+        place: place(study, inventory),
+        one_line: one_line(study),
         facts,
+        most_important: most_important(study),
         assumptions: assumptions(study),
+        problems: console_lines(&inventory.findings),
         warnings: study.warnings.iter().chain(&inventory.warnings).cloned().collect(),
         is_elastic: study.building.is_some(),
         total: inventory.items.len(),
     }
 }
 
+/// The name of the place whose hazard was used.
+fn place_name(study: &Study) -> Option<String> {
+    study.ground.code_spectrum()?.place_name()
+}
+
+fn no_study(study: &Study) -> Option<String> {
+    if !study.is_builtin {
+        return None;
+    }
+    let storeys = study.building.as_ref().map_or_else(String::new, |building| format!("{}-storey ", building.storeys));
+    let name = study.building_name.as_deref().unwrap_or("building");
+    let place = place_name(study).map_or_else(String::new, |place| format!(" in {place}"));
+    Some(format!("No study given: this is a {storeys}{name}{place}, not your building."))
+}
+
+/// `Main block, 8 storeys, 32 m high`.
+fn building(study: &Study) -> String {
+    let size = study.building.as_ref().map_or_else(
+        || "the study gives the motions of the floors".to_owned(),
+        |building| format!("{}, {} m high", counted(building.storeys, "storey"), number(building.height_m, 4)),
+    );
+    study.building_name.as_ref().map_or_else(|| size.clone(), |name| format!("{name}, {size}"))
+}
+
+fn one_line(study: &Study) -> String {
+    let Some(target) = study.ground.code_spectrum() else { return building(study) };
+    let hazard = match target.place_name() {
+        Some(place) => format!("{place} ({})", hazard_words(target).join(", ")),
+        None => target.one_line(),
+    };
+    format!("{hazard}; {}", building(study))
+}
+
+/// Code, site and return period, as far as the code has them.
+fn hazard_words(target: &Target) -> Vec<String> {
+    let years = target.spectrum.return_period_years();
+    let site = target.spectrum.site_name().map(|_| target.site_words());
+    let code = Some(target.spectrum.name().to_owned());
+    [code, site, years.map(|years| format!("{years} years"))].into_iter().flatten().collect()
+}
+
+fn place(study: &Study, inventory: &Inventory) -> Vec<(String, String)> {
+    let mut facts: Vec<(String, String)> = Vec::new();
+    let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
+    fact("Building", building(study));
+    if let Some(target) = study.ground.code_spectrum() {
+        let approximate = target.place.is_some_and(|place| place.confidence == Confidence::Approximate);
+        let confirm = if approximate { " (approximate hazard: confirm it)" } else { "" };
+        fact("Place", target.place_name().map_or_else(|| "not given".to_owned(), |name| format!("{name}{confirm}")));
+        fact("Code", target.one_line());
+        fact("Site", target.site_words());
+        let years = target.spectrum.return_period_years();
+        let of_code = || "that of the hazard values of the code".to_owned();
+        fact("Return period", years.map_or_else(of_code, |years| format!("{years} years")));
+    }
+    fact("Motions", motions(study));
+    let file = inventory.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let sheet = inventory.sheet.as_ref().map_or_else(String::new, |sheet| format!(", sheet {sheet}"));
+    fact("List", format!("{file}{sheet}, {}", counted(inventory.items.len(), "object")));
+    facts
+}
+
 fn motions(study: &Study) -> String {
     let of = match &study.ground {
         Ground::Synthetic(synthetic) => {
-            return format!("a synthetic motion in every world, for {}", synthetic.target.title_words());
+            return format!("synthetic, a new one in every world: {}", synthetic.target.title_words());
         }
         Ground::Simulated(simulated) => simulated.title_words(),
         Ground::Recorded(_) => match (study.ground.suite(), study.ground.target()) {
@@ -69,6 +140,43 @@ fn motions(study: &Study) -> String {
     };
     let count = study.ground.names(&study.levels).len();
     format!("{}, used by the worlds in turn: {of}", counted(count, "motion"))
+}
+
+/// `2, 5, 20 %`: a probability for each rating.
+fn ratings_words(ratios: [f64; 3]) -> String {
+    let [high, medium, low] = ratios.map(|share| number(100.0 * share, 3));
+    format!("{high}, {medium}, {low} %")
+}
+
+fn most_important(study: &Study) -> Vec<String> {
+    let Settings { accepted, .. } = &study.assessment;
+    let building = match &study.building {
+        Some(building) => format!(
+            "The building stays elastic; its fundamental period is {} s ({}).",
+            number(building.along.period_s(), 3),
+            building.period_note
+        ),
+        None => "The floors move as given.".to_owned(),
+    };
+    vec![
+        "Probabilities are those in the earthquake above, not per year.".to_owned(),
+        format!(
+            "Accepted probabilities, for a rating of high, medium, low: life safety {}; function {}; property {}; \
+             unrated {}, small and unrated {}. They are the owner's choice: no code gives them.",
+            ratings_words(accepted.life_safety_ratio),
+            ratings_words(accepted.function_ratio),
+            ratings_words(accepted.property_ratio),
+            percent_significant(accepted.other_ratio, 3),
+            percent_significant(accepted.small_item_ratio, 3)
+        ),
+        building,
+        "Every object stands freely on a level floor. Vertical shaking, walls and neighbours, and sliding while it rocks \
+         are not calculated."
+            .to_owned(),
+        "The forces follow the clause that each page names. An engineer has to check them and to design the anchors and \
+         what they are fixed to."
+            .to_owned(),
+    ]
 }
 
 fn assumptions(study: &Study) -> Vec<String> {
@@ -83,7 +191,6 @@ fn assumptions(study: &Study) -> Vec<String> {
         ..
     } = &study.assessment;
     let percent = |share: f64| percent_significant(share, 3);
-    let ratings = |[high, medium, low]: [f64; 3]| format!("{}, {}, {}", percent(high), percent(medium), percent(low));
     let looks = worlds.looks;
     vec![
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
@@ -91,9 +198,9 @@ fn assumptions(study: &Study) -> Vec<String> {
             "Accepted probability of overturning or damage, rated high, medium, low: life safety {}; function {}; \
              property {}. Without a rating {}, or {} where an object falls with less than 100 J. No code prescribes \
              it: the owner chooses it.",
-            ratings(accepted.life_safety_ratio),
-            ratings(accepted.function_ratio),
-            ratings(accepted.property_ratio),
+            ratings_words(accepted.life_safety_ratio),
+            ratings_words(accepted.function_ratio),
+            ratings_words(accepted.property_ratio),
             percent(accepted.other_ratio),
             percent(accepted.small_item_ratio)
         ),

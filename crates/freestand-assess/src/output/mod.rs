@@ -9,19 +9,24 @@ mod outcomes;
 mod overview;
 mod parquet;
 mod report;
+mod rows;
 mod sources;
 mod table;
 pub mod words;
 mod workbook;
+mod worklist;
 mod worlds;
 
 use crate::inventory::{Inventory, Item};
-use crate::result::Assessment;
+use crate::result::{Assessment, Decision};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::folder::OutputFolder;
+use serde::{Deserialize, Serialize};
 
 pub(crate) use head::{Head, head};
 pub(crate) use outcomes::{OUTCOMES_NAME, OutcomeRow, outcomes_head, outcomes_rows};
+pub use rows::object_rows;
+pub(crate) use worklist::WORKLIST_NAME;
 pub(crate) use worlds::{Lived, WORLDS_NAME, write_worlds};
 
 use csv::CsvTable;
@@ -31,6 +36,7 @@ use report::Report;
 use sources::Sources;
 use table::Line;
 use workbook::Book;
+use worklist::{Worklist, task};
 
 /// One object with its rank: 1 is the most urgent.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +49,7 @@ pub(crate) struct Row<'a> {
     pub found: Assessment,
 }
 
-/// The outputs besides `objects.csv` and `worlds.csv`, which are always written.
+/// The outputs besides `objects.csv`, `worklist.csv` and `worlds.csv`, which are always written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Wanted {
     /// `objects.parquet`.
@@ -55,6 +61,28 @@ pub(crate) struct Wanted {
     /// Number of objects with a page in the report: the most urgent ones.
     pub pages: usize,
 }
+
+/// One of the most urgent objects, in words for a console.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct First {
+    /// 1 is the most urgent.
+    pub rank: usize,
+    /// Identifier of the object.
+    pub id: String,
+    /// What it is.
+    pub item: String,
+    /// Its floor.
+    pub floor: String,
+    /// What to do.
+    pub action: Decision,
+    /// The probability that decides: `falls 31 % (25–37 %)`.
+    pub chance: String,
+    /// Force of a restraint \[N\].
+    pub force_n: Option<f64>,
+}
+
+/// Objects that a console lists.
+const FIRST_ROWS: usize = 15;
 
 /// Rows in the list of the most urgent objects.
 pub(crate) const URGENT_ROWS: usize = 50;
@@ -75,7 +103,7 @@ pub(crate) fn write_all(
     inventory: &Inventory,
     wanted: Wanted,
     rows: &mut dyn Iterator<Item = Result<Row<'_>, Problem>>,
-) -> Result<(), Problem> {
+) -> Result<Vec<First>, Problem> {
     let mut outputs = Outputs::begin(folder, head, inventory, wanted)?;
     let mut next = rows.next().transpose()?;
     for item in &inventory.items {
@@ -97,6 +125,7 @@ struct Outputs {
     overview: Overview,
     sources: Sources,
     csv: CsvTable,
+    worklist: Worklist,
     parquet: Option<ParquetTable>,
     book: Option<Book>,
     report: Option<Report>,
@@ -109,6 +138,7 @@ impl Outputs {
             overview: Overview::new(total, URGENT_ROWS),
             sources: Sources::default(),
             csv: CsvTable::begin(folder, inventory)?,
+            worklist: Worklist::begin(folder)?,
             parquet: wanted.parquet.then(|| ParquetTable::begin(folder, head, inventory)).transpose()?,
             book: wanted.workbook.then(|| Book::begin(folder, inventory)).transpose()?,
             report: wanted.report.then(|| Report::new(wanted.pages)),
@@ -119,6 +149,10 @@ impl Outputs {
         self.overview.add(line);
         self.sources.add(line);
         self.csv.row(inventory, line)?;
+        if let Some(task) = task(line) {
+            self.worklist.add(&task)?;
+            self.overview.add_task(task);
+        }
         if let Some(parquet) = &mut self.parquet {
             parquet.row(inventory, line)?;
         }
@@ -131,8 +165,9 @@ impl Outputs {
         Ok(())
     }
 
-    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<(), Problem> {
+    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<Vec<First>, Problem> {
         self.csv.finish()?;
+        self.worklist.finish(folder)?;
         if let Some(parquet) = self.parquet {
             parquet.finish(&self.overview)?;
         }
@@ -142,7 +177,16 @@ impl Outputs {
         if let Some(report) = self.report {
             report.write(folder, head, &self.overview)?;
         }
-        Ok(())
+        let first = self.overview.urgent.into_values().take(FIRST_ROWS).map(|one| First {
+            rank: one.rank,
+            id: one.id,
+            item: one.item,
+            floor: one.floor,
+            action: one.decision,
+            chance: one.chance,
+            force_n: one.force_n,
+        });
+        Ok(first.collect())
     }
 }
 

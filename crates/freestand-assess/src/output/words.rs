@@ -1,7 +1,7 @@
 //! The words, signs and colours that all outputs of an assessment share.
 
-use crate::result::{Assessment, Decision, Probability};
-use freestand_input::words::{number, percent};
+use crate::result::{Assessment, Decision, FallsAnswer, Probability};
+use freestand_input::words::{counted, fixed, number, percent};
 use freestand_study::result::Ranked;
 
 /// The colours of a decision; its sign and its word always accompany them.
@@ -57,9 +57,9 @@ pub fn colours(decision: Decision) -> Colours {
 /// The tier that decided, in words.
 pub fn tier(tier: u8) -> &'static str {
     match tier {
-        0 => "tier 0: it rocks in no world",
-        2 => "tier 2: a rigid base",
-        3 => "tier 3: a rigid base and its pads",
+        0 => "both models: it does not rock",
+        2 => "the model on a rigid base",
+        3 => "both models: on a rigid base and on its pads",
         _ => "",
     }
 }
@@ -88,41 +88,79 @@ pub fn probability(probability: Probability) -> String {
     if low == high {
         return percent(value, 0);
     }
-    let digits = |share: f64| freestand_input::words::fixed(100.0 * share, usize::from(high < 0.1));
+    let digits = |share: f64| fixed(100.0 * share, usize::from(high < 0.1));
     format!("{} % ({}–{} %)", digits(value), digits(low), digits(high))
 }
 
-/// Demand/capacity of the median motion in a sentence.
+/// P(it falls) in words; a dash where it is not known. Motions that are too few to leave an object
+/// as it is are named.
+pub fn falls(found: &Assessment) -> String {
+    with_motions(found, found.p_overturn)
+}
+
+/// The same for P(its tolerance is exceeded).
+pub fn exceeded(found: &Assessment) -> String {
+    with_motions(found, found.p_exceed)
+}
+
+/// The probability that decides in words: `falls 31 % (25–37 %)`.
+pub fn chance(found: &Assessment) -> String {
+    let Some(answers) = &found.answers else { return "–".to_owned() };
+    let is_shock = answers.falls == FallsAnswer::Stays && answers.asks_shock && found.p_exceed.is_some();
+    let comma = if answers.few_motions.is_some() { "," } else { "" };
+    if is_shock { format!("exceeded{comma} {}", exceeded(found)) } else { format!("falls{comma} {}", falls(found)) }
+}
+
+fn with_motions(found: &Assessment, p: Option<Probability>) -> String {
+    let Some(p) = p else { return "–".to_owned() };
+    let few = found.answers.as_ref().and_then(|answers| answers.few_motions);
+    few.map_or_else(
+        || probability(p),
+        |few| {
+            let motions = counted(few.motions as usize, "motion");
+            format!("{motions}: {} to {}", fixed(100.0 * p.low, 0), percent(p.high, 0))
+        },
+    )
+}
+
+/// Demand/capacity of the median world by the model that decides, in a sentence.
 pub fn margin(found: &Assessment) -> String {
-    let Some(capacity) = &found.capacity else {
-        return "Not known, because the tolerance was not given.".to_owned();
-    };
-    match capacity.demand_capacity {
-        Ranked::Overturned => "It overturns in the median world.".to_owned(),
-        Ranked::NoData => "Not known.".to_owned(),
-        Ranked::Value(ratio) if ratio > 1.0 => {
-            format!("The demand of the median world is {} times the tolerance.", number(ratio, 3))
-        }
-        Ranked::Value(ratio) => format!("The demand of the median world is {} of the tolerance.", percent(ratio, 0)),
+    match found.demand_capacity_median() {
+        None => "not known: no tolerance was given".to_owned(),
+        Some(Ranked::Overturned) => "at least half of the worlds overturn it".to_owned(),
+        Some(Ranked::NoData) => "not known: its mass or its cushion was not given".to_owned(),
+        Some(Ranked::Value(ratio)) => number(ratio, 3),
+    }
+}
+
+/// `level`, `level and height`, `level, height and thickness`.
+pub(crate) fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
 }
 
 /// How to read a list of objects; shown with every such list.
-pub const HOW_TO_READ: [&str; 7] = [
+pub const HOW_TO_READ: [&str; 8] = [
     "Restrain (▲): it falls or exceeds its tolerance with a probability above the accepted one, or too close to it to \
-     call, and no softer pad suffices.",
+     call, and no softer pad is enough.",
     "Soften (◆): its shock alone is too hard or too close to call, and on a softer pad it would be left as it is. The pad \
      went through the same worlds in both models.",
     "No verdict (?): data that a verdict needs are missing; the reason says which. Whether it falls is always said.",
     "Leave (●): the object may stay as it is under the assumed hazard: the upper end of every interval that was asked \
      for is below the accepted probability.",
-    "Demand/capacity is that of the median world on a rigid base; above 1 the tolerance is exceeded. “Overturned” ranks \
-     above every number.",
+    "Demand/capacity and the median shock are those of the median world, by the model that decides; above 1 the \
+     tolerance is exceeded. The governing criterion is that of the world that decides. “Overturned” ranks above every \
+     number: at least half of the worlds overturn the object.",
     "A world is one draw of everything that is not known: ground motion, building, restitution, pads, size, mass, error \
      of the models. A probability is the share of the worlds; its interval (98 % unless the study says otherwise) \
      follows in brackets. Worlds are added until the interval leaves the accepted probability.",
     "Shocks are those of the edge that lands: by Eq. (5) or (8) of Al Abadi et al. on a rigid base, and calculated in \
      time on its pads. The worse model counts.",
+    "“How it was calculated” below an object holds its equations, the formulas of the forces and comparisons. It is \
+     printed where it is open.",
 ];
 
 #[cfg(test)]
@@ -135,6 +173,27 @@ mod tests {
         assert_eq!(said(0.42, 0.314, 0.526), "42 % (31–53 %)");
         assert_eq!(said(0.004, 0.0, 0.021), "0.4 % (0.0–2.1 %)");
         assert_eq!(said(0.25, 0.25, 0.25), "25 %");
+    }
+
+    /// The probability that decides is that of falling where it falls, else that of a shock that is too
+    /// hard; motions that are too few are named.
+    #[test]
+    fn the_probability_that_decides_is_named() {
+        let item = crate::output::fixture::item(0);
+        let mut found = crate::output::fixture::assessment(&item, 0);
+        found.p_overturn = Some(Probability { value: 0.0, low: 0.0, high: 0.78 });
+        found.p_exceed = Some(Probability { value: 0.42, low: 0.31, high: 0.53 });
+        assert_eq!(chance(&found), "falls 0 % (0–78 %)");
+        found.answers.as_mut().unwrap().few_motions = crate::result::FewMotions::of(3, Some(44));
+        assert_eq!(
+            (chance(&found).as_str(), falls(&found).as_str()),
+            ("falls, 3 motions: 0 to 78 %", "3 motions: 0 to 78 %")
+        );
+        let answers = found.answers.as_mut().unwrap();
+        (answers.few_motions, answers.falls) = (None, FallsAnswer::Stays);
+        assert_eq!(chance(&found), "exceeded 42 % (31–53 %)");
+        found.answers = None;
+        assert_eq!((chance(&found), falls(&Assessment { p_overturn: None, ..found })), ("–".into(), "–".into()));
     }
 
     /// Word, sign and colour of every decision differ from those of the others.

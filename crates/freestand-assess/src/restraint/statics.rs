@@ -78,7 +78,7 @@ pub(super) fn bracket_words(
     overstrength_ratio: f64,
 ) -> String {
     let length = |value_m: f64| format_si(value_m, Dimension::Length);
-    let newtons = |value_n: f64| format!("{} N", number(value_n, 4));
+    let kilonewtons = |value_n: f64| format!("{} N", number(value_n, 4));
     let (cg_height_m, height_m) = (question.object.cg_height_m, held.height_m);
     let shear_n = base_shear_n(force_n, cg_height_m, height_m);
     let friction_n = FOOT_FRICTION_RATIO * held_n;
@@ -92,23 +92,23 @@ pub(super) fn bracket_words(
         ""
     };
     let feet = if friction_n >= shear_n {
-        format!("friction with a coefficient of {FOOT_FRICTION_RATIO} carries {}: it suffices", newtons(friction_n))
+        format!("friction with a coefficient of {FOOT_FRICTION_RATIO} carries {}: it suffices", kilonewtons(friction_n))
     } else {
         let in_concrete = if overstrength_ratio == 1.0 {
             String::new()
         } else {
-            format!(", in concrete for {}", newtons(overstrength_ratio * shear_n))
+            format!(", in concrete for {}", kilonewtons(overstrength_ratio * shear_n))
         };
         format!(
             "friction with a coefficient of {FOOT_FRICTION_RATIO} carries only {}: fix the feet{in_concrete}",
-            newtons(friction_n)
+            kilonewtons(friction_n)
         )
     };
     format!(
         " Or a bracket at {at}: F × {cg}/{at} = {}, the weight is not counted; at the feet F × |1 − {cg}/{at}| = \
          {}; {feet}.{limited}{below}",
-        newtons(bracket_force_n(force_n, cg_height_m, height_m)),
-        newtons(shear_n),
+        kilonewtons(bracket_force_n(force_n, cg_height_m, height_m)),
+        kilonewtons(shear_n),
         at = length(height_m),
         cg = length(cg_height_m),
     )

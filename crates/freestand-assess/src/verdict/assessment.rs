@@ -8,7 +8,7 @@ use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
 use crate::result::{
-    Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FloorFacts,
+    Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions, FloorFacts,
     ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use crate::worlds::FloorOfWorld;
@@ -18,7 +18,9 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding};
 use super::object::{Body, Hit, hit};
-use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, governing, lifts, options, overturned, ranked};
+use super::response::{
+    AxisMotion, Lived, PadMotion, demand_capacity, governing, lifts, options, overturned, pads_demand_capacity, ranked,
+};
 use super::softer::beyond_pads;
 use super::trial::{Model, Question, Trial};
 use super::{Context, blank};
@@ -93,7 +95,6 @@ pub(super) fn assessment(
     let missing = missing(trial);
     let lifts_at_all = followed(trial).any(|(_, axes)| lifts(axes))
         || on_pads_followed(trial).any(|(_, axes)| axes.iter().any(|one| one.has_let_go));
-    let records = context.worlds.records().map(|records| (records, context.fewest_records(member.accepted_ratio)));
     let (decision, why) = decide(&Case {
         accepted_ratio: member.accepted_ratio,
         answers: &answers,
@@ -104,7 +105,6 @@ pub(super) fn assessment(
         softer: softening.as_ref().map(|one| (one.admissible, one.note.as_str())),
         beyond_pads: beyond_pads(trial),
         tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
-        records,
     });
     assessed.decision = decision;
     assessed.why = why;
@@ -215,6 +215,7 @@ fn answers(context: &Context, trial: &Trial) -> Answers {
         rigid,
         compliant,
         restitution_p16_p84: [QUANTILES[0], QUANTILES[2]].map(|q| quantile(restitutions(), q)),
+        few_motions: context.worlds.records().and_then(|n| FewMotions::of(n, context.fewest_records(accepted))),
     }
 }
 
@@ -249,9 +250,17 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
         let_go_share: share(worlds().map(|(_, axes)| axes.iter().any(|one| one.has_let_go))),
         rebound_restitution: quantile(trial.lived.iter().map(|one| one.draw.rebound_restitution()), 0.5),
         edge_acceleration_g_median: rank(|one| one.edge_m_s2 / G0_M_S2),
+        demand_capacity_median: ratios_on_pads(trial),
         lift_m_median: rank(|one| one.lift_m),
+        failed: trial.lived.iter().filter(|one| matches!(one.pads, Some(Err(_)))).count(),
         compression_m_p95: quantile(worlds().map(|(_, axes)| most(axes, |one| one.compression_m)), 0.95),
     })
+}
+
+/// Demand/capacity on pads of the median world; no data where that of a world is not known.
+fn ratios_on_pads(trial: &Trial) -> Ranked {
+    let ratios: Option<Vec<f64>> = on_pads_followed(trial).map(|(_, axes)| pads_demand_capacity(axes)).collect();
+    ratios.map_or(Ranked::NoData, |ratios| quantiles(ratios.into_iter())[1])
 }
 
 fn response(trial: &Trial) -> Option<Response> {

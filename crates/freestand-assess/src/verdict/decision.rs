@@ -3,7 +3,10 @@
 use freestand::decision::Side;
 
 use crate::inventory::{Consequences, Rating};
-use crate::result::{AcceptedFor, Answers, Criterion, Decision, FallsAnswer, ModelAnswers, Probability, ShockAnswer};
+use crate::output::words::listed;
+use crate::result::{
+    AcceptedFor, Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer,
+};
 use freestand_input::words::{counted, percent_significant};
 use freestand_study::study::assessment::{Accepted, SMALL_ITEM_J};
 
@@ -77,8 +80,6 @@ pub(super) struct Case<'a> {
     /// Why no softer pad was looked for.
     pub(super) beyond_pads: &'a str,
     pub(super) tolerance_source: &'a str,
-    /// Records that the worlds use in turn, and how many could settle the question of falling.
-    pub(super) records: Option<(u32, Option<u32>)>,
 }
 
 /// The decision and its reason.
@@ -109,7 +110,9 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
     match (shock, case.softer) {
         (ShockAnswer::Stands, _) => (Decision::Leave, format!("{falling} {shock_words}")),
         (_, Some((true, note))) => (Decision::Soften, format!("{falling} {shock_words} {note}")),
-        (_, Some((false, note))) => (Decision::Restrain, format!("{falling} {shock_words} No pad suffices: {note}")),
+        (_, Some((false, note))) => {
+            (Decision::Restrain, format!("{falling} {shock_words} No softer pad is enough: {note}"))
+        }
         (_, None) if case.governing == Some(Criterion::FloorAcceleration) => (
             Decision::Restrain,
             format!(
@@ -117,7 +120,9 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
                  it, and move it to a lower floor or isolate it."
             ),
         ),
-        (_, None) => (Decision::Restrain, format!("{falling} {shock_words} No pad suffices: {}.", case.beyond_pads)),
+        (_, None) => {
+            (Decision::Restrain, format!("{falling} {shock_words} No softer pad helps: {}.", case.beyond_pads))
+        }
     }
 }
 
@@ -144,7 +149,7 @@ fn falling(case: &Case) -> String {
     let hits = (p.value * f64::from(answers.worlds)).round();
     match answers.falls {
         FallsAnswer::Stays if !case.lifts => {
-            format!("It stays standing: it rocks in none of {worlds} (accepted {limit}).")
+            format!("It stays standing: it does not rock in any of {worlds} (accepted {limit}).")
         }
         FallsAnswer::Stays => {
             let high = percent(p.high);
@@ -154,15 +159,21 @@ fn falling(case: &Case) -> String {
             format!("It falls in {} of {worlds}, more than the accepted {limit}.{models}", spread(p))
         }
         FallsAnswer::Close => {
-            let records = match case.records {
-                Some((records, Some(needed))) if needed > records && p.value == 0.0 => format!(
-                    " With {} no more can be said; {needed} could settle it.",
-                    counted(records as usize, "record")
-                ),
-                _ => String::new(),
-            };
-            format!("It falls in {} of {worlds} against {limit}: too close to call.{records}{models}", spread(p))
+            let few = answers.few_motions.as_ref().map_or_else(String::new, few_words);
+            format!("It falls in {} of {worlds} against {limit}: too close to call.{few}{models}", spread(p))
         }
+    }
+}
+
+/// How many motions would do, where there are too few for `leave`.
+fn few_words(few: &FewMotions) -> String {
+    let motions = counted(few.motions as usize, "motion");
+    let verb = if few.motions == 1 { "is" } else { "are" };
+    match few.needed {
+        Some(needed) => format!(
+            " {motions} {verb} too few to leave it as it is, even if none overturns it: at least {needed} would do."
+        ),
+        None => format!(" {motions} {verb} too few to leave it as it is: use synthetic motions."),
     }
 }
 
@@ -219,15 +230,6 @@ pub(super) fn percent(share: f64) -> String {
     if share > 0.0 && share < 1e-4 { "under 0.01 %".to_owned() } else { percent_significant(share, 2) }
 }
 
-/// `level`, `level and height`, `level, height and thickness`.
-pub(crate) fn listed(names: &[&str]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -250,6 +252,7 @@ mod tests {
             rigid: model,
             compliant: None,
             restitution_p16_p84: [0.9, 0.95],
+            few_motions: None,
         }
     }
 
@@ -264,7 +267,6 @@ mod tests {
             softer: None,
             beyond_pads: "its pads were not given",
             tolerance_source: "a test",
-            records: None,
         }
     }
 
@@ -295,6 +297,21 @@ mod tests {
             "It stays standing: at most 1.4 % fall (0 of 320 worlds; accepted 10 %). Only falling was assessed: no \
              tolerance was given."
         );
+    }
+
+    #[test]
+    fn too_few_motions_are_said_with_how_many_would_do() {
+        let why = |few_motions| {
+            let close = answers(FallsAnswer::Close, ShockAnswer::Unknown);
+            decide(&case(&Answers { few_motions, ..close })).1
+        };
+        let said = why(FewMotions::of(3, Some(44)));
+        assert!(
+            said.contains("3 motions are too few to leave it as it is") && said.contains("at least 44 would do"),
+            "{said}"
+        );
+        assert!(why(FewMotions::of(1, None)).contains("1 motion is too few"));
+        assert_eq!((FewMotions::of(44, Some(44)), FewMotions::of(43, Some(44)).is_some()), (None, true));
     }
 
     #[test]

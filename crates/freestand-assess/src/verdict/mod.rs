@@ -37,7 +37,6 @@ use freestand_study::study::assessment::{Questions, Settings};
 use trial::Trial;
 
 pub(crate) use comparisons::restraint_of;
-pub(crate) use decision::listed;
 pub(crate) use object::Subject;
 pub(crate) use tally::Tally;
 

@@ -1,14 +1,20 @@
 //! `freestand assess`: which objects of an inventory must be restrained.
 
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use freestand_assess::inventory::Inventory;
 use freestand_assess::job::{Job, JobReport, ListRequest, SCHEMA, assess_into, inventory_of};
+use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
+use freestand_input::keys::KeyStyle;
+use freestand_input::quantity::shorten;
+use freestand_input::toml_reader::one_line;
 use freestand_input::words::counted;
 use freestand_output::folder::removed_note;
+use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::Step;
 
@@ -16,7 +22,7 @@ use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::hazard::HazardArgs;
-use crate::printer::{Printer, table};
+use crate::printer::{Printer, print_text, significant, table};
 use crate::stop::Stop;
 
 /// Decide which objects of an inventory to restrain, to put on softer pads or to leave
@@ -35,7 +41,12 @@ Examples:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment --resume
   Also a Parquet table, for pandas:
     freestand assess --inventory objects.csv --format csv,parquet
+  In a script that stops where something has to be restrained or its data are missing:
+    freestand assess hospital.toml --fail-on restrain --fail-on no-verdict
 
+Without --out the files are in freestand-assessment/. Exit status: 0 finished, whatever the
+verdicts; 1 a cell of the list could not be read, a history failed, or --fail-on applies; 2 could
+not run.
 Accepted probabilities and uncertainties are keys of [assessment] in a study; see
 docs/assessment.md.")]
 pub(crate) struct AssessArgs {
@@ -80,7 +91,37 @@ pub(crate) struct AssessArgs {
     /// Number of objects, the most urgent first, that get a page in the report [default: 200]
     #[arg(long, value_name = "N")]
     pages: Option<usize>,
+    /// End with status 1 if an object gets this verdict; give it once for each verdict
+    #[arg(long, value_enum, value_name = "VERDICT")]
+    fail_on: Vec<FailOn>,
 }
+
+/// The verdicts by their names in outputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum FailOn {
+    /// Fix it to the building
+    Restrain,
+    /// Put it on a softer pad
+    Soften,
+    /// Data are missing
+    NoVerdict,
+    /// Leave it as it is
+    Leave,
+}
+
+impl FailOn {
+    fn decision(self) -> Decision {
+        match self {
+            Self::Restrain => Decision::Restrain,
+            Self::Soften => Decision::Soften,
+            Self::NoVerdict => Decision::NoVerdict,
+            Self::Leave => Decision::Leave,
+        }
+    }
+}
+
+/// The folder where no `--out` is given.
+const FOLDER: &str = "freestand-assessment";
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
@@ -118,7 +159,7 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
         assess_anchored: args.assess_anchored,
     };
     let inventory = inventory_of(&study, args.inventory.as_deref(), &request)?;
-    let out = global.folder();
+    let out = global.folder(FOLDER);
     let parquet = args.format.contains(&Format::Parquet);
     let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes };
 
@@ -138,30 +179,101 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     if let Some(note) = removed_note(&report.removed) {
         printer.note(&note);
     }
-    printer.result(SCHEMA, &report, &report.warnings, || text(&report))?;
+    if printer.json() {
+        print_json(&report, &out, &inventory)?;
+        printer.warn(&report.all_warnings());
+    } else {
+        print_text(&text(&report))?;
+        printer.warn(&report.warnings);
+    }
     if report.interrupted {
         return Err(Failure::StoppedAfterWriting);
     }
-    Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() })
+    let is_named = args.fail_on.iter().any(|verdict| report.count(verdict.decision()) > 0);
+    Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named })
+}
+
+/// Bytes of a document that are printed at once.
+const PIECE_BYTES: usize = 1 << 16;
+
+/// The document: a row for each object, as they are in objects.csv, and the summary. Rows are
+/// printed one by one, because a million of them do not fit into memory.
+fn print_json(report: &JobReport, out: &Path, inventory: &Inventory) -> Result<(), Failure> {
+    let mut pending = rows_head(SCHEMA)?;
+    let mut separator = "\n    ";
+    object_rows(out, inventory, |row| {
+        let row =
+            serde_json::to_string(row).map_err(|error| Failure::computation(format!("a row is not JSON: {error}")))?;
+        pending.push_str(separator);
+        pending.push_str(&row);
+        separator = ",\n    ";
+        if pending.len() > PIECE_BYTES {
+            print_text(&std::mem::take(&mut pending))?;
+        }
+        Ok::<(), Failure>(())
+    })?;
+    pending.push_str(&rows_tail(SCHEMA, report, &report.all_warnings())?);
+    print_text(&pending)
 }
 
 fn text(report: &JobReport) -> String {
-    let count = |one: &Decision| report.decisions.get(one.name()).map_or_else(String::new, ToString::to_string);
-    let row = |one: &Decision| vec![one.name().to_owned(), count(one), advice(*one).to_owned()];
+    let mut text = report.no_study.as_ref().map_or_else(String::new, |no_study| format!("{no_study}\n\n"));
+    text.push_str(&format!("{}\n\n", report.place));
+    let row = |one: &Decision| vec![one.name().to_owned(), report.count(*one).to_string(), advice(*one).to_owned()];
     let rows: Vec<Vec<String>> = Decision::ALL.iter().map(row).collect();
-    let mut text = table(&["verdict", "objects", ""], &rows);
+    text.push_str(&table(&["action", "objects", ""], &rows));
     let done = report.resumed + report.computed;
     text.push_str(&format!("\n{done} of {}", counted(report.objects, "object")));
     if report.resumed > 0 {
         text.push_str(&format!(", {} of them from an earlier run", report.resumed));
     }
     text.push_str(&format!("; {}\n", counted(report.histories as usize, "rocking history")));
+    if report.only_falling > 0 {
+        let objects = counted(report.only_falling, "object");
+        text.push_str(&format!("{objects} to leave: only falling was assessed\n"));
+    }
+    if !report.first.is_empty() {
+        text.push_str(&format!("\n{}", first(report)));
+    }
+    if report.failed > 0 || !report.problems.is_empty() {
+        text.push_str("\nProblems\n");
+    }
     if report.failed > 0 {
         text.push_str(&format!("{} with histories that failed\n", counted(report.failed, "object")));
+    }
+    for problem in &report.problems {
+        text.push_str(&format!("{}\n", one_line(&KeyStyle::Flag.shown(problem))));
     }
     if report.interrupted {
         text.push_str("stopped before the end: continue with --resume\n");
     }
-    text.push_str(&format!("report.html, assessment.xlsx, objects.csv, worlds.csv in {}\n", report.out));
+    let tables = report.files.iter().filter(|name| *name != "manifest.json");
+    let named = tables.map(String::as_str).collect::<Vec<_>>().join(", ");
+    text.push_str(&format!("\nFiles in {}: {named}\n", report.out));
+    text
+}
+
+/// The most urgent objects.
+fn first(report: &JobReport) -> String {
+    let rows: Vec<Vec<String>> = report
+        .first
+        .iter()
+        .map(|one| {
+            vec![
+                one.rank.to_string(),
+                shorten(&one.id),
+                shorten(&one.item),
+                shorten(&one.floor),
+                one.action.name().to_owned(),
+                one.chance.clone(),
+                one.force_n.map_or_else(|| "-".to_owned(), |force_n| significant(force_n, 3)),
+            ]
+        })
+        .collect();
+    let mut text = table(&["rank", "id", "item", "floor", "action", "probability", "force [N]"], &rows);
+    let done = report.resumed + report.computed;
+    if done > report.first.len() {
+        text.push_str(&format!("… and {} more: worklist.csv, objects.csv\n", done - report.first.len()));
+    }
     text
 }

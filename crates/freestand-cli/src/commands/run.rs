@@ -69,6 +69,9 @@ pub(crate) struct RunArgs {
     dump_study: bool,
 }
 
+/// The folder where no `--out` is given.
+const FOLDER: &str = "freestand-out";
+
 pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     if args.motion.is_empty() {
         args.read.refuse_without_record(|keys| {
@@ -106,7 +109,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
     };
-    let out = global.folder();
+    let out = global.folder(FOLDER);
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
     let stop = Stop::listen();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?.of_command(freestand_study::summary::SCHEMA)?;

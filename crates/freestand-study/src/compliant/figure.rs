@@ -43,7 +43,7 @@ fn trace_page(report: &CompliantReport) -> Page {
     let under = |forces: Option<&(f64, f64)>| forces.map_or(0.0, |f| 1e-3 * f.1);
     let forces = [curve(&|p| under(p.contact_forces_n.first())), curve(&|p| under(p.contact_forces_n.last()))];
     let rotation = curve(&|p| p.theta_rad.to_degrees());
-    let mut first = panel(&edges, paper_g, "Edge accel. (g)", time_axis(from, to), false);
+    let mut first = panel(&edges, paper_g, "Edge acceleration (g)", time_axis(from, to), false);
     let mut legend = vec![
         Entry {
             sign: Sign::Line { colour: curve_style(0).colour, width_px: WIDTHS_PX[0], dash: None },

@@ -18,7 +18,7 @@ use freestand_output::figure::time::{pixel, stacked, symmetric, thin, time_axis}
 use freestand_output::figure::{Figure, FigureError};
 
 /// Heights of the three panels \[px\].
-const PANELS_PX: [f64; 3] = [190.0, 145.0, 190.0];
+const PANELS_PX: [f64; 3] = [190.0, 172.0, 190.0];
 /// Quiet time that is shown before the first and after the last rotation \[s\].
 const QUIET_S: f64 = 2.0;
 /// Rotation at which an object has overturned \[rad\], a little less than π/2.
@@ -114,7 +114,7 @@ pub fn rock_figure(
     if outcome == Outcome::Overturned {
         legend.push(entry(Sign::Cross, "overturns"));
     }
-    let y = symmetric(accel.iter().fold(0.0f64, |m, p| m.max(p.1.abs())), "Floor accel. (g)");
+    let y = symmetric(accel.iter().fold(0.0f64, |m, p| m.max(p.1.abs())), "Floor acceleration (g)");
     let below =
         Panel { plots: vec![line(&accel, "#555555", 0.9, None)], layout: stacked(time_axis(from, to), y, true) };
     let size = format!("{} mm × {} m", number(1e3 * block.thickness_m(), 4), number(block.height_m(), 4));
@@ -173,7 +173,7 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis) -> Panel {
 
 fn accel_panel(points: &[(f64, f64)], x: Axis) -> Panel {
     let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
-    let y = symmetric(largest, "Floor accel. (g)");
+    let y = symmetric(largest, "Floor acceleration (g)");
     Panel { plots: vec![line(points, "#555555", 0.9, None)], layout: stacked(x, y, false) }
 }
 

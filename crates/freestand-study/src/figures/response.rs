@@ -162,7 +162,7 @@ fn spectra(
         let sign = Sign::Line { colour: DARK, width_px: 1.2, dash: Some(CEILING_DASH) };
         legend.push(Entry { sign, words: "uplift ceiling".into() });
     }
-    legend.push(Entry { sign: Sign::Cross, words: "median overturned".into() });
+    legend.push(Entry { sign: Sign::Cross, words: "half or more overturn it".into() });
     let title = match result.motions.len() {
         1 => title.to_owned(),
         n => format!("{title}: median of {n} motions"),
@@ -216,7 +216,7 @@ fn level_panel(study: &Study, level: &LevelResult, quantity: Quantity, y_label: 
         plots.extend(median(curve, i));
     }
     let top = y.to;
-    let (strip, layout) = strip(&curves, fallen, height_axis(study), y);
+    let (strip, layout) = strip(&curves, fallen, with_keys(height_axis(study)), y);
     plots.extend(strip);
     if plots.is_empty() {
         // The library leaves out the axes of a panel without plots.
@@ -243,8 +243,8 @@ fn strip(curves: &[Vec<Point>], fallen: usize, x: Axis, y: Axis) -> (Vec<Plot>, 
         if !crosses.is_empty() {
             let style = curve_style(i);
             plots.push(markers(&crosses, style.colour, MarkerShape::Cross, 3.2));
-            // The curve's own marker at the left end says whose row it is.
-            plots.push(markers(&[(x.from + 0.02 * (x.to - x.from), y)], style.colour, style.marker, 3.2));
+            // The curve's own marker, left of all data, says whose row it is.
+            plots.push(markers(&[(x.from + 0.5 * KEYS_SHARE * (x.to - x.from), y)], style.colour, style.marker, 3.2));
             row += 1.0;
         }
     }
@@ -255,6 +255,14 @@ fn strip(curves: &[Vec<Point>], fallen: usize, x: Axis, y: Axis) -> (Vec<Plot>, 
         .with_annotation(TextAnnotation::new("overturned", middle, label_y).with_font_size(TEXT_PX).with_color(DARK));
     layout.y_tick_format = ticks_up_to(data_top);
     (plots, layout)
+}
+
+/// Share of the axis left of all data, for the keys of the strip.
+const KEYS_SHARE: f64 = 0.06;
+
+/// The axis with room for the keys of the strip at its left.
+fn with_keys(x: Axis) -> Axis {
+    Axis { from: x.to - (x.to - x.from) / (1.0 - KEYS_SHARE), ..x }
 }
 
 /// The strip has no scale and therefore no tick labels.

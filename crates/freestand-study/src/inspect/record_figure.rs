@@ -17,7 +17,7 @@ use freestand_output::figure::time::{stacked_with_title, symmetric, thin, time_a
 use freestand_output::figure::{Figure, FigureError};
 
 /// Heights of the panels; the lowest includes the label of the axis \[px\].
-const PANELS_PX: [f64; 4] = [200.0, 160.0, 160.0, 196.0];
+const PANELS_PX: [f64; 4] = [200.0, 160.0, 166.0, 212.0];
 const SHADE: &str = "#0072b2";
 const SHADE_OPACITY: f64 = 0.09;
 
@@ -33,7 +33,7 @@ pub(crate) fn record(id: String, words: Words<'_>, motion: &Motion) -> Page {
     let panels = vec![
         history(&accel_g, dt_s, span_s, x(), ["PGA", "Acceleration"], ["g", "mg", "µg"]),
         history(&velocity, dt_s, span_s, x(), ["PGV", "Velocity"], ["m/s", "mm/s", "µm/s"]),
-        history(&displacement, dt_s, span_s, x(), ["PGD", "Displ."], ["m", "mm", "µm"]),
+        history(&displacement, dt_s, span_s, x(), ["PGD", "Displacement"], ["m", "mm", "µm"]),
         energy_panel(&energy, dt_s, span_s, x()),
     ];
     let colour = curve_style(1).colour;
@@ -114,7 +114,7 @@ fn shade(span_s: (f64, f64)) -> ShadedRegion {
 fn energy_panel(percents: &[f64], dt_s: f64, span_s: (f64, f64), x: Axis) -> Panel {
     let points = percents.iter().enumerate().map(|(i, &share)| (i as f64 * dt_s, share));
     let curve = line(&thin(points, x.from, x.to), curve_style(0).colour, 1.4, None);
-    let y = Axis { from: 0.0, to: 100.0, step: Some(25.0), label: "∫a² dt (%)".into() };
+    let y = Axis { from: 0.0, to: 100.0, step: Some(25.0), label: "Arias intensity (%)".into() };
     let title =
         format!("D5–95 {} s: {} s to {} s", fixed(span_s.1 - span_s.0, 2), fixed(span_s.0, 2), fixed(span_s.1, 2));
     let x_ticks = plain_ticks(x.to);

@@ -11,6 +11,7 @@ use freestand_input::quantity::Dimension;
 /// `[building]`, as written.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct BuildingOptions {
+    pub(crate) name: Option<Written<String>>,
     /// The values of [`crate::building::resolve`]. The key `across` stands for its table.
     pub(crate) words: Words,
     pub(crate) levels: Option<Written<Vec<LevelOptions>>>,
@@ -72,10 +73,12 @@ pub(super) fn building(reader: &mut Reader, table: &mut Section) -> BuildingOpti
         }
         across.finish(reader);
     }
+    let name = table.string(reader, "name");
     let first_floor = table.string(reader, "first_floor");
     let period_measured = table.boolean(reader, "period_measured");
     let vertical_amplification = table.ratio(reader, "vertical_amplification");
     BuildingOptions {
+        name,
         words,
         levels: levels(reader, table),
         period_measured,

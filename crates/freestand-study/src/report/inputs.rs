@@ -267,6 +267,7 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
     let mut html = properties(
         "",
         &[
+            ("Name", study.building_name.clone().unwrap_or_default()),
             ("Model", format!("{}, linear", model_words(beam))),
             ("Storeys", storeys),
             ("Fundamental period T₁", format!("{} s: {}", number(beam.period_s(), 4), building.period_note)),

@@ -122,14 +122,14 @@ fn level_words(level: &LevelSummary) -> String {
              overturning is {} g",
             number(most, 3)
         ),
-        (_, Some(_)) => "no object uplifts without overturning".to_owned(),
+        (_, Some(_)) => "no object lifts an edge without overturning".to_owned(),
         (_, None) => "every history overturns".to_owned(),
     };
     format!(
-        "the median PFA is {} g; objects uplift in {} of the histories and overturn in {}; {shock}.",
+        "the median PFA is {} g. The objects lift an edge in {} of the histories and overturn in {}; {shock}.",
         level.pfa_g_median.map_or_else(|| "–".to_owned(), |pfa_g| number(pfa_g, 3)),
-        percent(level.uplift_share, 0),
-        percent(level.overturned_share, 0)
+        percent(level.uplift_share, 1),
+        percent(level.overturned_share, 1)
     )
 }
 
@@ -148,7 +148,7 @@ fn first_table(levels: &[LevelSummary]) -> String {
             figure("failed"),
             figure("uplift"),
             figure("overturned"),
-            figure("median overturned"),
+            figure("overturned by half of the motions"),
             markup("largest median".into(), "n first"),
             figure("largest"),
             markup("largest median".into(), "n first"),
@@ -177,10 +177,10 @@ fn first_table(levels: &[LevelSummary]) -> String {
         .collect();
     let mut html = classed_table("glance", "Summary of each level", &headings, &rows);
     html.push_str(&paragraph(
-        "Shares refer to all histories (object × motion) except those that failed. Median overturned: objects that \
-         half or more of the motions overturn. Largest median: the largest median over the motions of any other \
-         object. Largest: the largest value of any history without overturning. Uplift and velocity are the two \
-         sources of the energy at impact; the paper uses the uplift.",
+        "Shares refer to all histories (object × motion) except those that failed. Overturned by half of \
+         the motions: objects that half or more of them overturn. Largest median: the largest median over the motions \
+         of any other object. Largest: the largest value of any history without overturning. Uplift and velocity are \
+         the two sources of the energy at impact; the paper uses the uplift.",
     ));
     html
 }

@@ -18,7 +18,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
         words("Changed"),
         figure("median PFA (g)"),
         figure("overturned"),
-        figure("median overturned"),
+        figure("overturned by half of the motions"),
         figure("largest median (g)"),
         figure("largest shock (g)"),
         figure("shock ratio"),

@@ -73,11 +73,11 @@ fn every_figure_is_drawn_with_its_axes() {
     let (figures, _) = rendered(false);
     let expected: [(&str, &[&str]); 8] = [
         ("urs", &["Height of the object (m)", "Uplift (mm)", "t = 200 mm", "overturned", "roof", "mid-height"]),
-        ("srs", &["Height of the object (m)", "Shock (g)", "uplift ceiling", "median overturned"]),
+        ("srs", &["Height of the object (m)", "Shock (g)", "uplift ceiling", "half or more overturn it"]),
         ("overturning", &["Height of the object (m)", "Share of motions"]),
         ("floor_spectra", &["Period (s)", "Spectral acceleration (g)", "ground", "target: code spectrum", "T₁"]),
         ("floor_profile", &["Peak floor acceleration (g)", "Height (m)", "median", "16 and 84 %", "a code’s line"]),
-        ("history", &["Time (s)", "Rotation θ/α (–)", "Floor accel. (g)", "Shock (g)"]),
+        ("history", &["Time (s)", "Rotation θ/α (–)", "Floor acceleration (g)", "Shock (g)"]),
         ("record_01", &["Time (s)"]),
         ("record_02", &["Time (s)"]),
     ];
@@ -171,7 +171,7 @@ fn records_of_every_kind_are_drawn_small() {
         let figure = crate::inspect::record_figure(words, &motion).unwrap();
         let document = roxmltree::Document::parse(&figure.svg).unwrap();
         let texts = texts(&document);
-        for label in ["Time (s)", "\u{222b}a\u{b2} dt (%)", "largest value"] {
+        for label in ["Time (s)", "Arias intensity (%)", "largest value"] {
             assert!(texts.contains(label), "{label}");
         }
         assert!(!figure.svg.contains("NaN") && !figure.svg.contains("inf\""));

@@ -12,6 +12,12 @@ use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
+/// What the building is called where a study says nothing about it.
+const DEFAULT_NAME: &str = "tower";
+
+/// Longest name of a building, in characters: a name, not a description.
+const MAX_NAME_CHARS: usize = 120;
+
 const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
 
 impl Resolver<'_> {
@@ -60,6 +66,26 @@ impl Resolver<'_> {
             }
         }
         levels
+    }
+
+    /// What the building is called. The default is that of the default building alone: any other
+    /// building has the name that its study gives it, or none.
+    pub(super) fn building_name(&mut self, written: &BuildingOptions) -> Option<String> {
+        let Some(Written { value, line }) = &written.name else {
+            return (*written == BuildingOptions::default()).then(|| DEFAULT_NAME.to_owned());
+        };
+        let name = value.trim();
+        if name.is_empty() || name.chars().count() > MAX_NAME_CHARS || name.contains(char::is_control) {
+            self.note(
+                Some(*line),
+                format!(
+                    "name must be a text of 1 to {MAX_NAME_CHARS} characters on one line, not \"{}\"",
+                    shorten(value)
+                ),
+                "give the name of the building, such as name = \"Main block\"",
+            );
+        }
+        Some(name.to_owned())
     }
 
     /// Floors by their names; the top one is the roof.

@@ -59,7 +59,8 @@ pub fn builtin_toml() -> &'static str {
 /// # Errors
 /// Without overrides, none; with them, the errors of the motion files.
 pub fn builtin(overrides: &Overrides) -> Result<Study, Problems> {
-    resolve_with(builtin_toml(), None, Path::new(""), overrides)
+    let study = resolve_with(builtin_toml(), None, Path::new(""), overrides)?;
+    Ok(Study { is_builtin: true, ..study })
 }
 
 /// Reads a study from a file; paths in it are relative to its folder.
@@ -129,6 +130,7 @@ pub fn resolve_with(
     let is_measured = building.period_measured.as_ref().is_some_and(|measured| measured.value);
     let (floors, first_floor) = (resolver.floors(&building), resolver.first_floor(&building));
     let vertical_amplification_ratio = resolver.vertical_amplification(&building);
+    let building_name = resolver.building_name(&building);
     let (ground_input, building_input) = if has_measured_floors(&building) {
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
@@ -152,9 +154,11 @@ pub fn resolve_with(
     match (ground_input, building_input, objects) {
         (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => Ok(Study {
             source: source.map(Path::to_path_buf),
+            is_builtin: false,
             toml: text,
             ground,
             directions_deg,
+            building_name,
             building,
             levels,
             vertical_amplification_ratio,

@@ -22,6 +22,8 @@ fn the_built_in_study_is_the_same_as_no_study_at_all() {
     let dumped = builtin(&Overrides::default()).unwrap();
     let mut nothing = study("");
     nothing.toml.clone_from(&dumped.toml);
+    assert!(dumped.is_builtin && !nothing.is_builtin);
+    nothing.is_builtin = true;
     assert_eq!(nothing, dumped);
     assert_eq!(dumped.objects.blocks.len(), 130);
     assert_eq!(dumped.warnings, [] as [String; 0]);

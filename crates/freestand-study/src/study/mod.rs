@@ -35,6 +35,8 @@ pub const DEFAULT_MOTIONS: u64 = 10;
 pub struct Study {
     /// The file that it was read from; `None` for the built-in study.
     pub source: Option<PathBuf>,
+    /// Whether it is the built-in study, because no study was given.
+    pub is_builtin: bool,
     /// The study as TOML text: what `source` held, or the built-in study.
     pub toml: String,
     /// The motions at the base of the building.
@@ -42,6 +44,8 @@ pub struct Study {
     /// Horizontal directions in which every object is tried, counted from the first component
     /// \[degrees\]: `[0]` unless the motions have two.
     pub directions_deg: Vec<f64>,
+    /// What the building is called, in words; `None`: not given.
+    pub building_name: Option<String>,
     /// The building that they pass through; `None` where the motions of the floors are given.
     pub building: Option<BuildingInput>,
     /// The floors of interest, in the order given.

@@ -4,10 +4,12 @@
 use std::collections::BTreeMap;
 
 use crate::inventory::{Item, Rating};
-use crate::result::{Assessment, Criterion, Decision, Probability};
+use crate::result::{Assessment, Criterion, Decision};
 use freestand_study::result::Ranked;
 
 use super::table::Line;
+use super::words::{chance, exceeded, falls};
+use super::worklist::{Task, sort_floors};
 
 /// Floors that are counted separately; objects on further floors are counted together.
 pub(super) const MAX_FLOORS: usize = 100;
@@ -56,7 +58,7 @@ pub(super) struct FloorCounts {
 /// One of the three consequences of FEMA E-74.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ConsequenceCounts {
-    /// `life safety (LS)`.
+    /// `life safety`.
     pub name: &'static str,
     /// Objects rated high, medium, low, and not rated.
     pub ratings: [Counts; 4],
@@ -76,20 +78,26 @@ pub(super) struct Urgent {
     pub item: String,
     /// How many such objects there are.
     pub quantity: u32,
+    /// Its floor.
+    pub floor: String,
     /// Where it is.
     pub place: String,
     /// What to do.
     pub decision: Decision,
     /// The governing criterion.
     pub governing: Option<Criterion>,
-    /// Demand/capacity of the median motion.
+    /// Demand/capacity of the median world, by the model that decides.
     pub demand_capacity: Option<Ranked>,
-    /// P(exceeded), or P(overturned) without a tolerance.
-    pub probability: Option<Probability>,
-    /// Whether that is the probability of overturning alone.
-    pub is_overturn_only: bool,
-    /// The larger shock of the median motion \[g\].
+    /// P(it falls), in words.
+    pub falls: String,
+    /// P(its tolerance is exceeded), in words.
+    pub exceeded: String,
+    /// The probability that decides, in words.
+    pub chance: String,
+    /// Shock of the median world, by the model that decides \[g\].
     pub shock_g: Option<Ranked>,
+    /// Force of a restraint \[N\].
+    pub force_n: Option<f64>,
     /// Why, in one or two sentences.
     pub why: String,
 }
@@ -117,13 +125,43 @@ pub(super) struct Overview {
     pub consequences: [ConsequenceCounts; 3],
     /// The most urgent, by rank; as many as the list holds.
     pub urgent: BTreeMap<usize, Urgent>,
+    /// What has to be done, by rank, for the most urgent objects.
+    pub tasks: BTreeMap<usize, Task>,
+    /// Objects for which something has to be done.
+    pub to_do: usize,
     floors: BTreeMap<FloorKey, FloorCounts>,
     others: Option<FloorCounts>,
     most_urgent: usize,
 }
 
-/// Building, name of the floor, level in a form that sorts.
-type FloorKey = (String, String, Option<u64>);
+/// A floor, in a form that sorts.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct FloorKey {
+    pub building: String,
+    pub floor: String,
+    /// The bits of the level, of a floor without a name.
+    level: Option<u64>,
+}
+
+/// The floor of an object. A floor with a name is one floor, whatever levels its rows give.
+pub(super) fn floor_key(item: &Item) -> FloorKey {
+    let level_ratio = item.level_ratio.filter(|level| level.is_finite());
+    let level = if item.floor.is_empty() { level_ratio.map(f64::to_bits) } else { None };
+    FloorKey { building: item.building.clone(), floor: item.floor.clone(), level }
+}
+
+/// The name of a floor, with its building or without.
+pub(super) fn floor_words(key: &FloorKey, with_building: bool) -> String {
+    let floor = match (key.floor.as_str(), key.level) {
+        ("", None) => "level not given".to_owned(),
+        ("", Some(bits)) => format!("level {}", freestand_input::words::number(f64::from_bits(bits), 3)),
+        (floor, _) => floor.to_owned(),
+    };
+    if key.building.is_empty() || !with_building { floor } else { format!("{}, {floor}", key.building) }
+}
+
+/// Tasks in the work list of the report; worklist.csv has all.
+const MAX_TASKS: usize = 1_000;
 
 impl Overview {
     /// The counts before the first of `total` rows; the list takes the `most_urgent` objects.
@@ -138,8 +176,10 @@ impl Overview {
             only_falling: 0,
             without_response: 0,
             with_failed_motions: 0,
-            consequences: ["life safety (LS)", "property loss (PL)", "functional loss (FL)"].map(consequence),
+            consequences: ["life safety", "property", "function"].map(consequence),
             urgent: BTreeMap::new(),
+            tasks: BTreeMap::new(),
+            to_do: 0,
             floors: BTreeMap::new(),
             others: None,
             most_urgent,
@@ -156,10 +196,9 @@ impl Overview {
             *tier += 1;
         }
         self.without_tolerance += usize::from(found.capacity.is_none() && item.tolerance.is_none());
-        let asks_falling_alone = found.answers.as_ref().is_some_and(|answers| !answers.asks_shock);
-        self.only_falling += usize::from(decision == Decision::Leave && asks_falling_alone);
+        self.only_falling += usize::from(found.is_left_for_falling_alone());
         self.without_response += usize::from(found.response.is_none());
-        self.with_failed_motions += usize::from(found.response.as_ref().is_some_and(|response| response.failed > 0));
+        self.with_failed_motions += usize::from(found.response.is_some() && found.has_failed_histories());
         let rated = [item.consequences.life_safety, item.consequences.property, item.consequences.function];
         for (consequence, rating) in self.consequences.iter_mut().zip(rated) {
             consequence.ratings[rating_index(rating)].add(decision, item.quantity);
@@ -170,13 +209,27 @@ impl Overview {
         }
     }
 
+    /// Counts a task.
+    pub(super) fn add_task(&mut self, task: Task) {
+        self.to_do += 1;
+        self.tasks.insert(task.rank, task);
+        if self.tasks.len() > MAX_TASKS {
+            self.tasks.pop_last();
+        }
+    }
+
+    /// Whether objects of more than one building were counted.
+    pub(super) fn has_buildings(&self) -> bool {
+        let mut names = self.floors.keys().map(|key| &key.building);
+        let first = names.next();
+        names.any(|name| Some(name) != first)
+    }
+
     /// The floors from the top down; those beyond [`MAX_FLOORS`] together at the end.
     pub(super) fn floors(&self) -> Vec<&FloorCounts> {
-        let mut floors: Vec<&FloorCounts> = self.floors.values().collect();
-        let level = |floor: &FloorCounts| floor.level_ratio.unwrap_or(f64::NEG_INFINITY);
-        floors.sort_by(|a, b| level(b).total_cmp(&level(a)));
-        floors.extend(&self.others);
-        floors
+        let mut floors: Vec<(&FloorKey, &FloorCounts)> = self.floors.iter().collect();
+        sort_floors(&mut floors, |(key, floor)| (floor.level_ratio, *key));
+        floors.into_iter().map(|(_, floor)| floor).chain(&self.others).collect()
     }
 
     /// A sentence for the outputs of an interrupted run; `None` for a complete one.
@@ -193,13 +246,11 @@ impl Overview {
     fn add_floor(&mut self, line: &Line, decision: Decision) {
         let item = line.item;
         let level_ratio = item.level_ratio.filter(|level| level.is_finite());
-        // A floor with a name is one floor, whatever levels its rows give.
-        let level = if item.floor.is_empty() { level_ratio.map(f64::to_bits) } else { None };
-        let key = (item.building.clone(), item.floor.clone(), level);
+        let key = floor_key(item);
         let facts = line.assessment().and_then(|found| found.floor.as_ref());
         let floor = if self.floors.len() < MAX_FLOORS || self.floors.contains_key(&key) {
             self.floors.entry(key).or_insert_with(|| FloorCounts {
-                name: floor_name(item),
+                name: floor_words(&floor_key(item), true),
                 level_ratio,
                 pfa_g_median: facts.map(|facts| facts.pfa_g_median),
                 counts: Counts::default(),
@@ -225,15 +276,6 @@ fn rating_index(rating: Option<Rating>) -> usize {
     }
 }
 
-fn floor_name(item: &Item) -> String {
-    let floor = match (item.floor.as_str(), item.level_ratio) {
-        ("", None) => "level not given".to_owned(),
-        ("", Some(level_ratio)) => format!("level {}", freestand_input::words::number(level_ratio, 3)),
-        (floor, _) => floor.to_owned(),
-    };
-    if item.building.is_empty() { floor } else { format!("{}, {floor}", item.building) }
-}
-
 fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
     let item = line.item;
     Urgent {
@@ -241,13 +283,16 @@ fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
         id: item.id.clone(),
         item: item.item.clone(),
         quantity: item.quantity,
+        floor: floor_words(&floor_key(item), false),
         place: place(item),
         decision: found.decision,
         governing: found.capacity.as_ref().map(|capacity| capacity.governing),
-        demand_capacity: found.capacity.as_ref().map(|capacity| capacity.demand_capacity),
-        probability: found.p_exceed.or(found.p_overturn),
-        is_overturn_only: found.p_exceed.is_none() && found.p_overturn.is_some(),
-        shock_g: found.shock.as_ref().map(|shock| shock.edge_acceleration_g[1]),
+        demand_capacity: found.demand_capacity_median(),
+        falls: falls(found),
+        exceeded: exceeded(found),
+        chance: chance(found),
+        shock_g: found.edge_acceleration_g_median(),
+        force_n: found.design_force().map(|force| force.force_n),
         why: found.why.clone(),
     }
 }
@@ -260,7 +305,11 @@ pub(super) fn place(item: &Item) -> String {
             parts.push(part);
         }
     }
-    if parts.is_empty() { item.level_ratio.map_or_else(String::new, |_| floor_name(item)) } else { parts.join(", ") }
+    if parts.is_empty() {
+        item.level_ratio.map_or_else(String::new, |_| floor_words(&floor_key(item), true))
+    } else {
+        parts.join(", ")
+    }
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ const ALONE: Wanted = Wanted { parquet: true, workbook: false, report: false, pa
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {
     let (folder, names) = written(inventory, assessed, ALONE);
-    assert_eq!(names, ["objects.csv", PARQUET_NAME]);
+    assert_eq!(names, ["objects.csv", PARQUET_NAME, "worklist.csv"]);
     read(&folder, PARQUET_NAME)
 }
 

@@ -16,8 +16,8 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
          the plane of the {}, the centre of gravity rises by Δh = {} mm, and the uplift is {} mm.",
         chain.motion,
         chain.axis.name(),
-        number(1e3 * chain.cg_rise_m, 4),
-        number(1e3 * chain.uplift_m, 4)
+        millimetres(chain.cg_rise_m),
+        millimetres(chain.uplift_m)
     ));
     let mut lines = geometry(item, chain);
     match chain.stiffness_n_m {
@@ -45,10 +45,15 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
     html
 }
 
+/// A length in mm, as the rest of the page has them.
+fn millimetres(length_m: f64) -> String {
+    number(1e3 * length_m, 4)
+}
+
 /// R, R_D and m_eff.
 fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
-    let [h, t, b, r, m] =
-        [chain.height_m, chain.thickness_m, chain.base_m, chain.half_diagonal_m, chain.mass_kg].map(|x| number(x, 4));
+    let [h, t, b, r] = [chain.height_m, chain.thickness_m, chain.base_m, chain.half_diagonal_m].map(millimetres);
+    let m = number(chain.mass_kg, 4);
     let (r_d, m_eff) = (number(chain.landing_ratio, 4), number(chain.effective_mass_kg, 4));
     let halted = "The landing is halted (no rocking after it): Eq. (8), with R_D = 0 in the shock.".to_owned();
     if chain.is_uniform {
@@ -59,7 +64,7 @@ fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
             format!("m_eff = m (1 − 0.1875 (d/R)²) = {m} × (1 − 0.1875 × {x}) = {m_eff} kg")
         };
         let mut lines = vec![
-            format!("R = ½ √(h² + t²) = ½ √({h}² + {t}²) = {r} m, (d/R)² = ({t}/{r})² = {x}"),
+            format!("R = ½ √(h² + t²) = ½ √({h}² + {t}²) = {r} mm, (d/R)² = ({t}/{r})² = {x}"),
             format!("(6)  R_D = 1 − ⅜ (d/R)² = {r_d}"),
             mass,
         ];
@@ -69,11 +74,11 @@ fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
     let cg_m = item.cg_height_m.unwrap_or(0.5 * chain.height_m);
     let inertia =
         (chain.height_m.powi(2) + chain.thickness_m.powi(2)) / 12.0 + cg_m * cg_m + 0.25 * chain.base_m * chain.base_m;
-    let (z, i0) = (number(cg_m, 4), number(inertia, 4));
+    let (z, i0) = (millimetres(cg_m), number(1e6 * inertia, 4));
     let mass = if chain.is_halted { "m I₀′/B²" } else { "m I₀′ (1 − R_D²)/B²" };
     let mut lines = vec![
-        format!("R = √((B/2)² + z²) = √(({b}/2)² + {z}²) = {r} m"),
-        format!("I₀′ = I₀/m = (h² + t²)/12 + R² = {i0} m²"),
+        format!("R = √((B/2)² + z²) = √(({b}/2)² + {z}²) = {r} mm"),
+        format!("I₀′ = I₀/m = (h² + t²)/12 + R² = {i0} mm²"),
         format!("R_D = 1 − B²/(2 I₀′) = {r_d} (Eq. (6) for a block that is not uniform or has inset feet)"),
         format!("m_eff = {mass} = {m_eff} kg"),
     ];
@@ -83,7 +88,7 @@ fn geometry(item: &Item, chain: &Chain) -> Vec<String> {
 
 /// a, a_edge, Δv and T on a spring.
 fn spring(chain: &Chain, stiffness_n_m: f64) -> Vec<String> {
-    let k = format!("{} kN/m", number(1e-3 * stiffness_n_m, 4));
+    let k = format!("{} N/mm", number(1e-3 * stiffness_n_m, 4));
     let (a, edge) = (number(chain.drop_acceleration_g, 4), number(chain.edge_acceleration_g, 4));
     let drop = format!(
         "(7)  a = √(2 k g Δh/m) = √(2 × {k} × {} m/s² × {} mm/{} kg) = {a} g",

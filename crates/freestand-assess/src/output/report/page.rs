@@ -1,19 +1,19 @@
-//! The page of one object.
+//! The page of one object. What a reader decides by comes first and is compact, so that a long list
+//! prints on few sheets; how it was calculated follows, folded.
 
 use std::fmt::Write;
 
-use crate::inventory::{Inventory, Item, Rating};
+use crate::inventory::{Inventory, Item};
 use crate::output::overview::place;
-use crate::output::words::{margin, probability, ranked, ranked_milli, tier};
-use crate::result::{Assessment, AxisResponse, ModelAnswers, Probability, Response, RestraintForce, RestraintKind};
+use crate::output::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
+use crate::result::{Assessment, AxisResponse, ModelAnswers, Ranked, RestraintForce, RestraintKind, Shares};
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, table, words as text};
 use freestand_study::cushion::cushion_words;
-use freestand_study::result::Ranked;
 
 use super::drawing::sketch;
 use super::equations::equations;
-use super::summary::badge;
+use super::summary::{badge, kilonewtons};
 use super::{anchor, name, words};
 
 /// The page of one object.
@@ -35,19 +35,15 @@ pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Asse
     );
     html.push_str("<div class=\"two\">\n");
     html.push_str(&pairs(&verdict_figures(item, found)));
-    html.push_str("<div class=\"thing\">\n");
-    html.push_str(&sketch(item));
     html.push_str(&pairs(&object_figures(item, found)));
-    html.push_str("</div>\n</div>\n");
+    html.push_str(&sketch(item));
+    html.push_str("</div>\n");
     html.push_str(&response(found));
-    html.push_str(&what_it_depends_on(found));
     html.push_str(&what_to_do(found));
-    if let Some(chain) = &found.chain {
-        html.push_str(&heading("The shock, step by step"));
-        html.push_str(&equations(item, chain));
-    }
-    html.push_str(&comparisons_and_notes(inventory, item, found));
-    html.push_str("</section>\n");
+    html.push_str(&notes(found));
+    html.push_str("<details>\n<summary>How it was calculated</summary>\n");
+    html.push_str(&calculation(inventory, item, found));
+    html.push_str("</details>\n</section>\n");
     html
 }
 
@@ -63,21 +59,25 @@ fn pairs(rows: &[(&str, String)]) -> String {
 
 /// The numbers on which the verdict is based.
 fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
-    let overturn = found.p_overturn.map_or_else(String::new, probability);
-    let exceed = found.p_exceed.map_or_else(String::new, probability);
-    let accepted = format!("{} ({})", percent(found.accepted_ratio, 0), found.accepted_for.name());
+    let known = |p: bool, said: String| if p { said } else { String::new() };
+    let model = if found.decides_on_pads() { "on its pads" } else { "on a rigid base" };
     let worlds = found.answers.as_ref().map_or_else(String::new, |answers| {
         format!("{} of at most {}", counted(answers.worlds as usize, "world"), answers.worlds_cap)
     });
+    let decided = match tier(found.tier) {
+        "" => worlds,
+        by if worlds.is_empty() => by.to_owned(),
+        by => format!("{by}; {worlds}"),
+    };
+    let shock = found.edge_acceleration_g_median().map_or_else(String::new, |shock| ranked(shock, "g"));
     let mut rows = vec![
+        ("Falls over", known(found.p_overturn.is_some(), falls(found))),
+        ("Tolerance exceeded", known(found.p_exceed.is_some(), exceeded(found))),
+        ("Accepted", format!("{} ({})", percent(found.accepted_ratio, 0), found.accepted_for.name())),
         ("Demand/capacity", margin(found)),
-        ("Probability of exceeding the tolerance", exceed),
-        ("Probability of overturning", overturn),
-        ("Accepted probability", accepted),
-        (
-            "Decided by",
-            [tier(found.tier), &worlds].into_iter().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(", "),
-        ),
+        ("Median shock", shock),
+        ("These two are", known(found.answers.is_some() && found.shock.is_some(), model.to_owned())),
+        ("Calculated with", decided),
     ];
     match (&found.capacity, &item.tolerance) {
         (Some(capacity), _) => {
@@ -85,11 +85,7 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
                 if capacity.decides { "" } else { "; recalled without a source, so no verdict depends on it" };
             rows.push(("Governing criterion", capacity.governing.name().to_owned()));
             rows.push(("Tolerance", capacity.tolerance.clone()));
-            rows.push(("Source of the tolerance", format!("{}{recalled}", capacity.source)));
-            rows.push((
-                "Median PFA over tolerance",
-                capacity.floor_ratio.map_or_else(String::new, |ratio| number(ratio, 3)),
-            ));
+            rows.push(("Its source", format!("{}{recalled}", capacity.source)));
         }
         (None, Some(tolerance)) => rows.push(("Source of the tolerance", tolerance.source.clone())),
         (None, None) => rows.push(("Tolerance", "not given".to_owned())),
@@ -102,22 +98,16 @@ fn object_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)
     let mut rows =
         vec![("Place", place(item)), ("Quantity", item.quantity.to_string()), ("Consequences", consequences(item))];
     if let Some(floor) = &found.floor {
-        rows.push((
-            "Floor",
-            format!(
-                "level {}; PFA {} g (median), {} g (largest); PFV {} m/s (median)",
-                fixed(floor.level_ratio, 2),
-                number(floor.pfa_g_median, 3),
-                number(floor.pfa_g_max, 3),
-                number(floor.pfv_m_s_median, 3)
-            ),
-        ));
+        rows.push(("Level", fixed(floor.level_ratio, 2)));
+        let (median, most) = (number(floor.pfa_g_median, 3), number(floor.pfa_g_max, 3));
+        rows.push(("PFA", format!("median {median} g, largest {most} g")));
+        rows.push(("Median PFV", format!("{} m/s", number(floor.pfv_m_s_median, 3))));
     }
     rows.push((
         "Mass",
         item.mass_kg.map_or_else(|| "not given".to_owned(), |mass_kg| format!("{} kg", number(mass_kg, 5))),
     ));
-    rows.push(("Cushion under one edge", cushion(item)));
+    rows.push(("Cushion, one edge", cushion(item)));
     rows
 }
 
@@ -133,31 +123,197 @@ fn consequences(item: &Item) -> String {
         ("property", item.consequences.property),
         ("function", item.consequences.function),
     ];
-    let words = rated.into_iter().filter_map(|(name, rating)| {
-        let rating = match rating? {
-            Rating::High => "high",
-            Rating::Medium => "medium",
-            Rating::Low => "low",
-        };
-        Some(format!("{name} {rating}"))
-    });
+    let words = rated.into_iter().filter_map(|(name, rating)| Some(format!("{name} {}", rating?.name())));
     words.collect::<Vec<_>>().join(", ")
 }
 
+/// What both models say, a row for each.
 fn response(found: &Assessment) -> String {
-    let mut html = heading("Response");
-    let Some(response) = &found.response else {
-        html.push_str(&paragraph("Its response was not computed; the reason is given with the verdict above."));
-        return html;
+    let (Some(answers), Some(response)) = (&found.answers, &found.response) else {
+        return paragraph("Its response was not calculated; the reason is given above.");
     };
-    html.push_str(&format!("<p>{}</p>\n", words(&response_words(response))));
-    html.push_str(&axes(&response.axes));
+    let chance = |model: &ModelAnswers| {
+        let exceed = model.exceed.map_or_else(|| "–".to_owned(), crate::output::words::probability);
+        [figure(crate::output::words::probability(model.overturn)), figure(exceed)]
+    };
+    let shocks = found.shock.as_ref().map(|shock| shock.edge_acceleration_g);
+    let mut rigid = vec![text("rigid base, Eq. (5)")];
+    rigid.extend(chance(&answers.rigid));
+    rigid.push(figure(percent(response.uplift_share, 0)));
+    rigid.push(figure(quantiles(response.uplift_m, |lift| ranked_milli(lift, "mm"))));
+    rigid.push(figure(shocks.map_or_else(|| "–".to_owned(), |shocks| quantiles(shocks, |g| ranked(g, "g")))));
+    let mut rows = vec![rigid];
+    if let (Some(model), Some(pads)) = (&answers.compliant, &found.on_pads) {
+        let mut row = vec![text("on its pads")];
+        row.extend(chance(model));
+        row.push(figure(percent(pads.let_go_share, 0)));
+        row.push(figure(said(pads.lift_m_median, |lift| ranked_milli(lift, "mm"))));
+        row.push(figure(said(pads.edge_acceleration_g_median, |g| ranked(g, "g"))));
+        rows.push(row);
+    }
+    let headings = vec![
+        text("Model"),
+        figure("Falls over"),
+        figure("Tolerance exceeded"),
+        figure("Lifts an edge"),
+        figure("Median uplift (16 to 84 %)"),
+        figure("Median shock (16 to 84 %)"),
+    ];
+    table("", &[headings], &rows) + &in_brief(found)
+}
+
+/// A median; in words where at least half of the worlds overturn the object.
+fn said(value: Ranked, shown: impl Fn(Ranked) -> String) -> String {
+    match value {
+        Ranked::Overturned => "half or more overturn".to_owned(),
+        other => shown(other),
+    }
+}
+
+/// The median, and the values that 16 and 84 % of the worlds do not exceed.
+fn quantiles([low, median, high]: [Ranked; 3], shown: impl Fn(Ranked) -> String) -> String {
+    match (median, high) {
+        (Ranked::Overturned | Ranked::NoData, _) => said(median, shown),
+        (_, Ranked::Overturned) => format!("{} ({} to overturned)", shown(median), shown(low)),
+        _ => format!("{} ({} to {})", shown(median), shown(low), shown(high)),
+    }
+}
+
+/// Sliding, clearance, and what the answer depends on, in one paragraph.
+fn in_brief(found: &Assessment) -> String {
+    let mut said: Vec<String> = Vec::new();
+    if let Some(response) = found.response.as_ref().filter(|response| response.failed > 0) {
+        let reason = response.failure.as_deref().unwrap_or("the reason is not known");
+        said.push(format!("The histories in {} failed: {reason}.", counted(response.failed, "further world")));
+    }
+    if let Some(sliding) = &found.sliding {
+        let (low, high) = sliding.friction_ratio;
+        let origin = if sliding.is_stated { "stated" } else { "assumed" };
+        let (low, high) = (number(low, 3), number(high, 3));
+        let verdict = sliding.verdict.name();
+        said.push(format!("Sliding: {verdict} (coefficient of friction {low} to {high}, {origin})."));
+    }
+    if let Some(clearance_m) = found.clearance_m {
+        said.push(format!("Clearance needed on every side: {} mm.", number((1e3 * clearance_m).ceil(), 6)));
+    }
+    if let Some(shares) = &found.shares {
+        said.extend(depends_on(shares));
+    }
+    if let Some(per_year) = &found.per_year {
+        let at_least = if per_year.is_at_least { "at least " } else { "" };
+        let exceed = per_year
+            .exceed
+            .map_or_else(String::new, |p| format!("; that its tolerance is exceeded, {at_least}{}", number(p, 2)));
+        said.push(format!(
+            "Probability per year that it falls: {at_least}{}{exceed}. It does not decide.",
+            number(per_year.overturn, 2)
+        ));
+    }
+    if said.is_empty() { String::new() } else { format!("<p>{}</p>\n", words(&said.join(" "))) }
+}
+
+/// The groups of unknowns, the one that matters most first, and what to measure.
+fn depends_on(shares: &Shares) -> Vec<String> {
+    let mut known: Vec<_> = shares.by_group.iter().filter_map(|(cause, share)| Some((cause, (*share)?))).collect();
+    known.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let named: Vec<String> =
+        known.iter().map(|(cause, share)| format!("{} {}", cause.name(), percent(*share, 0))).collect();
+    let mut said = Vec::new();
+    if !named.is_empty() {
+        said.push(format!("The answer depends on: {}.", named.join(", ")));
+    }
+    if let Some((cause, low, high)) = &shares.measure_first {
+        said.push(format!(
+            "Measure first: {}. At its 10 % point the probability is {}, at its 90 % point {}: on both sides of the \
+             accepted one.",
+            cause.name(),
+            percent(*low, 0),
+            percent(*high, 0)
+        ));
+    }
+    said
+}
+
+fn what_to_do(found: &Assessment) -> String {
+    let mut html = String::new();
+    if let Some(softening) = &found.softening {
+        let mut said = match softening.max_stiffness_n_m {
+            Some(stiffness) => format!(
+                "A softer pad: at most {} N/mm under one edge; it {} every check.",
+                number(1e-3 * stiffness, 3),
+                if softening.admissible { "passed" } else { "did not pass" }
+            ),
+            None => "A softer pad: no stiffness suffices.".to_owned(),
+        };
+        if let Some(stroke_m) = softening.stroke_m {
+            let (stroke, pad) = (number(1e3 * stroke_m, 3), number(1e3 * softening.pad_thickness_m, 3));
+            let _ = write!(said, " It is {pad} mm thick and is compressed by {stroke} mm.");
+        }
+        if let Some(shock_g) = softening.edge_acceleration_g {
+            let _ = write!(said, " The median shock on this pad is {} g.", number(shock_g, 3));
+        }
+        let _ = writeln!(html, "<p>{} Check: {}</p>", words(&said), words(&softening.note));
+    }
+    html.push_str(&forces(found.restraint.iter().filter(|force| force.kind != RestraintKind::OtherCode)));
+    let is_held = found.design_force().is_some_and(|force| force.anchor_tension_n <= 0.0);
+    let held = is_held.then(|| "No tension: its weight holds it down.".to_owned());
+    html.push_str(&held.map_or_else(String::new, |said| paragraph(&said)));
+    html
+}
+
+/// Forces of a restraint, a row for each source; nothing where there are none.
+fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
+    let tension = |force_n: f64| if force_n > 0.0 { kilonewtons(force_n) } else { "none".to_owned() };
+    let row = |force: &RestraintForce| {
+        vec![
+            markup(name(&force.source), ""),
+            figure(kilonewtons(force.force_n)),
+            figure(number(force.force_ratio, 3)),
+            figure(tension(force.anchor_tension_n)),
+            figure(tension(force.anchor_tension_concrete_n)),
+            figure(format!("{} mm", number(1e3 * force.bracket_height_m, 4))),
+            figure(kilonewtons(force.bracket_force_n)),
+            figure(kilonewtons(force.bracket_force_concrete_n)),
+            figure(kilonewtons(force.bracket_base_shear_n)),
+        ]
+    };
+    let forces: Vec<&RestraintForce> = forces.collect();
+    if forces.is_empty() {
+        return String::new();
+    }
+    let rows: Vec<Vec<Cell>> = forces.iter().map(|force| row(force)).collect();
+    let headings = vec![
+        text("Force of a restraint by"),
+        figure("Force"),
+        figure("Force/weight"),
+        figure("Tension along one edge"),
+        figure("in concrete"),
+        figure("Or a bracket at"),
+        figure("Force"),
+        figure("in concrete"),
+        figure("at the feet"),
+    ];
+    table("", &[headings], &rows)
+}
+
+/// What was assumed about the row.
+fn notes(found: &Assessment) -> String {
+    if found.notes.is_empty() { String::new() } else { format!("<p>{}</p>\n", words(&found.notes.join(" "))) }
+}
+
+/// Everything that a reviewer needs besides: both axes, formulas, equations, comparisons.
+fn calculation(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
+    let mut html = String::new();
+    if let Some(response) = &found.response {
+        html.push_str(&heading("Both sides of the object, on a rigid base"));
+        html.push_str(&axes(&response.axes));
+        html.push_str(&paragraph(&format!("At most {} in one world.", counted(response.impacts_max, "impact"))));
+    }
     if let Some(shock) = &found.shock {
         let mut said = format!(
-            "{} Pulse duration: {} ms; median velocity change: {}.",
-            quantiles("Shock", shock.edge_acceleration_g, |g| ranked(g, "g")),
+            "Duration of the pulse: {} ms; median velocity change: {}.",
             number(1e3 * shock.pulse_duration_s, 3),
-            ranked(shock.velocity_change_m_s, "m/s")
+            said(shock.velocity_change_m_s, |v| ranked(v, "m/s"))
         );
         if let Some(impacts) = shock.impacts_above_tolerance {
             let _ = write!(
@@ -166,52 +322,42 @@ fn response(found: &Assessment) -> String {
                  {impacts}."
             );
         }
+        if let Some(ratio) = found.capacity.as_ref().and_then(|capacity| capacity.floor_ratio) {
+            let _ = write!(said, " Median PFA over tolerance: {}.", number(ratio, 3));
+        }
         html.push_str(&paragraph(&said));
     }
-    let mut said = String::new();
-    if let Some(sliding) = &found.sliding {
-        let (low, high) = sliding.friction_ratio;
-        let origin = if sliding.is_stated { "stated" } else { "assumed" };
-        let (low, high) = (number(low, 3), number(high, 3));
-        let _ = write!(
-            said,
-            "Sliding: {} (coefficient of friction {low} to {high}, {origin}; the motion of sliding is not computed). ",
-            sliding.verdict.name()
-        );
+    if let Some(pads) = &found.on_pads {
+        let number = |value: Option<f64>, unit: &str| {
+            value.map_or_else(|| "–".to_owned(), |value| format!("{} {unit}", number(value, 3)))
+        };
+        html.push_str(&paragraph(&format!(
+            "On its pads it rocks at {} with both edges down; a steady {} lifts an edge off its pad.",
+            number(pads.rocking_frequency_hz, "Hz"),
+            number(pads.pad_uplift_threshold_g, "g"),
+        )));
     }
-    if let Some(clearance_m) = found.clearance_m {
-        let _ = write!(said, "Clearance needed on every side: {} mm.", number((1e3 * clearance_m).ceil(), 6));
+    if found.shares.as_ref().is_some_and(|shares| shares.by_group.iter().any(|(_, share)| share.is_some())) {
+        html.push_str(&paragraph(
+            "What the answer depends on: each share is that of worlds in which the answer changes if only this value is \
+             drawn again, divided by that of two unrelated worlds. The shares of values that act together overlap.",
+        ));
     }
-    if !said.is_empty() {
-        html.push_str(&paragraph(&said));
+    if !found.restraint.is_empty() {
+        html.push_str(&heading("Forces of the restraint"));
+        html.push_str(&forces(found.restraint.iter().filter(|force| force.kind == RestraintKind::OtherCode)));
+        html.push_str("<dl>\n");
+        for force in &found.restraint {
+            let _ = writeln!(html, "<dt>{}</dt><dd>{}</dd>", name(&force.source), words(&force.note));
+        }
+        html.push_str("</dl>\n");
     }
+    if let Some(chain) = &found.chain {
+        html.push_str(&heading("The shock, step by step"));
+        html.push_str(&equations(item, chain));
+    }
+    html.push_str(&comparisons(inventory, item, found));
     html
-}
-
-fn response_words(response: &Response) -> String {
-    let mut said = format!(
-        "On a rigid base it uplifts in {} and overturns in {} of {}. {} At most {} in one world.",
-        percent(response.uplift_share, 0),
-        percent(response.overturn_share, 0),
-        counted(response.motions, "world"),
-        quantiles("Uplift", response.uplift_m, |lift| ranked_milli(lift, "mm")),
-        counted(response.impacts_max, "impact")
-    );
-    if response.failed > 0 {
-        let reason = response.failure.as_deref().unwrap_or("the reason is not known");
-        let _ = write!(said, " The histories in {} failed: {reason}.", counted(response.failed, "further world"));
-    }
-    said
-}
-
-/// The values that 16, 50 and 84 % of the worlds do not exceed, in a sentence.
-fn quantiles(name: &str, values: [Ranked; 3], shown: impl Fn(Ranked) -> String) -> String {
-    let [low, median, high] = values.map(shown);
-    match values {
-        [Ranked::Overturned, ..] => "At least 84 % of the worlds overturn it.".to_owned(),
-        [_, Ranked::Overturned, _] => format!("At least half of the worlds overturn it. {name} at 16 %: {low}."),
-        _ => format!("{name}: median {median}, 16 % {low}, 84 % {high}."),
-    }
 }
 
 fn axes(axes: &[AxisResponse]) -> String {
@@ -233,7 +379,7 @@ fn axes(axes: &[AxisResponse]) -> String {
             let mut cells = vec![
                 text(axis.axis.name()),
                 figure(format!("{}°", fixed(axis.slenderness_angle_rad.to_degrees(), 1))),
-                figure(format!("{} m", number(axis.half_diagonal_m, 3))),
+                figure(format!("{} mm", number(1e3 * axis.half_diagonal_m, 4))),
                 figure(format!("{} g", number(axis.uplift_threshold_g, 3))),
                 figure(percent(axis.uplift_share, 0)),
                 figure(percent(axis.overturn_share, 0)),
@@ -249,159 +395,26 @@ fn axes(axes: &[AxisResponse]) -> String {
     table("", &[headings], &rows)
 }
 
-/// Both models, what the answer depends on, and what to measure.
-fn what_it_depends_on(found: &Assessment) -> String {
+/// Comparisons with published numbers, and the other columns of the inventory.
+fn comparisons(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
     let mut html = String::new();
-    if let Some(answers) = &found.answers {
-        html.push_str(&heading("The models"));
-        let cell = |p: Option<Probability>| figure(p.map_or_else(|| "–".to_owned(), probability));
-        let row = |name: &str, model: &ModelAnswers| vec![text(name), cell(Some(model.overturn)), cell(model.exceed)];
-        let mut rows = vec![row("Rigid base, Eq. (5)", &answers.rigid)];
-        rows.extend(answers.compliant.as_ref().map(|model| row("Compliant base, on its pads", model)));
-        let headings = vec![text("Model"), figure("Falls"), figure("Tolerance exceeded")];
-        html.push_str(&table("", &[headings], &rows));
-        if let Some(pads) = &found.on_pads {
-            let number = |value: Option<f64>, unit: &str| {
-                value.map_or_else(|| "–".to_owned(), |value| format!("{} {unit}", number(value, 3)))
-            };
-            html.push_str(&paragraph(&format!(
-                "On its pads it rocks at {} with both edges down; a steady {} lifts an edge off its pad, and an edge \
-                 leaves its pad in {} of the worlds. The median shock is {}, the median uplift {}.",
-                number(pads.rocking_frequency_hz, "Hz"),
-                number(pads.pad_uplift_threshold_g, "g"),
-                percent(pads.let_go_share, 0),
-                ranked(pads.edge_acceleration_g_median, "g"),
-                ranked_milli(pads.lift_m_median, "mm")
-            )));
-        }
-    }
-    if let Some(shares) = &found.shares {
-        let known: Vec<_> = shares.by_group.iter().filter_map(|(cause, share)| Some((cause, (*share)?))).collect();
-        if !known.is_empty() {
-            html.push_str(&heading("What the answer depends on"));
-            let rows: Vec<Vec<Cell>> =
-                known.iter().map(|(cause, share)| vec![text(cause.name()), figure(percent(*share, 0))]).collect();
-            html.push_str(&table("", &[vec![text("Drawn again alone"), figure("Share")]], &rows));
-            html.push_str(&paragraph(
-                "The share is that of worlds in which the answer changes if only this value is drawn again, divided by \
-                 that of two unrelated worlds. The shares of values that act together overlap.",
-            ));
-        }
-        if let Some((cause, low, high)) = &shares.measure_first {
-            html.push_str(&paragraph(&format!(
-                "Measure first: {}. At its 10 % point the probability is {}, at its 90 % point {}: on both sides of \
-                 the accepted one.",
-                cause.name(),
-                percent(*low, 0),
-                percent(*high, 0)
-            )));
-        }
-    }
-    if let Some(per_year) = &found.per_year {
-        let at_least = if per_year.is_at_least { "at least " } else { "" };
-        let exceed = per_year
-            .exceed
-            .map_or_else(String::new, |p| format!("; that its tolerance is exceeded, {at_least}{}", number(p, 2)));
-        html.push_str(&paragraph(&format!(
-            "Probability per year that it falls: {at_least}{}{exceed}. It does not decide.",
-            number(per_year.overturn, 2)
-        )));
-    }
-    html
-}
-
-fn what_to_do(found: &Assessment) -> String {
-    let mut html = String::new();
-    if let Some(softening) = &found.softening {
-        html.push_str(&heading("A softer pad"));
-        let mut said = match softening.max_stiffness_n_m {
-            Some(stiffness) => format!(
-                "Largest stiffness under one edge: {} kN/m{}.",
-                number(1e-3 * stiffness, 3),
-                if softening.admissible {
-                    ". The pad passed every check"
-                } else {
-                    ". The pad did not pass every check"
-                }
-            ),
-            None => "No stiffness suffices.".to_owned(),
-        };
-        if let Some(stroke_m) = softening.stroke_m {
-            let (stroke, pad) = (number(1e3 * stroke_m, 3), number(1e3 * softening.pad_thickness_m, 3));
-            let _ = write!(said, " It is {pad} mm thick and is compressed by {stroke} mm.");
-        }
-        if let Some(shock_g) = softening.edge_acceleration_g {
-            let _ = write!(said, " The median shock on this pad is {} g.", number(shock_g, 3));
-        }
-        let _ = writeln!(html, "<p>{} Check: {}</p>", words(&said), words(&softening.note));
-    }
-    if !found.restraint.is_empty() {
-        html.push_str(&heading("Restraint forces"));
-        let headings = vec![
-            text("Source"),
-            figure("Force"),
-            figure("Force/weight"),
-            figure("Tension of all anchors along one edge"),
-            figure("in concrete"),
-            figure("Or a bracket"),
-            figure("in concrete"),
-            figure("with, at the feet"),
-            text("Formula"),
-        ];
-        let force_of = |force_n: f64| format!("{} kN", number(1e-3 * force_n, 3));
-        let tension = |force_n: f64| match force_n > 0.0 {
-            true => force_of(force_n),
-            false => "none: its weight holds it down".to_owned(),
-        };
-        let source_of = |force: &RestraintForce| match force.kind {
-            RestraintKind::OtherCode => format!("For comparison: {}", force.source),
-            RestraintKind::OwnCode | RestraintKind::Floor => force.source.clone(),
-        };
-        let rows: Vec<Vec<Cell>> = found
-            .restraint
-            .iter()
-            .map(|force| {
-                let bracket = format!("{} at {} m", force_of(force.bracket_force_n), number(force.bracket_height_m, 3));
-                vec![
-                    markup(name(&source_of(force)), ""),
-                    figure(force_of(force.force_n)),
-                    figure(number(force.force_ratio, 3)),
-                    figure(tension(force.anchor_tension_n)),
-                    figure(tension(force.anchor_tension_concrete_n)),
-                    figure(bracket),
-                    figure(force_of(force.bracket_force_concrete_n)),
-                    figure(force_of(force.bracket_base_shear_n)),
-                    markup(words(&force.note), ""),
-                ]
-            })
-            .collect();
-        html.push_str(&table("", &[headings], &rows));
-    }
-    html
-}
-
-/// Comparisons with published numbers, notes, and the other columns of the inventory.
-fn comparisons_and_notes(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
-    let mut html = String::from("<div class=\"beside\">\n");
     let mut add = |title: &str, lines: &[String]| {
         if !lines.is_empty() {
-            let _ = writeln!(html, "<div>{}<ul>", heading(title));
+            let _ = writeln!(html, "{}<ul>", heading(title));
             for line in lines {
                 let _ = writeln!(html, "<li>{}</li>", words(line));
             }
-            html.push_str("</ul></div>\n");
+            html.push_str("</ul>\n");
         }
     };
     add("Comparison with published numbers", &found.context);
-    add("Notes", &found.notes);
     let mut carried = Vec::new();
     if !item.notes.is_empty() {
         carried.push(format!("Notes: {}", item.notes));
     }
     let cells = inventory.carried.iter().zip(&item.carried).filter(|(_, cell)| !cell.is_empty());
     carried.extend(cells.take(MAX_CARRIED).map(|(header, cell)| format!("{header}: {cell}")));
-    add("Other columns of the inventory", &carried);
-    html.push_str("</div>\n");
+    add("Other columns of the list", &carried);
     html
 }
 
@@ -419,7 +432,7 @@ mod tests {
         let inventory = crate::output::fixture::inventory(vec![]);
         let item = crate::output::fixture::hostile_items().pop().unwrap();
         let html = page(&inventory, &item, 3, &crate::output::fixture::unknown(&item));
-        for said in ["NO VERDICT", "Height, thickness and level are missing.", "not given", "was not computed"] {
+        for said in ["NO VERDICT", "Height, thickness and level are missing.", "not given", "was not calculated"] {
             assert!(html.contains(said), "{said}: {html}");
         }
         assert!(!html.contains("step by step") && !html.contains("<svg"));

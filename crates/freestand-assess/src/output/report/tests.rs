@@ -10,7 +10,7 @@ const ALONE: Wanted = Wanted { parquet: false, workbook: false, report: true, pa
 
 fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {
     let (folder, names) = written(inventory, assessed, Wanted { pages, ..ALONE });
-    assert_eq!(names, ["objects.csv", REPORT_NAME]);
+    assert_eq!(names, ["objects.csv", REPORT_NAME, "worklist.csv"]);
     String::from_utf8(read(&folder, REPORT_NAME)).unwrap()
 }
 
@@ -58,6 +58,50 @@ fn only_the_most_urgent_have_pages() {
     assert_eq!(pages(&document), (1..=5).map(anchor).collect::<Vec<_>>());
     assert!(html.contains("Objects up to rank 5 have a page below.") && html.contains("objects.csv"));
     assert!(html.contains("O-0000") && !html.contains("href=\"#object-6\""));
+}
+
+/// The first printed sheet says whose building it is, where, how many, what first, and what was
+/// assumed; the work list has every object for which something has to be done, and no other.
+#[test]
+fn the_first_sheet_and_the_work_list_are_there() {
+    let html = html(&inventory((0..12).map(item).collect()), 12, 5);
+    let document = parse(&html);
+    let section = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id)).unwrap();
+    let text = |node: roxmltree::Node| -> String { node.descendants().filter_map(|node| node.text()).collect() };
+    let main = document.descendants().find(|node| node.has_tag_name("main")).unwrap();
+    assert!(text(main).trim_start().starts_with("No study given: this is a 30-storey tower in Melbourne, not your"));
+    let sheet = text(section("one-page"));
+    for said in ["Main, 30 storeys, 90 m high", "ward.xlsx, sheet Objects, 24 objects", "Assessed: 12 of 12 objects."] {
+        assert!(sheet.contains(said), "{said}: {sheet}");
+    }
+    let rows = |id: &str, class: &str| -> Vec<String> {
+        let tables = section(id).descendants().filter(|node| node.attribute("class") == Some(class));
+        let bodies = tables.flat_map(|table| table.children().filter(|node| node.has_tag_name("tbody")));
+        bodies.flat_map(|body| body.children().filter(|row| row.has_tag_name("tr")).map(text)).collect()
+    };
+    assert_eq!(rows("one-page", "cards ten").len(), 10);
+    let work = rows("floors", "cards work");
+    // Of 12 objects three may be left; the five floors have a row each.
+    assert_eq!(work.len(), 9 + 5);
+    assert!(work[0].contains("Level 4") && work.iter().all(|row| !row.contains("LEAVE")), "{work:#?}");
+    assert!(text(section("first")).contains(crate::rank::RULE));
+}
+
+/// What is printed of an object is short: the rest is folded. A sheet holds some 4,300 characters of
+/// its small print (measured: three objects of 1,450), so that two objects of 2,000 share one, and 62
+/// stay under 40 sheets.
+#[test]
+fn an_object_prints_on_half_a_sheet() {
+    let html = html(&inventory((0..12).map(item).collect()), 12, 200);
+    let document = parse(&html);
+    let is_folded = |node: &roxmltree::Node| node.ancestors().any(|one| one.has_tag_name("details"));
+    for object in document.descendants().filter(|node| node.attribute("class") == Some("object")) {
+        let texts = object.descendants().filter(|node| node.is_text() && !is_folded(node));
+        let printed: usize = texts.filter_map(|node| node.text()).map(|text| text.trim().chars().count()).sum();
+        assert!((300..2_000).contains(&printed), "{printed}");
+        let folded: String = object.descendants().filter(is_folded).filter_map(|node| node.text()).collect();
+        assert!(folded.contains("How it was calculated") && folded.contains("R_D"), "{folded}");
+    }
 }
 
 #[test]

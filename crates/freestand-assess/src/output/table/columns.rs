@@ -25,9 +25,15 @@ pub(crate) const COLUMNS: &[Column] = &[
     text("building", "building", |l| Cell::text(&l.item.building)),
     text("floor", "name of the floor", |l| Cell::text(&l.item.floor)),
     text("room", "room", |l| Cell::text(&l.item.room)),
-    text("life_safety", "FEMA E-74: risk that somebody is hurt (H, M, L)", |l| rating(l.item.consequences.life_safety)),
-    text("property_loss", "FEMA E-74: risk of a loss of property (H, M, L)", |l| rating(l.item.consequences.property)),
-    text("functional_loss", "FEMA E-74: risk that work stops (H, M, L)", |l| rating(l.item.consequences.function)),
+    text("life_safety", "FEMA E-74: risk that somebody is hurt: high, medium, low; empty: not rated", |l| {
+        rating(l.item.consequences.life_safety)
+    }),
+    text("property", "FEMA E-74: risk of a loss of property: high, medium, low; empty: not rated", |l| {
+        rating(l.item.consequences.property)
+    }),
+    text("function", "FEMA E-74: risk that work stops: high, medium, low; empty: not rated", |l| {
+        rating(l.item.consequences.function)
+    }),
     number("level_ratio", "1", "height of its floor over the height of the building: 0 ground, 1 roof", |l| {
         of_item(l, |item| item.level_ratio)
     }),
@@ -48,7 +54,7 @@ pub(crate) const COLUMNS: &[Column] = &[
     ranked(
         "demand_capacity_ratio",
         "1",
-        "demand/capacity of the median world; above 1 the tolerance is exceeded",
+        "demand/capacity of the median world on a rigid base; above 1 the tolerance is exceeded",
         |l| Cell::ranked(l.assessment().and_then(|found| Some(found.capacity.as_ref()?.demand_capacity))),
     ),
     ranked("demand_capacity_ratio_p84", "1", "demand/capacity that 84 % of the worlds do not exceed", |l| {
@@ -342,6 +348,9 @@ pub(crate) const COLUMNS: &[Column] = &[
     ranked("edge_acceleration_compliant_g_median", "g", "shock on its pads, median world", |l| {
         Cell::ranked(l.assessment().and_then(|found| Some(found.on_pads.as_ref()?.edge_acceleration_g_median)))
     }),
+    ranked("demand_capacity_compliant_ratio_median", "1", "demand/capacity on its pads, median world", |l| {
+        Cell::ranked(l.assessment().and_then(|found| Some(found.on_pads.as_ref()?.demand_capacity_median)))
+    }),
     ranked("lift_compliant_m_median", "m", "uplift on its pads, median world", |l| {
         Cell::ranked(l.assessment().and_then(|found| Some(found.on_pads.as_ref()?.lift_m_median)))
     }),
@@ -457,12 +466,7 @@ fn lifted<'a>(line: &Line<'a>, quantile: usize) -> Cell<'a> {
 }
 
 fn rating<'a>(rating: Option<Rating>) -> Cell<'a> {
-    Cell::text(match rating {
-        None => "",
-        Some(Rating::High) => "H",
-        Some(Rating::Medium) => "M",
-        Some(Rating::Low) => "L",
-    })
+    rating.map_or(Cell::Missing, |rating| Cell::text(rating.name()))
 }
 
 /// A value of the force that counts for the object.

@@ -118,12 +118,17 @@ pub(super) struct Column {
     pub cell: for<'a> fn(&Line<'a>) -> Cell<'a>,
 }
 
+/// The key of the number of an object's row in the inventory, which only the JSON rows have.
+pub(super) const ROW: &str = "row";
+
 /// The headers of the columns that are carried through. One that equals a column of freestand or an
 /// earlier header is renamed, because an inventory may be the `objects.csv` of an earlier run.
 pub(super) fn carried_names(carried: &[String]) -> Vec<String> {
     // Spreadsheets and databases treat `Rank` and `rank` as one name.
     let ours = COLUMNS.iter().flat_map(|column| [column.name.to_owned(), overturned_name(column)]);
     let mut taken: HashSet<String> = ours.map(|name| name.to_lowercase()).collect();
+    // The JSON rows have the number of the row besides the columns.
+    taken.insert(ROW.to_owned());
     // How often a header was found: a thousand equal ones are not each compared with all others.
     let mut met: HashMap<String, usize> = HashMap::new();
     let mut names = Vec::with_capacity(carried.len());

@@ -1,6 +1,7 @@
 use crate::output::Wanted;
 use crate::output::csv::CSV_NAME;
 use crate::output::fixture::{HOSTILE, hostile_items, inventory, item, read, rows, written};
+use crate::output::worklist::WORKLIST_NAME;
 
 use super::*;
 
@@ -8,7 +9,7 @@ const CSV_ALONE: Wanted = Wanted { parquet: false, workbook: false, report: fals
 
 fn table(inventory: &Inventory, assessed: usize) -> (Vec<String>, Vec<Vec<String>>) {
     let (folder, names) = written(inventory, assessed, CSV_ALONE);
-    assert_eq!(names, [CSV_NAME]);
+    assert_eq!(names, [CSV_NAME, WORKLIST_NAME]);
     let bytes = read(&folder, CSV_NAME);
     let mut reader = csv::Reader::from_reader(&bytes[..]);
     let header = reader.headers().unwrap().iter().map(str::to_owned).collect();

@@ -116,7 +116,7 @@ pub(super) fn put(
 }
 
 /// The text, or as much of it as fits with [`CUT`].
-fn fitting(text: &str) -> String {
+pub(super) fn fitting(text: &str) -> String {
     // XML cannot hold U+FFFE and U+FFFF; the library escapes control characters.
     let text = text.replace(['\u{fffe}', '\u{ffff}'], "");
     if text.len() <= MAX_TEXT_UNITS {

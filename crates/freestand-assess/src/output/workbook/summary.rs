@@ -8,10 +8,17 @@ use crate::output::Head;
 use crate::output::overview::{Counts, Overview, RATINGS};
 use crate::output::sources::Sources;
 use crate::output::table::{COLUMNS, Kind};
-use crate::output::words::{HOW_TO_READ, advice, colours, label, probability, ranked, sign};
+use crate::output::words::{HOW_TO_READ, advice, colours, label, ranked, sign};
+use crate::rank::RULE;
 use crate::result::{Criterion, Decision};
 
 use super::cells::{Styles, put_number, put_text};
+
+/// Widths of the columns of the first sheet, in characters.
+const WIDTHS: [f64; 8] = [34.0, 22.0, 30.0, 16.0, 16.0, 26.0, 16.0, 70.0];
+
+/// Height of a line of text \[points\].
+const LINE_POINTS: f64 = 15.0;
 
 /// The first sheet.
 pub(super) fn summary(head: &Head, overview: &Overview, styles: &Styles) -> Result<Worksheet, XlsxError> {
@@ -19,20 +26,26 @@ pub(super) fn summary(head: &Head, overview: &Overview, styles: &Styles) -> Resu
     sheet.set_name("Summary")?;
     sheet.set_landscape();
     sheet.set_print_fit_to_pages(1, 0);
-    for (column, width) in (0..).zip([34.0, 22.0, 30.0, 16.0, 16.0, 22.0, 16.0, 70.0]) {
+    for (column, width) in (0..).zip(WIDTHS) {
         sheet.set_column_width(column, width)?;
     }
     let mut page = Page { sheet, styles, row: 0 };
     page.text(0, "Assessment: which objects must be restrained", &styles.title)?;
     page.row += 1;
+    if let Some(no_study) = &head.no_study {
+        page.text(0, no_study, &styles.warning)?;
+        page.row += 1;
+    }
     if let Some(partial) = overview.partial() {
         page.text(0, &partial, &styles.warning)?;
         page.row += 1;
     }
+    page.pairs("Building and earthquake", &head.place)?;
     page.counts(overview)?;
     page.floors(overview)?;
     page.consequences(overview)?;
     page.first(overview)?;
+    page.list("Problems of the list", &head.problems)?;
     page.list("Warnings", &head.warnings)?;
     page.pairs("Inputs", &head.facts)?;
     page.list("Assumptions", &head.assumptions)?;
@@ -97,6 +110,25 @@ impl Page<'_> {
         put_text(&mut self.sheet, (self.row, column), text, format)
     }
 
+    /// A sentence over the whole width. Without a line break it would widen the printed page until
+    /// nothing on it can be read.
+    fn sentence(&mut self, text: &str) -> Result<(), XlsxError> {
+        let last = WIDTHS.len() as ColNum - 1;
+        let fitting = super::cells::fitting(text);
+        self.sheet.merge_range(self.row, 0, self.row, last, &fitting, &self.styles.wrapped)?;
+        self.heighten(&fitting, WIDTHS.iter().sum())?;
+        self.row += 1;
+        Ok(())
+    }
+
+    /// Makes the row high enough for a text that is wrapped within `width` characters.
+    fn heighten(&mut self, text: &str, width: f64) -> Result<(), XlsxError> {
+        // Letters differ in width: a tenth is left free.
+        let lines = (text.chars().count() as f64 / (0.9 * width)).ceil().clamp(1.0, 20.0);
+        self.sheet.set_row_height(self.row, LINE_POINTS * lines)?;
+        Ok(())
+    }
+
     fn heading(&mut self, text: &str) -> Result<(), XlsxError> {
         self.row += 1;
         self.text(0, text, &self.styles.heading)?;
@@ -122,7 +154,7 @@ impl Page<'_> {
 
     fn counts(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Verdicts")?;
-        self.header(&["verdict", "objects", "pieces", "share of the objects", "what to do"], 1..4)?;
+        self.header(&["verdict", "objects", "pieces", "share of the objects", "action"], 1..4)?;
         for decision in Decision::ALL {
             let format = self.styles.text.clone().set_background_color(colours(decision).fill);
             self.text(0, &format!("{} {}", sign(decision), label(decision)), &format)?;
@@ -179,6 +211,7 @@ impl Page<'_> {
 
     fn first(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("The most urgent objects (all objects: sheet Objects, column rank)")?;
+        self.sentence(RULE)?;
         self.header(
             &[
                 "rank, object",
@@ -200,12 +233,11 @@ impl Page<'_> {
             let ratio = one.demand_capacity.map_or_else(|| "–".to_owned(), |ratio| ranked(ratio, ""));
             self.text(3, &ratio, &self.styles.text)?;
             self.text(4, one.governing.map_or("–", Criterion::name), &self.styles.text)?;
-            let of = if one.is_overturn_only { "overturns: " } else { "" };
-            let chance = one.probability.map_or_else(|| "–".to_owned(), |p| format!("{of}{}", probability(p)));
-            self.text(5, &chance, &self.styles.text)?;
+            self.text(5, &one.chance, &self.styles.text)?;
             let shock = one.shock_g.map_or_else(|| "–".to_owned(), |shock| ranked(shock, "g"));
             self.text(6, &shock, &self.styles.text)?;
-            self.text(7, &one.why, &self.styles.text)?;
+            self.text(7, &one.why, &self.styles.wrapped)?;
+            self.heighten(&one.why, WIDTHS[7])?;
             self.row += 1;
         }
         Ok(())
@@ -218,8 +250,7 @@ impl Page<'_> {
             self.row += 1;
         }
         for text in texts {
-            self.text(0, text.as_ref(), &self.styles.text)?;
-            self.row += 1;
+            self.sentence(text.as_ref())?;
         }
         Ok(())
     }

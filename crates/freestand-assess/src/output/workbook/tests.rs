@@ -12,7 +12,7 @@ const ALONE: Wanted = Wanted { parquet: false, workbook: true, report: false, pa
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {
     let (folder, names) = written(inventory, assessed, ALONE);
-    assert_eq!(names, [WORKBOOK_NAME, "objects.csv"]);
+    assert_eq!(names, [WORKBOOK_NAME, "objects.csv", "worklist.csv"]);
     read(&folder, WORKBOOK_NAME)
 }
 

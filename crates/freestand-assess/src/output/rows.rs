@@ -1,0 +1,129 @@
+//! The rows of `objects.csv` as JSON. They are read from the file, so that a run that finds its
+//! folder complete has them too, and so that they say what the file says.
+
+use std::fs::File;
+use std::path::Path;
+
+use serde_json::{Map, Value};
+
+use crate::inventory::Inventory;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_output::paths::io_problem;
+
+use super::csv::{CSV_NAME, OVERTURNED};
+use super::table::{COLUMNS, Kind, ROW};
+
+/// Calls `each` with every row of the `objects.csv` in `folder`: an object with the columns as keys,
+/// and the number of its row in the inventory.
+///
+/// Numbers are numbers, or `"overturned"` where that ranks above every number; an empty field is
+/// null.
+///
+/// # Errors
+/// A file that cannot be read or is not that of `inventory`, or the first error of `each`.
+pub fn object_rows<E: From<Problem>>(
+    folder: &Path,
+    inventory: &Inventory,
+    mut each: impl FnMut(&Map<String, Value>) -> Result<(), E>,
+) -> Result<(), E> {
+    let path = folder.join(CSV_NAME);
+    let file = File::open(&path).map_err(|error| io_problem(&path, "cannot be read", &error))?;
+    let mut reader = csv::Reader::from_reader(std::io::BufReader::new(file));
+    let changed = || {
+        Problem::new(ProblemKind::Format, "is not the table that this run wrote")
+            .in_file(&path)
+            .hint("run the assessment again, and leave the file as it is until it has ended")
+    };
+    let header = reader.headers().map_err(|_| changed())?.clone();
+    let kinds: Vec<Kind> = (0..header.len()).map(|i| COLUMNS.get(i).map_or(Kind::Text, |column| column.kind)).collect();
+    let mut items = inventory.items.iter();
+    for record in reader.into_records() {
+        let (record, item) = (record.map_err(|_| changed())?, items.next().ok_or_else(changed)?);
+        let mut row = Map::new();
+        for ((name, kind), field) in header.iter().zip(&kinds).zip(&record) {
+            row.insert(name.to_owned(), value(*kind, field).ok_or_else(changed)?);
+        }
+        row.insert(ROW.to_owned(), Value::from(item.row));
+        each(&row)?;
+    }
+    if items.next().is_some() { Err(changed().into()) } else { Ok(()) }
+}
+
+/// A field as a value; `None` where it is none of its kind.
+fn value(kind: Kind, field: &str) -> Option<Value> {
+    if field.is_empty() {
+        return Some(Value::Null);
+    }
+    match kind {
+        // The mark that keeps a spreadsheet from taking a text for a formula.
+        Kind::Text | Kind::Decision => {
+            let text = field.strip_prefix('\'').filter(|text| text.starts_with(['=', '+', '-', '@']));
+            Some(Value::from(text.unwrap_or(field)))
+        }
+        Kind::Ranked if field == OVERTURNED => Some(Value::from(OVERTURNED)),
+        Kind::Number | Kind::Share | Kind::Ranked => field.parse::<f64>().ok().map(Value::from),
+        Kind::Count => field.parse::<u64>().ok().map(Value::from),
+        Kind::Flag => field.parse::<bool>().ok().map(Value::from),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::Wanted;
+    use crate::output::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
+
+    const CSV_ALONE: Wanted = Wanted { parquet: false, workbook: false, report: false, pages: 0 };
+
+    fn rows(inventory: &Inventory) -> Vec<Map<String, Value>> {
+        let (folder, _) = written(inventory, inventory.items.len(), CSV_ALONE);
+        let mut rows = Vec::new();
+        object_rows(&folder.path().join("out"), inventory, |row| {
+            rows.push(row.clone());
+            Ok::<(), Problem>(())
+        })
+        .unwrap();
+        // Every field of the file is there under its header.
+        let bytes = read(&folder, CSV_NAME);
+        let mut reader = csv::Reader::from_reader(&bytes[..]);
+        let header = reader.headers().unwrap().clone();
+        for row in &rows {
+            assert_eq!(row.len(), header.len() + 1);
+            assert!(header.iter().all(|name| row.contains_key(name)));
+        }
+        rows
+    }
+
+    #[test]
+    fn values_have_their_types() {
+        let rows = rows(&inventory((0..4).map(item).collect()));
+        let first = &rows[0];
+        assert_eq!(
+            (first["row"].as_u64(), first["rank"].as_u64(), rows[3]["row"].as_u64()),
+            (Some(2), Some(4), Some(5))
+        );
+        assert_eq!((first["id"].as_str(), first["quantity"].as_u64()), (Some("O-0000"), Some(1)));
+        assert_eq!((first["falls"].as_str(), first["close_call"].as_bool()), (Some("falls"), Some(false)));
+        assert_eq!((first["restraint_force_n"].as_f64(), first["width_m"].is_null()), (Some(410.0), true));
+        assert_eq!(first["edge_acceleration_g_p84"].as_str(), Some("overturned"));
+        assert_eq!((rows[1]["life_safety"].as_str(), rows[0]["life_safety"].is_null()), (Some("high"), true));
+        // A carried number stays the text of the inventory, without the mark for spreadsheets.
+        assert_eq!(first["rank (inventory)"].as_str(), Some("-12"));
+    }
+
+    #[test]
+    fn texts_are_those_of_the_inventory() {
+        let rows = rows(&inventory(hostile_items()));
+        for (row, text) in rows.iter().zip(HOSTILE) {
+            assert_eq!(row["notes"].as_str(), Some(text));
+        }
+    }
+
+    #[test]
+    fn another_table_is_refused() {
+        let (folder, _) = written(&inventory((0..3).map(item).collect()), 3, CSV_ALONE);
+        let more = inventory((0..4).map(item).collect());
+        let problem = object_rows(&folder.path().join("out"), &more, |_| Ok::<(), Problem>(())).unwrap_err();
+        assert!(problem.to_string().contains("is not the table that this run wrote"), "{problem}");
+    }
+}
