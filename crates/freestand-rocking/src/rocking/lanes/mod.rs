@@ -189,6 +189,7 @@ fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usiz
     if options.model == RockingModel::Linearised
         || options.initial_rotation_rad != 0.0
         || options.initial_omega_rad_s != 0.0
+        || !options.walls.is_none()
     {
         return None;
     }
@@ -312,7 +313,7 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
     };
     let sides = record
         .sides
-        .map(|side| SideExtremes { peak_rotation_rad: side.height, impact_omega_rad_s: side.speed / step_s });
+        .map(|side| SideExtremes { peak_rotation_rad: side.height, impact_omega_rad_s: side.speed / step_s, wall_omega_rad_s: 0.0 });
     let peak_rotation_rad = sides[0].peak_rotation_rad.max(sides[1].peak_rotation_rad);
     // In many grids most blocks do not uplift, and need neither a pivot nor a calculation.
     let cg_rise_m = if outcome == Outcome::NoUplift {
@@ -327,6 +328,7 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
         peak_rotation_rad,
         sides,
         impact_count: record.impact_count,
+        wall_impact_count: 0,
         uplift_m: block.base_width_m() * peak_rotation_rad.sin(),
         cg_rise_m,
     }
