@@ -12,6 +12,7 @@ use freestand::rocking::{
     SideExtremes, Until, rock_observed,
 };
 use freestand::spectra::{UpliftCell, landings};
+use freestand::wall::WallError;
 
 use crate::cushion::EdgeCushion;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -203,6 +204,13 @@ pub fn problem(error: RockingError) -> Problem {
         RockingError::InitialState { .. } => {
             "give an `initial_rotation` below 90 deg, at which the object is overturned"
         }
+        RockingError::Wall(error) => match error {
+            WallError::Gap { .. } => "give a gap of 0 (touching) or more, or leave it out where there is no wall",
+            WallError::Height { .. } => "give a positive `wall_height`, or leave it out for a wall taller than the object",
+            WallError::Restitution { .. } => "give a `wall_restitution` of at least 0 and less than 1",
+        },
+        RockingError::BeyondWall { .. } => "give a smaller `initial_rotation`, or a wider gap",
+        RockingError::LinearisedWall => "leave `model` out, or the walls",
         RockingError::Duration { .. } => "give `motion`, or `initial_rotation` with `duration`",
         RockingError::Gravity { .. } => "leave `gravity` out for 9.80665 m/s2",
         RockingError::Accuracy { .. } => "use `accuracy` fast, standard or tight",

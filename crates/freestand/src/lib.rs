@@ -11,6 +11,7 @@
 //! | ground motions that match the spectrum of a code | [`code_spectrum`], [`synthesis`] |
 //! | the floors of a building | [`building`], [`oscillator`] |
 //! | rotation against time, event by event | [`rocking`] |
+//! | walls and neighbours beside the object | [`wall`] |
 //! | largest uplift over a grid of objects, and the resulting shock | [`spectra`] |
 //! | contact laws: the force of a cushion, and the landing of a mass on it | [`cushion`] |
 //! | the object on cushions, integrated in time: a check of that shock | [`compliant`] |
@@ -86,4 +87,4 @@ pub mod synthesis;
 pub mod worlds;
 
 use freestand_rocking::vector;
-pub use freestand_rocking::{G0_M_S2, block, motion, rocking};
+pub use freestand_rocking::{G0_M_S2, block, motion, rocking, wall};

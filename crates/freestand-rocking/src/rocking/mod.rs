@@ -287,6 +287,12 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// Whether the object has fallen over, onto the floor or against a wall: what counts in
+    /// decisions.
+    pub fn has_fallen(self) -> bool {
+        matches!(self, Self::Leaned | Self::Overturned)
+    }
+
     /// The name in every output: `no-uplift`, `rocked`, `leaned`, `overturned`.
     pub fn name(self) -> &'static str {
         match self {

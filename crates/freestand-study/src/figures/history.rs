@@ -54,6 +54,7 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
     let outcome = match h.outcome {
         Outcome::NoUplift => "it does not uplift",
         Outcome::Rocked => "it rocks and does not overturn",
+        Outcome::Leaned => "it ends leaning on a wall",
         Outcome::Overturned => "it overturns",
     };
     let title = format!(

@@ -252,6 +252,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
         initial_rotation_rad: rotation.unwrap_or(0.0),
         initial_omega_rad_s: omega.unwrap_or(0.0),
         until: duration.map_or(Until::EndOfMotion, Until::Time),
+        ..RockingOptions::default()
     };
     values.finish()?;
     let Some(block) = block else {
