@@ -206,7 +206,9 @@ pub fn problem(error: RockingError) -> Problem {
         }
         RockingError::Wall(error) => match error {
             WallError::Gap { .. } => "give a gap of 0 (touching) or more, or leave it out where there is no wall",
-            WallError::Height { .. } => "give a positive `wall_height`, or leave it out for a wall taller than the object",
+            WallError::Height { .. } => {
+                "give a positive `wall_height`, or leave it out for a wall taller than the object"
+            }
             WallError::Restitution { .. } => "give a `wall_restitution` of at least 0 and less than 1",
         },
         RockingError::BeyondWall { .. } => "give a smaller `initial_rotation`, or a wider gap",

@@ -302,10 +302,7 @@ impl Segment {
             let acceleration =
                 -edge.p2 * if edge.linearised { edge.margin(u, v) - v * y } else { v * sin + edge.side * u * cos };
             let r = edge.pivot.half_diagonal_m / self.gravity_m_s2;
-            (
-                u + edge.side * r * (cos * acceleration + sin * w * w),
-                v + r * (sin * acceleration - cos * w * w),
-            )
+            (u + edge.side * r * (cos * acceleration + sin * w * w), v + r * (sin * acceleration - cos * w * w))
         };
         if y > edge.pivot.slenderness_angle_rad {
             0.0

@@ -9,8 +9,8 @@ use super::{
 };
 use crate::block::Block;
 use crate::motion::Motion;
-use crate::wall::Contact;
 use crate::polynomial::{first_root, roots, value};
+use crate::wall::Contact;
 
 /// The response of `block` to the motion of its base.
 ///
@@ -580,7 +580,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         if !result.at_rest {
             let Edge { side, pivot, .. } = self.edges[edge];
             (result.final_rotation_rad, result.final_omega_rad_s) = (side * y, side * w);
-            if self.bounced && y >= pivot.slenderness_angle_rad {
+            if (self.bounced || result.leaning) && y >= pivot.slenderness_angle_rad {
                 result.outcome = Outcome::Leaned;
             }
         }

@@ -311,9 +311,11 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
         State::Overturned => (Outcome::Overturned, StopReason::Overturned),
         State::AtRest | State::Moving | State::GivenUp => (Outcome::Rocked, over),
     };
-    let sides = record
-        .sides
-        .map(|side| SideExtremes { peak_rotation_rad: side.height, impact_omega_rad_s: side.speed / step_s, wall_omega_rad_s: 0.0 });
+    let sides = record.sides.map(|side| SideExtremes {
+        peak_rotation_rad: side.height,
+        impact_omega_rad_s: side.speed / step_s,
+        wall_omega_rad_s: 0.0,
+    });
     let peak_rotation_rad = sides[0].peak_rotation_rad.max(sides[1].peak_rotation_rad);
     // In many grids most blocks do not uplift, and need neither a pivot nor a calculation.
     let cg_rise_m = if outcome == Outcome::NoUplift {
