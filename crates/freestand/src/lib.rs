@@ -16,6 +16,7 @@
 //! | contact laws: the force of a cushion, and the landing of a mass on it | [`cushion`] |
 //! | the object on cushions, integrated in time: a check of that shock | [`compliant`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi et al. | [`impact`] |
+//! | the shock of an impact on a wall | [`wall_shock`] |
 //! | a cushion identified from tests | [`identify`] |
 //! | the response of a component to a shock: shock response spectra, pulses | [`shock_response`] |
 //! | the shocks that cause damage, ASTM D3332 | [`damage_boundary`] |
@@ -84,6 +85,7 @@ pub mod signal;
 pub mod spectra;
 pub mod suite;
 pub mod synthesis;
+pub mod wall_shock;
 pub mod worlds;
 
 use freestand_rocking::vector;

@@ -16,6 +16,7 @@ use serde::Serialize;
 use super::Done;
 use super::block::RockingArgs;
 use super::spectrum_text::Seen;
+use super::walls::WallArgs;
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -38,6 +39,9 @@ Examples:
   Shock of four cabinets on their pads under two records:
     freestand spectrum --motion a.AT2 b.AT2 --heights \"1.5 m, 2 m\" \\
       --thicknesses \"300 mm, 400 mm\" --mass 150kg --stiffness \"4380 N/mm\"
+  The same objects 20 mm in front of a wall; the rows also contain the speed at the wall:
+    freestand spectrum --motion record.AT2 --heights \"1.5 m, 2 m\" \\
+      --thicknesses \"300 mm, 400 mm\" --wall-gap 20mm
   A million objects in a file, each with its sensitivity to an error of the motion:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
       --thicknesses \"0.1 m:1 m:1000\" --accuracy fast --sensitivity --csv rows.csv
@@ -66,6 +70,8 @@ pub(crate) struct SpectrumArgs {
     mass: Option<Given>,
     #[command(flatten)]
     cushion: CushionArgs,
+    #[command(flatten)]
+    walls: WallArgs,
     #[command(flatten)]
     rocking: RockingArgs,
     /// Report how strongly each object amplifies an error of the motion
@@ -116,7 +122,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let files = Files::begin(global, &inputs)?;
     let mut rows = Rows::begin(SCHEMA, printer, &files, args.csv.as_deref(), &inputs)?;
     let total = request.grid.objects() * reading.motions.len();
-    let mut seen = Seen::new(reading.motions.len(), total, request.sensitivity);
+    let mut seen = Seen::new(reading.motions.len(), total, &request);
     let bar = printer.progress_bar(printer.json());
     bar.set_length(total as u64);
     bar.set_message("rocking histories");
@@ -144,14 +150,18 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let thicknesses = values.read(&args.thicknesses).unwrap_or_default();
     let mass = values.read(&args.mass);
     let cushion = args.cushion.edge(mass, &mut values)?;
-    if args.mass.is_some() != args.cushion.is_given() {
+    if args.mass.is_some() != (args.cushion.is_given() || args.walls.needs_mass()) {
         let message = "the shock needs both the mass and the cushion of the objects";
         values.push(Problem::value(message, "give --mass and --stiffness (or another cushion), or neither"));
     }
+    // Whether walls are refused does not depend on the size of the objects.
+    let first = heights.first().zip(thicknesses.first()).and_then(|(&h, &t)| Block::uniform(h, t).ok());
+    let (walls, wall) = args.walls.read(first.as_ref(), mass, args.rocking.model, &mut values);
     let options = RockingOptions {
         model: args.rocking.model,
         restitution: args.rocking.restitution(&[], &mut values),
         accuracy: args.rocking.accuracy,
+        walls,
         ..RockingOptions::default()
     };
     values.finish()?;
@@ -165,7 +175,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let grid = Grid::new(heights, thicknesses)?;
     let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
     checked(options.restitution, &blocks)?;
-    Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity })
+    Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), wall, sensitivity: args.sensitivity })
 }
 
 /// Reads all records before the calculation, so that a problem in the last one is found early.

@@ -2,7 +2,7 @@
 //! where to find the others, and a summary of each motion.
 
 use freestand_input::words::counted;
-use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumTally, SpectrumTiming};
+use freestand_study::spectrum::{SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, SpectrumTiming};
 
 use crate::printer::{Column, cells, headings, optional, significant, table};
 
@@ -13,8 +13,8 @@ const FIRST_ROWS: usize = 10;
 /// The largest number of motions that are summarised.
 const MAX_SHOWN_MOTIONS: usize = 50;
 
-/// The last two are shown only with `--sensitivity`.
-const COLUMNS: [Column; 10] = [
+/// Shown for every spectrum.
+const COLUMNS: [Column; 8] = [
     ("motion", "motion", 0),
     ("height_m", "height [m]", 4),
     ("thickness_m", "thickness [m]", 4),
@@ -23,9 +23,13 @@ const COLUMNS: [Column; 10] = [
     ("edge_acceleration_g", "shock, uplift [g]", 4),
     ("edge_acceleration_impact_velocity_g", "shock, impact velocity [g]", 4),
     ("ceiling_g", "ceiling [g]", 4),
-    ("sensitivity_ratio", "sensitivity", 3),
-    ("sensitive", "sensitive", 0),
 ];
+
+/// Shown for objects beside walls.
+const OF_WALLS: [Column; 1] = [("wall_speed_max_m_s", "speed at a wall [m/s]", 4)];
+
+/// Shown with `--sensitivity`.
+const OF_SENSITIVITY: [Column; 2] = [("sensitivity_ratio", "sensitivity", 3), ("sensitive", "sensitive", 0)];
 
 /// The rows that the text shows, and the sums over all rows.
 #[derive(Debug)]
@@ -34,29 +38,34 @@ pub(crate) struct Seen {
     pub(crate) tallies: Vec<SpectrumTally>,
     rows: Vec<Vec<String>>,
     total: usize,
+    walls: bool,
     sensitivity: bool,
 }
 
 impl Seen {
     /// For `total` rows of this number of motions.
-    pub(crate) fn new(motions: usize, total: usize, sensitivity: bool) -> Self {
-        Self { tallies: vec![SpectrumTally::default(); motions], rows: Vec::new(), total, sensitivity }
+    pub(crate) fn new(motions: usize, total: usize, request: &SpectrumRequest) -> Self {
+        let tallies = vec![SpectrumTally::default(); motions];
+        let walls = !request.options.walls.is_none();
+        Self { tallies, rows: Vec::new(), total, walls, sensitivity: request.sensitivity }
     }
 
-    fn columns(&self) -> &'static [Column] {
-        if self.sensitivity { &COLUMNS } else { &COLUMNS[..COLUMNS.len() - 2] }
+    fn columns(&self) -> Vec<Column> {
+        let walls = OF_WALLS.iter().filter(|_| self.walls);
+        let sensitivity = OF_SENSITIVITY.iter().filter(|_| self.sensitivity);
+        COLUMNS.iter().chain(walls).chain(sensitivity).copied().collect()
     }
 
     pub(crate) fn add(&mut self, chunk: &SpectrumChunk) {
         let keep = if self.total > MAX_SHOWN_ROWS { FIRST_ROWS } else { self.total };
         chunk.add_to(&mut self.tallies[chunk.motion]);
         let (columns, missing) = (self.columns(), keep - self.rows.len().min(keep));
-        self.rows.extend(chunk.rows().take(missing).map(|row| cells(&row, columns)));
+        self.rows.extend(chunk.rows().take(missing).map(|row| cells(&row, &columns)));
     }
 
     /// The text; `place` is the file with all rows.
     pub(crate) fn text(&self, motions: &[SpectrumMotion], place: Option<&str>, timing: &SpectrumTiming) -> String {
-        let mut text = table(&headings(self.columns()), &self.rows);
+        let mut text = table(&headings(&self.columns()), &self.rows);
         let more = self.total - self.rows.len();
         if more > 0 {
             let place = place.map_or_else(
@@ -85,12 +94,14 @@ impl Seen {
             "largest uplift [mm]",
             "largest shock, uplift [g]",
         ];
+        headings.extend(self.walls.then_some("leaned"));
         headings.extend(self.sensitivity.then_some("sensitive"));
         let rows = motions.iter().zip(&self.tallies).take(MAX_SHOWN_MOTIONS).map(|(motion, tally)| {
             let mut row = vec![motion.name.clone()];
             row.extend([tally.objects, tally.rocked, tally.overturned, tally.failed].map(|count| count.to_string()));
             row.push(millimetres(tally.largest_uplift_m));
             row.push(optional(tally.largest_edge_acceleration_g, 4, ""));
+            row.extend(self.walls.then(|| tally.leaned.to_string()));
             row.extend(self.sensitivity.then(|| tally.sensitive.to_string()));
             row
         });
