@@ -596,7 +596,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
 }
 
 /// When y reaches a limit that it does not exceed at the start; 0 where it is there and is about to.
-fn reaches(series: &[f64], limit: f64) -> Option<f64> {
+pub(super) fn reaches(series: &[f64], limit: f64) -> Option<f64> {
     let gap = &below(series, limit)[..series.len()];
     // A block that has just left the wall is on it: a root that does not count.
     let lead = gap.iter().position(|&c| c != 0.0)?;

@@ -19,6 +19,8 @@ pub(super) const BATCH: usize = 2 * ABREAST;
 pub(super) const CALM: f64 = 0.0;
 pub(super) const LANDING: f64 = 1.0;
 pub(super) const INTRICATE: f64 = 2.0;
+/// An impact on a wall.
+pub(super) const STRIKE: f64 = 3.0;
 
 /// Lanes with an event in the step.
 #[derive(Default)]
@@ -29,6 +31,7 @@ pub(super) struct Batch {
     x2: Column<BATCH>,
     side: Column<BATCH>,
     pub(super) best: Column<BATCH>,
+    ceiling: Column<BATCH>,
     pub(super) tau: Column<BATCH>,
     /// The part of the step that remained.
     pub(super) rest: Column<BATCH>,
@@ -37,7 +40,8 @@ pub(super) struct Batch {
     summit: Column<BATCH>,
     /// Terms of y.
     pub(super) c: [Column<BATCH>; TERMS],
-    /// Terms of y divided by the power of x with which it starts at zero: y, y/x or y/x².
+    /// The polynomial whose root is the event: the terms of y divided by the power of x with which
+    /// it starts at zero, y, y/x or y/x²; θ_c − y before an impact on a wall.
     q: [Column<BATCH>; TERMS],
 }
 
@@ -52,11 +56,13 @@ impl Batch {
             self.x2[i] = rank.x2[place];
             self.side[i] = rank.side[place];
             self.best[i] = rank.best[place];
+            self.ceiling[i] = rank.ceiling[place];
             self.tau[i] = rank.tau[place];
         }
         for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
             // Padding: a block that does not move and has no event.
             (self.y[i], self.w[i], self.x2[i], self.best[i], self.tau[i]) = (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
+            self.ceiling[i] = FRAC_PI_2;
         }
     }
 
@@ -105,7 +111,15 @@ impl Batch {
 
         let bend = series.bend(m);
         let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
-        let falling = m.not(m.gt(m.splat(FRAC_PI_2), top));
+        // Up to the wall, or to π/2. At a wall a block that certainly goes away from it throughout
+        // the step does not meet it, and one that certainly goes up meets it at most once.
+        let ceiling = self.ceiling.get::<S>(i);
+        let (y1, w1) = series.end(m);
+        let walled = m.gt(m.splat(FRAC_PI_2), ceiling);
+        let rises = m.and(m.gt(w, bend), m.gt(ceiling, y));
+        let one_sided = m.and(walled, m.or(rises, m.gt(m.sub(zero, w), bend)));
+        let falling = m.and(m.not(m.gt(ceiling, top)), m.not(one_sided));
+        let strikes = m.and(m.and(walled, rises), m.ge(y1, ceiling));
         let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
 
         // y divided by the power of x with which it starts at zero: y, y/x or y/x².
@@ -143,19 +157,20 @@ impl Batch {
         let calm = m.or(safe, m.and(one_way, ends_above));
         // Where y is concave throughout it has at most one maximum, where its slope passes zero,
         // before any landing.
-        let (_, w1) = series.end(m);
         let climbs = m.and(lifting, m.gt(q[1], bend_of_q));
         let hidden = m.and(turning, m.not(m.or(concave, climbs)));
         let simple = m.and(m.or(calm, landing), m.not(m.or(falling, hidden)));
         let summit = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.ge(zero, w1))));
         let event = m.select(landing, m.splat(LANDING), m.splat(CALM));
+        let event = m.select(strikes, m.splat(STRIKE), event);
         self.event.set::<S>(i, m.select(simple, event, m.splat(INTRICATE)));
         self.summit.set::<S>(i, m.select(summit, one, zero));
         self.rest.set::<S>(i, rest);
         unroll!(N, {
             if N <= K {
                 self.c[N].set::<S>(i, series.c[N]);
-                self.q[N].set::<S>(i, q[N]);
+                let from = if N == 0 { ceiling } else { zero };
+                self.q[N].set::<S>(i, m.select(strikes, m.sub(from, series.c[N]), q[N]));
             }
         });
     }
@@ -181,19 +196,20 @@ impl Batch {
         self.best.set::<S>(i, m.select(m.and(wanted, m.gt(y, best)), y, best));
     }
 
-    /// Takes a vector of lanes to the landing, or to the end of the step.
+    /// Takes a vector of lanes to the landing, to the wall, or to the end of the step.
     #[inline(always)]
     fn fall<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
         let (zero, one) = (m.splat(0.0), m.splat(1.0));
         let (event, rest, tau) = (self.event.get::<S>(i), self.rest.get::<S>(i), self.tau.get::<S>(i));
         let landing = m.and(m.ge(event, m.splat(LANDING)), m.ge(m.splat(LANDING), event));
+        let ends = m.or(landing, m.ge(event, m.splat(STRIKE)));
         let mut q = [zero; TERMS];
         unroll!(N, {
             if N <= K {
                 q[N] = self.q[N].get::<S>(i);
             }
         });
-        let x = m.select(landing, root::<S, K>(m, &q, landing), one);
+        let x = m.select(ends, root::<S, K>(m, &q, ends), one);
         let (mut y, mut w) = (self.c[K].get::<S>(i), zero);
         unroll_down!(N, {
             if N < K {
@@ -203,6 +219,9 @@ impl Batch {
         });
         // Rounding may take y below the floor where the root lies just past the end of the step.
         let event = m.select(m.or(m.ge(event, one), m.gt(y, zero)), event, m.splat(INTRICATE));
+        // Rounding may take y beyond the wall, too.
+        let ceiling = self.ceiling.get::<S>(i);
+        let y = m.select(m.gt(y, ceiling), ceiling, y);
         // A maximum exactly at the end belongs to this step.
         let best = self.best.get::<S>(i);
         self.best.set::<S>(i, m.select(m.gt(y, best), y, best));

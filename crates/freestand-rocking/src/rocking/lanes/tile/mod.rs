@@ -4,6 +4,8 @@
 mod events;
 mod waiting;
 
+use std::f64::consts::FRAC_PI_2;
+
 use pulp::Arch;
 
 use super::batch::{BATCH, Batch};
@@ -21,6 +23,15 @@ pub(super) struct Rocker {
     pub(super) edges: [EdgeTerms; 2],
     /// Restitution of a landing on each edge.
     pub(super) restitution: [f64; 2],
+    /// Restitution of an impact on the wall beyond each edge.
+    pub(super) wall_restitution: [f64; 2],
+}
+
+impl Rocker {
+    /// Whether the block at rest touches a wall.
+    fn touches_a_wall(&self) -> bool {
+        self.edges.iter().any(EdgeTerms::touches_wall)
+    }
 }
 
 /// The constants of a block rotating about one edge, in units of the step:
@@ -31,9 +42,26 @@ pub(super) struct EdgeTerms {
     pub(super) alpha: f64,
     /// p²h².
     pub(super) x2: f64,
-    /// a/b: tan α.
+    /// a/b: tan α; infinite where the block at rest touches the wall, so that nothing lifts it.
     pub(super) threshold: f64,
     pub(super) b: f64,
+    /// θ_c of the wall, or π/2 without one.
+    pub(super) ceiling: f64,
+}
+
+impl EdgeTerms {
+    pub(super) fn has_wall(&self) -> bool {
+        self.ceiling < FRAC_PI_2
+    }
+
+    pub(super) fn touches_wall(&self) -> bool {
+        self.ceiling == 0.0
+    }
+
+    /// Whether a block at the wall is past its balance point.
+    fn is_past_balance(&self) -> bool {
+        self.ceiling >= self.alpha
+    }
 }
 
 /// The response of a block so far.
@@ -43,6 +71,11 @@ pub(super) struct Record {
     /// \[rad per step\].
     pub(super) sides: [Trace; 2],
     pub(super) impact_count: usize,
+    /// Largest speed of an impact on each wall \[rad per step\].
+    pub(super) walls: [f64; 2],
+    pub(super) wall_impact_count: usize,
+    /// Whether the block has met a wall since it left the floor.
+    bounced: bool,
     pub(super) state: State,
 }
 
@@ -53,6 +86,13 @@ pub(super) enum State {
     Untouched,
     AtRest,
     Moving,
+    /// Held by the wall beyond an edge.
+    Leaning {
+        edge: usize,
+        past_balance: bool,
+    },
+    /// Past its balance point at the end, and bouncing on a wall.
+    Bouncing,
     Overturned,
     /// Left to the scalar solver.
     GivenUp,
@@ -153,6 +193,10 @@ impl<'a> Tile<'a> {
             let Moving { block, edge, best, y, .. } = self.moving.get(lane);
             let record = &mut self.records[block as usize];
             record.sides[edge].height = best.max(y);
+            let terms = &self.rockers[block as usize].edges[edge];
+            if record.bounced && y >= terms.alpha {
+                record.state = State::Bouncing;
+            }
             if wait.is_some() {
                 record.state = State::GivenUp;
             }
