@@ -41,7 +41,7 @@ pub(super) struct Batch {
     /// Terms of y.
     pub(super) c: [Column<BATCH>; TERMS],
     /// The polynomial whose root is the event: the terms of y divided by the power of x with which
-    /// it starts at zero, y, y/x or y/x²; θ_c − y before an impact on a wall.
+    /// it starts at zero, y, y/x or y/x²; before an impact on a wall those of d = θ_c − y, d or d/x.
     q: [Column<BATCH>; TERMS],
 }
 
@@ -111,15 +111,13 @@ impl Batch {
 
         let bend = series.bend(m);
         let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
-        // Up to the wall, or to π/2. At a wall a block that certainly goes away from it throughout
-        // the step does not meet it, and one that certainly goes up meets it at most once.
-        let ceiling = self.ceiling.get::<S>(i);
+        let most_curved = series.most_curved(m);
+        let concave = m.gt(zero, most_curved);
         let (y1, w1) = series.end(m);
+        let ceiling = self.ceiling.get::<S>(i);
         let walled = m.gt(m.splat(FRAC_PI_2), ceiling);
-        let rises = m.and(m.gt(w, bend), m.gt(ceiling, y));
-        let one_sided = m.and(walled, m.or(rises, m.gt(m.sub(zero, w), bend)));
-        let falling = m.and(m.not(m.gt(ceiling, top)), m.not(one_sided));
-        let strikes = m.and(m.and(walled, rises), m.ge(y1, ceiling));
+        // Up to the wall, or to π/2.
+        let falling = m.not(m.gt(ceiling, top));
         let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
 
         // y divided by the power of x with which it starts at zero: y, y/x or y/x².
@@ -149,7 +147,6 @@ impl Batch {
         let rising = m.and(m.ge(q[0], zero), m.gt(q[1], beyond));
         // Where y is concave, or q falls, throughout the step, there is one root if it ends below
         // the floor, and none otherwise.
-        let concave = series.is_concave(m);
         let falls = m.gt(zero, m.add(q[1], bend_of_q));
         let one_way = m.and(begins_above, m.or(concave, falls));
         let safe = m.or(far, rising);
@@ -162,15 +159,30 @@ impl Batch {
         let simple = m.and(m.or(calm, landing), m.not(m.or(falling, hidden)));
         let summit = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.ge(zero, w1))));
         let event = m.select(landing, m.splat(LANDING), m.splat(CALM));
-        let event = m.select(strikes, m.splat(STRIKE), event);
         self.event.set::<S>(i, m.select(simple, event, m.splat(INTRICATE)));
         self.summit.set::<S>(i, m.select(summit, one, zero));
+        if m.any(m.and(walled, falling)) {
+            let motion = AtWall { y, w, y1, w1, bend, ceiling, concave, convex: series.is_convex(m, most_curved) };
+            let WallEvents { back, strikes, clear } = motion.events(m, m.and(walled, falling));
+            // Away from the wall it is as if there were none.
+            let away = m.and(clear, m.and(m.or(calm, landing), m.not(hidden)));
+            let event = m.select(away, event, self.event.get::<S>(i));
+            let event = m.select(m.and(back, m.gt(ceiling, y1)), m.splat(CALM), event);
+            self.event.set::<S>(i, m.select(strikes, m.splat(STRIKE), event));
+            unroll!(N, {
+                if N <= K {
+                    let from = if N == 0 { ceiling } else { zero };
+                    let next = if N < K { series.c[N + 1] } else { zero };
+                    q[N] = m.select(strikes, m.sub(from, series.c[N]), q[N]);
+                    q[N] = m.select(m.and(strikes, back), m.sub(zero, next), q[N]);
+                }
+            });
+        }
         self.rest.set::<S>(i, rest);
         unroll!(N, {
             if N <= K {
                 self.c[N].set::<S>(i, series.c[N]);
-                let from = if N == 0 { ceiling } else { zero };
-                self.q[N].set::<S>(i, m.select(strikes, m.sub(from, series.c[N]), q[N]));
+                self.q[N].set::<S>(i, q[N]);
             }
         });
     }
@@ -229,6 +241,48 @@ impl Batch {
         self.w.set::<S>(i, m.div(w, rest));
         self.tau.set::<S>(i, m.fma(x, rest, tau));
         self.event.set::<S>(i, event);
+    }
+}
+
+/// Blocks that may meet a wall in the rest of a step: their rotation and its slope at both ends, and
+/// how the slope changes.
+struct AtWall<S: Simd> {
+    y: Numbers<S>,
+    w: Numbers<S>,
+    y1: Numbers<S>,
+    w1: Numbers<S>,
+    bend: Numbers<S>,
+    ceiling: Numbers<S>,
+    concave: Masks<S>,
+    convex: Masks<S>,
+}
+
+/// What is certain about blocks at a wall; where nothing is, all roots of the series decide.
+struct WallEvents<S: Simd> {
+    /// The block leaves the wall and is pressed back to it, far above the floor.
+    back: Masks<S>,
+    /// There is exactly one impact on the wall, and none on the floor before it.
+    strikes: Masks<S>,
+    /// There is no impact on the wall.
+    clear: Masks<S>,
+}
+
+impl<S: Simd> AtWall<S> {
+    #[inline(always)]
+    fn events(&self, m: Math<S>, which: Masks<S>) -> WallEvents<S> {
+        let Self { y, w, y1, w1, bend, ceiling, concave, convex } = *self;
+        let zero = m.splat(0.0);
+        let (up, below) = (m.gt(w, zero), m.gt(ceiling, y));
+        let (reaches, stays_below) = (m.ge(y1, ceiling), m.gt(ceiling, y1));
+        // Up throughout, or up to a maximum.
+        let rises = m.and(below, m.or(m.gt(w, bend), m.and(up, convex)));
+        let arches = m.and(below, m.and(up, concave));
+        let sinks = m.and(m.ge(zero, w), m.or(m.gt(m.sub(zero, w), bend), concave));
+        // A convex curve is above its first tangent.
+        let back = m.and(m.and(m.ge(y, ceiling), m.gt(zero, w)), m.and(convex, m.gt(m.add(y, w), zero)));
+        let strikes = m.and(which, m.and(reaches, m.or(back, m.or(rises, arches))));
+        let passes = m.and(stays_below, m.or(rises, m.and(arches, m.gt(w1, zero))));
+        WallEvents { back: m.and(which, back), strikes, clear: m.and(which, m.or(sinks, passes)) }
     }
 }
 
