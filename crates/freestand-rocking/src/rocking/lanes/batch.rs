@@ -20,11 +20,15 @@ pub(super) const CALM: f64 = 0.0;
 pub(super) const LANDING: f64 = 1.0;
 pub(super) const INTRICATE: f64 = 2.0;
 /// An impact on a wall.
-pub(super) const STRIKE: f64 = 3.0;
+pub(super) const STRIKE: f64 = 6.0;
+/// Added to the event of a lane that is too high for it to be certain: a wall may be in the way.
+const AHEAD: f64 = 3.0;
 
 /// Lanes with an event in the step.
 #[derive(Default)]
 pub(super) struct Batch {
+    /// Whether any lane may have a wall.
+    walled: bool,
     pub(super) y: Column<BATCH>,
     pub(super) w: Column<BATCH>,
     alpha: Column<BATCH>,
@@ -46,6 +50,11 @@ pub(super) struct Batch {
 }
 
 impl Batch {
+    /// A batch of lanes of which some may have walls, or none has.
+    pub(super) fn new(walled: bool) -> Self {
+        Self { walled, ..Self::default() }
+    }
+
     #[inline(always)]
     pub(super) fn gather(&mut self, moving: &Ranks, batch: &[u32]) {
         for (i, &lane) in batch.iter().enumerate() {
@@ -72,6 +81,12 @@ impl Batch {
         let vectors = lanes.div_ceil(2 * S::F64_LANES);
         for i in 0..vectors {
             self.expand::<S, K>(m, ground, i);
+        }
+        for i in 0..if self.walled { vectors } else { 0 } {
+            let walled = m.gt(m.splat(FRAC_PI_2), self.ceiling.get::<S>(i));
+            if m.any(m.and(walled, m.ge(self.event.get::<S>(i), m.splat(INTRICATE)))) {
+                self.at_walls::<S, K>(m, i);
+            }
         }
         for i in 0..vectors {
             if m.any(m.gt(self.summit.get::<S>(i), m.splat(0.0))) {
@@ -111,13 +126,8 @@ impl Batch {
 
         let bend = series.bend(m);
         let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
-        let most_curved = series.most_curved(m);
-        let concave = m.gt(zero, most_curved);
-        let (y1, w1) = series.end(m);
-        let ceiling = self.ceiling.get::<S>(i);
-        let walled = m.gt(m.splat(FRAC_PI_2), ceiling);
         // Up to the wall, or to π/2.
-        let falling = m.not(m.gt(ceiling, top));
+        let falling = m.not(m.gt(self.ceiling.get::<S>(i), top));
         let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
 
         // y divided by the power of x with which it starts at zero: y, y/x or y/x².
@@ -147,6 +157,7 @@ impl Batch {
         let rising = m.and(m.ge(q[0], zero), m.gt(q[1], beyond));
         // Where y is concave, or q falls, throughout the step, there is one root if it ends below
         // the floor, and none otherwise.
+        let concave = series.is_concave(m);
         let falls = m.gt(zero, m.add(q[1], bend_of_q));
         let one_way = m.and(begins_above, m.or(concave, falls));
         let safe = m.or(far, rising);
@@ -154,35 +165,65 @@ impl Batch {
         let calm = m.or(safe, m.and(one_way, ends_above));
         // Where y is concave throughout it has at most one maximum, where its slope passes zero,
         // before any landing.
+        let (_, w1) = series.end(m);
         let climbs = m.and(lifting, m.gt(q[1], bend_of_q));
         let hidden = m.and(turning, m.not(m.or(concave, climbs)));
         let simple = m.and(m.or(calm, landing), m.not(m.or(falling, hidden)));
         let summit = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.ge(zero, w1))));
         let event = m.select(landing, m.splat(LANDING), m.splat(CALM));
-        self.event.set::<S>(i, m.select(simple, event, m.splat(INTRICATE)));
+        // Where it is too high, and nothing else is in the way, a wall decides (`at_walls`).
+        let ahead = m.select(m.or(simple, hidden), m.splat(INTRICATE), m.add(event, m.splat(AHEAD)));
+        let ahead = m.select(m.or(calm, landing), ahead, m.splat(INTRICATE));
+        self.event.set::<S>(i, m.select(simple, event, ahead));
         self.summit.set::<S>(i, m.select(summit, one, zero));
-        if m.any(m.and(walled, falling)) {
-            let motion = AtWall { y, w, y1, w1, bend, ceiling, concave, convex: series.is_convex(m, most_curved) };
-            let WallEvents { back, strikes, clear } = motion.events(m, m.and(walled, falling));
-            // Away from the wall it is as if there were none.
-            let away = m.and(clear, m.and(m.or(calm, landing), m.not(hidden)));
-            let event = m.select(away, event, self.event.get::<S>(i));
-            let event = m.select(m.and(back, m.gt(ceiling, y1)), m.splat(CALM), event);
-            self.event.set::<S>(i, m.select(strikes, m.splat(STRIKE), event));
-            unroll!(N, {
-                if N <= K {
-                    let from = if N == 0 { ceiling } else { zero };
-                    let next = if N < K { series.c[N + 1] } else { zero };
-                    q[N] = m.select(strikes, m.sub(from, series.c[N]), q[N]);
-                    q[N] = m.select(m.and(strikes, back), m.sub(zero, next), q[N]);
-                }
-            });
-        }
         self.rest.set::<S>(i, rest);
         unroll!(N, {
             if N <= K {
                 self.c[N].set::<S>(i, series.c[N]);
                 self.q[N].set::<S>(i, q[N]);
+            }
+        });
+    }
+
+    /// Decides for a vector of lanes what is certain about a wall in the rest of the step. The other
+    /// lanes are left to all roots of the series.
+    #[inline(always)]
+    fn at_walls<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
+        let zero = m.splat(0.0);
+        let (ceiling, event) = (self.ceiling.get::<S>(i), self.event.get::<S>(i));
+        let mut series = Series::<S, K> { c: [zero; TERMS], slope: [zero; TERMS] };
+        unroll!(N, {
+            if N <= K {
+                series.c[N] = self.c[N].get::<S>(i);
+                series.slope[N] = m.mul(m.splat(N as f64), series.c[N]);
+            }
+        });
+        let (y, w) = (series.c[0], series.c[1]);
+        let (y1, w1) = series.end(m);
+        let (bend, concave, convex) = (series.bend(m), series.is_concave(m), series.is_convex(m));
+        let open = m.and(m.gt(m.splat(FRAC_PI_2), ceiling), m.ge(event, m.splat(INTRICATE)));
+        let (up, below) = (m.gt(w, zero), m.gt(ceiling, y));
+        let (reaches, stays_below) = (m.ge(y1, ceiling), m.gt(ceiling, y1));
+        // Up throughout, or up to a maximum: one impact at most.
+        let rises = m.and(below, m.or(m.gt(w, bend), m.and(up, convex)));
+        let arches = m.and(below, m.and(up, concave));
+        let sinks = m.and(m.ge(zero, w), m.or(m.gt(m.sub(zero, w), bend), concave));
+        // It leaves the wall and is pressed back to it; the curve is above its first tangent, which
+        // is above the floor.
+        let pressed = m.and(m.and(m.ge(y, ceiling), m.gt(zero, w)), m.and(convex, m.gt(m.add(y, w), zero)));
+        let strikes = m.and(open, m.and(reaches, m.or(pressed, m.or(rises, arches))));
+        let passes = m.and(stays_below, m.or(rises, m.and(arches, m.gt(w1, zero))));
+        // Without an impact on the wall it is as if there were none.
+        let clear = m.and(m.and(open, m.ge(event, m.splat(AHEAD))), m.or(sinks, passes));
+        let event = m.select(clear, m.sub(event, m.splat(AHEAD)), event);
+        let event = m.select(m.and(open, m.and(pressed, stays_below)), m.splat(CALM), event);
+        self.event.set::<S>(i, m.select(strikes, m.splat(STRIKE), event));
+        unroll!(N, {
+            if N <= K {
+                let from = if N == 0 { ceiling } else { zero };
+                let next = if N < K { series.c[N + 1] } else { zero };
+                let gap = m.select(pressed, m.sub(zero, next), m.sub(from, series.c[N]));
+                self.q[N].set::<S>(i, m.select(strikes, gap, self.q[N].get::<S>(i)));
             }
         });
     }
@@ -231,9 +272,6 @@ impl Batch {
         });
         // Rounding may take y below the floor where the root lies just past the end of the step.
         let event = m.select(m.or(m.ge(event, one), m.gt(y, zero)), event, m.splat(INTRICATE));
-        // Rounding may take y beyond the wall, too.
-        let ceiling = self.ceiling.get::<S>(i);
-        let y = m.select(m.gt(y, ceiling), ceiling, y);
         // A maximum exactly at the end belongs to this step.
         let best = self.best.get::<S>(i);
         self.best.set::<S>(i, m.select(m.gt(y, best), y, best));
@@ -241,48 +279,6 @@ impl Batch {
         self.w.set::<S>(i, m.div(w, rest));
         self.tau.set::<S>(i, m.fma(x, rest, tau));
         self.event.set::<S>(i, event);
-    }
-}
-
-/// Blocks that may meet a wall in the rest of a step: their rotation and its slope at both ends, and
-/// how the slope changes.
-struct AtWall<S: Simd> {
-    y: Numbers<S>,
-    w: Numbers<S>,
-    y1: Numbers<S>,
-    w1: Numbers<S>,
-    bend: Numbers<S>,
-    ceiling: Numbers<S>,
-    concave: Masks<S>,
-    convex: Masks<S>,
-}
-
-/// What is certain about blocks at a wall; where nothing is, all roots of the series decide.
-struct WallEvents<S: Simd> {
-    /// The block leaves the wall and is pressed back to it, far above the floor.
-    back: Masks<S>,
-    /// There is exactly one impact on the wall, and none on the floor before it.
-    strikes: Masks<S>,
-    /// There is no impact on the wall.
-    clear: Masks<S>,
-}
-
-impl<S: Simd> AtWall<S> {
-    #[inline(always)]
-    fn events(&self, m: Math<S>, which: Masks<S>) -> WallEvents<S> {
-        let Self { y, w, y1, w1, bend, ceiling, concave, convex } = *self;
-        let zero = m.splat(0.0);
-        let (up, below) = (m.gt(w, zero), m.gt(ceiling, y));
-        let (reaches, stays_below) = (m.ge(y1, ceiling), m.gt(ceiling, y1));
-        // Up throughout, or up to a maximum.
-        let rises = m.and(below, m.or(m.gt(w, bend), m.and(up, convex)));
-        let arches = m.and(below, m.and(up, concave));
-        let sinks = m.and(m.ge(zero, w), m.or(m.gt(m.sub(zero, w), bend), concave));
-        // A convex curve is above its first tangent.
-        let back = m.and(m.and(m.ge(y, ceiling), m.gt(zero, w)), m.and(convex, m.gt(m.add(y, w), zero)));
-        let strikes = m.and(which, m.and(reaches, m.or(back, m.or(rises, arches))));
-        let passes = m.and(stays_below, m.or(rises, m.and(arches, m.gt(w1, zero))));
-        WallEvents { back: m.and(which, back), strikes, clear: m.and(which, m.or(sinks, passes)) }
     }
 }
 

@@ -38,7 +38,7 @@ use crate::wall::{Contact, Walls};
 use degree::DEGREES;
 use series::{INVERSE, TERMS};
 use shaking::Shaking;
-use tile::{EdgeTerms, Record, Rocker, State, Tile};
+use tile::{EdgeTerms, Record, Rocker, State, Tile, WallRecord};
 
 /// Largest number of blocks in a tile: enough of them have an event in the same step to fill a
 /// vector, and all of them fit in the cache.
@@ -175,27 +175,28 @@ fn follow(
     let Some((shaking, wait)) = prepare(base, options) else {
         return (0..blocks.len()).into_par_iter().map(scalar).collect();
     };
-    let plans: Vec<Option<(Plan, Rocker)>> =
+    let plans: Vec<Option<(Plan, Rocker, WallRecord)>> =
         blocks.par_iter().enumerate().map(|(index, block)| plan(block, &shaking, &own(index))).collect();
-    let of_plan = |(block, planned): (usize, &Option<(Plan, Rocker)>)| planned.map(|(plan, _)| (plan, block));
+    let of_plan =
+        |(block, planned): (usize, &Option<(Plan, Rocker, WallRecord)>)| planned.map(|(plan, ..)| (plan, block));
     let mut order: Vec<(Plan, usize)> = plans.iter().enumerate().filter_map(of_plan).collect();
     order.sort_unstable();
     let tiles: Vec<Vec<(Plan, usize)>> = order.chunk_by(|(a, _), (b, _)| a == b).flat_map(tiles).collect();
-    let done: Vec<Vec<Record>> = tiles
+    let done: Vec<Vec<(Record, WallRecord)>> = tiles
         .par_iter()
         // One tile per job: a thread that has finished one takes the next.
         .with_max_len(1)
         .map(|tile| {
             let plan = tile[0].0;
             // A block of a tile has a plan.
-            let rockers: Vec<Rocker> =
-                tile.iter().filter_map(|(_, block)| plans[*block].map(|(_, rocker)| rocker)).collect();
-            let mut tile = Tile::new(arch, DEGREES[plan.degree], &shaking, &rockers, plan.parts);
+            let (rockers, walls): (Vec<Rocker>, Vec<WallRecord>) =
+                tile.iter().filter_map(|(_, block)| plans[*block].map(|(_, rocker, walls)| (rocker, walls))).unzip();
+            let mut tile = Tile::new(arch, DEGREES[plan.degree], &shaking, &rockers, walls, plan.parts);
             tile.run(wait);
-            tile.records
+            tile.records.into_iter().zip(tile.walls).collect()
         })
         .collect();
-    let mut records = vec![Record::default(); blocks.len()];
+    let mut records = vec![(Record::default(), WallRecord::default()); blocks.len()];
     for (tile, done) in tiles.iter().zip(done) {
         for ((_, block), record) in tile.iter().zip(done) {
             records[*block] = record;
@@ -207,8 +208,8 @@ fn follow(
         .zip(records)
         .zip(&plans)
         .map(|(((index, block), record), plan)| match plan {
-            Some((plan, _)) if record.state != State::GivenUp => {
-                Ok(summary(block, &record, shaking.dt_s / plan.parts as f64, wait.is_some()))
+            Some((plan, rocker, _)) if record.0.state != State::GivenUp => {
+                Ok(summary(block, rocker, &record, shaking.dt_s / plan.parts as f64, wait.is_some()))
             }
             _ => scalar(index),
         })
@@ -270,7 +271,7 @@ const MOST_ELASTIC: f64 = 0.9997;
 
 /// The series and the constants of a block. `None`: the scalar solver calculates the response or
 /// reports the error.
-fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(Plan, Rocker)> {
+fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(Plan, Rocker, WallRecord)> {
     let restitution = options.restitution.ratios(block).ok()?;
     if restitution.iter().any(|r| *r > MOST_ELASTIC) {
         return None;
@@ -292,13 +293,14 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
         EdgeTerms { alpha, x2, threshold, b, ceiling }
     };
     let edges = [edge(right, block.cg_from_right_m(), contacts[0]), edge(left, block.cg_from_left_m(), contacts[1])];
-    let wall_restitution = contacts.map(|contact| contact.map_or(0.0, |contact| contact.restitution_ratio));
+    let restitutions = contacts.map(|contact| contact.map_or(0.0, |contact| contact.restitution_ratio));
     // A ceiling of π/2 means that there is no wall.
     let is_extreme = |contact: Contact| contact.angle_rad >= FRAC_PI_2 || contact.restitution_ratio > MOST_ELASTIC;
     if contacts.into_iter().flatten().any(is_extreme) {
         return None;
     }
-    Some((plan, Rocker { edges, restitution, wall_restitution }))
+    let walls = WallRecord { restitution: restitutions, ..WallRecord::default() };
+    Some((plan, Rocker { edges, restitution }, walls))
 }
 
 /// Upper limit of the first omitted term, relative to the acceleration. A rotation sums the
@@ -353,7 +355,13 @@ fn terms(x2: f64, shaking: &Shaking, parts: usize) -> [f64; TERMS] {
 }
 
 /// The result of a block from its [`Record`], whose velocities refer to steps of `step_s`.
-fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> RockingSummary {
+fn summary(
+    block: &Block,
+    rocker: &Rocker,
+    (record, walls): &(Record, WallRecord),
+    step_s: f64,
+    settle: bool,
+) -> RockingSummary {
     let over = if settle { StopReason::Settled } else { StopReason::EndOfMotion };
     let (outcome, stop) = match record.state {
         State::Bouncing | State::Leaning { past_balance: true, .. } => (Outcome::Leaned, over),
@@ -362,9 +370,10 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
         State::AtRest | State::Moving | State::GivenUp | State::Leaning { .. } => (Outcome::Rocked, over),
     };
     let sides = [0, 1].map(|side| SideExtremes {
-        peak_rotation_rad: record.sides[side].height,
+        // No further than the wall, whatever rounding yields.
+        peak_rotation_rad: record.sides[side].height.min(rocker.edges[side].ceiling),
         impact_omega_rad_s: record.sides[side].speed / step_s,
-        wall_omega_rad_s: record.walls[side] / step_s,
+        wall_omega_rad_s: walls.speeds[side] / step_s,
     });
     let peak_rotation_rad = sides[0].peak_rotation_rad.max(sides[1].peak_rotation_rad);
     // In many grids most blocks do not uplift, and need neither a pivot nor a calculation.
@@ -380,7 +389,7 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
         peak_rotation_rad,
         sides,
         impact_count: record.impact_count,
-        wall_impact_count: record.wall_impact_count,
+        wall_impact_count: walls.impact_count,
         uplift_m: block.base_width_m() * peak_rotation_rad.sin(),
         cg_rise_m,
     }

@@ -105,8 +105,7 @@ mod tests {
             let x = pivot.frequency_parameter_rad_s(options.gravity_m_s2) * h;
             let terms =
                 EdgeTerms { alpha, x2: x * x, threshold: alpha.tan(), b: x * x * alpha.cos(), ceiling: FRAC_PI_2 };
-            let rocker =
-                Rocker { edges: [terms; 2], restitution: [block.landing_ratio(); 2], wall_restitution: [0.0; 2] };
+            let rocker = Rocker { edges: [terms; 2], restitution: [block.landing_ratio(); 2] };
             let got = tail(&rocker, 0, y, omega * h, 1e-9 * h).unwrap();
             assert_eq!(got.impacts, expected.impacts.len());
             for (got, expected) in got.sides.iter().zip(expected.sides) {
@@ -124,7 +123,7 @@ mod tests {
     fn a_block_near_its_balance_point_has_no_tail() {
         let alpha = 0.25;
         let terms = EdgeTerms { alpha, x2: 1e-4, threshold: 0.0, b: 0.0, ceiling: FRAC_PI_2 };
-        let rocker = Rocker { edges: [terms; 2], restitution: [0.9; 2], wall_restitution: [0.0; 2] };
+        let rocker = Rocker { edges: [terms; 2], restitution: [0.9; 2] };
         let barrier = 2.0 * 1e-2 * (0.5_f64 * alpha).sin();
         assert!(tail(&rocker, 0, 0.0, 1.0001 * barrier, 1e-11).is_none());
         assert!(tail(&rocker, 0, 0.0, (1.0 - 1e-9) * barrier, 1e-11).is_none());

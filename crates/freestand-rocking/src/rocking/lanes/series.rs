@@ -135,23 +135,28 @@ impl<S: Simd, const K: usize> Series<S, K> {
         sum
     }
 
-    /// An upper bound of the change of the slope, 2c₂ + Σ k(k−1)|cₖ|: where it is negative, the slope
-    /// falls throughout the step.
+    /// Whether the slope certainly falls throughout the step: 2c₂ + Σ k(k−1)|cₖ| < 0.
     #[inline(always)]
-    pub(super) fn most_curved(&self, m: Math<S>) -> Numbers<S> {
-        let mut sum = self.slope[2];
+    pub(super) fn is_concave(&self, m: Math<S>) -> Masks<S> {
+        m.gt(m.splat(0.0), self.curved(m, self.slope[2]))
+    }
+
+    /// Whether the slope certainly rises throughout the step: −2c₂ + Σ k(k−1)|cₖ| < 0.
+    #[inline(always)]
+    pub(super) fn is_convex(&self, m: Math<S>) -> Masks<S> {
+        let zero = m.splat(0.0);
+        m.gt(zero, self.curved(m, m.sub(zero, self.slope[2])))
+    }
+
+    /// `start` + Σ k(k−1)|cₖ| from k = 3.
+    #[inline(always)]
+    fn curved(&self, m: Math<S>, start: Numbers<S>) -> Numbers<S> {
+        let mut sum = start;
         unroll!(N, {
             if N >= 3 && N <= K {
                 sum = m.fma(m.abs(self.slope[N]), m.splat((N - 1) as f64), sum);
             }
         });
         sum
-    }
-
-    /// Whether the slope certainly rises throughout the step, from [`Series::most_curved`]: 2c₂ is
-    /// more than half of the bound, with something to spare for its rounding.
-    #[inline(always)]
-    pub(super) fn is_convex(&self, m: Math<S>, most_curved: Numbers<S>) -> Masks<S> {
-        m.gt(m.mul(m.splat(1.999), self.slope[2]), most_curved)
     }
 }

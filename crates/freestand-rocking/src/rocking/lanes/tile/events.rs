@@ -122,20 +122,9 @@ impl Tile<'_> {
         let rocker = &self.rockers[block as usize];
         let other = 1 - edge;
         let speed = (-w).max(0.0);
-        let mut after = speed * rocker.restitution[other];
-        let mut next = other;
+        let after = speed * rocker.restitution[other];
         let record = &mut self.records[block as usize];
         record.impact_count += 1;
-        record.bounced = false;
-        if rocker.edges[other].touches_wall() {
-            // The floor, the wall and the floor again at one instant. Between two walls that it
-            // touches the block stops.
-            record.wall_impact_count += 1;
-            record.walls[other] = record.walls[other].max(after);
-            let back = after * rocker.wall_restitution[other];
-            after = if rocker.edges[edge].touches_wall() { 0.0 } else { back * rocker.restitution[edge] };
-            next = edge;
-        }
         let side = &mut record.sides[edge];
         side.height = best;
         side.speed = side.speed.max(speed);
@@ -144,21 +133,51 @@ impl Tile<'_> {
             self.moving.leave(lane);
             return;
         }
-        let (edge, w, tau) = if after > self.rest_w && !rocker.touches_a_wall() {
-            self.short_flights(step, block, next, after, tau)
-        } else {
-            (next, after, tau)
-        };
+        if self.walled {
+            self.walls[block as usize].bounced = false;
+            if rocker.edges.iter().any(EdgeTerms::touches_wall) {
+                let (edge, w) = self.beside_touching_wall(block, edge, after);
+                self.go_on(step, lane, edge, w, tau);
+                return;
+            }
+        }
+        let (edge, w, tau) =
+            if after > self.rest_w { self.short_flights(step, block, other, after, tau) } else { (other, after, tau) };
+        self.go_on(step, lane, edge, w, tau);
+    }
+
+    /// Goes on from the floor with the velocity `w` about `edge`, or rests.
+    #[inline(always)]
+    fn go_on(&mut self, step: &Step, lane: usize, edge: usize, w: f64, tau: f64) {
         if w > self.rest_w {
             self.turn(lane, edge, 0.0, w, tau);
             return;
         }
+        let rocker = &self.rockers[self.moving.block(lane) as usize];
         let (u, v) = step.ground.at(tau);
         let lifted = (0..2).find(|&edge| margin(rocker, edge, u, v) < 0.0);
         match lifted {
             Some(edge) => self.turn(lane, edge, 0.0, 0.0, tau),
             None => self.come_to_rest(step, lane, tau),
         }
+    }
+
+    /// After a landing from the rotation about `edge`, with the velocity `after`, beside a wall that
+    /// the block touches at rest: the edge about which it goes on, and its velocity.
+    #[cold]
+    fn beside_touching_wall(&mut self, block: u32, edge: usize, after: f64) -> (usize, f64) {
+        let rocker = &self.rockers[block as usize];
+        let other = 1 - edge;
+        if !rocker.edges[other].touches_wall() {
+            return (other, after);
+        }
+        // The floor, the wall and the floor again at one instant. Between two walls that it touches
+        // the block stops.
+        let wall = &mut self.walls[block as usize];
+        wall.impact_count += 1;
+        wall.speeds[other] = wall.speeds[other].max(after);
+        let back = after * wall.restitution[other] * rocker.restitution[edge];
+        (edge, if rocker.edges[edge].touches_wall() { 0.0 } else { back })
     }
 
     /// An impact at velocity `w` on the wall beyond the edge of a lane.
@@ -168,17 +187,16 @@ impl Tile<'_> {
         let rocker = &self.rockers[block as usize];
         let ceiling = rocker.edges[edge].ceiling;
         let speed = w.max(0.0);
-        let record = &mut self.records[block as usize];
-        record.wall_impact_count += 1;
-        record.walls[edge] = record.walls[edge].max(speed);
-        record.sides[edge].height = ceiling;
-        record.bounced = true;
-        let after = speed * rocker.wall_restitution[edge];
+        self.records[block as usize].sides[edge].height = ceiling;
+        let wall = &mut self.walls[block as usize];
+        wall.impact_count += 1;
+        wall.speeds[edge] = wall.speeds[edge].max(speed);
+        wall.bounced = true;
+        let after = speed * wall.restitution[edge];
         let (after, tau) =
             if after > self.rest_w { self.short_bounces(step, block, edge, after, tau) } else { (after, tau) };
-        let record = &mut self.records[block as usize];
-        if record.wall_impact_count > MAX_IMPACTS {
-            record.state = State::GivenUp;
+        if self.walls[block as usize].impact_count > MAX_IMPACTS {
+            self.records[block as usize].state = State::GivenUp;
             self.moving.leave(lane);
             return;
         }
@@ -202,9 +220,9 @@ impl Tile<'_> {
     /// d̈ = −(E′ cos d − D′ sin d), E′ = D sin θ_c − E cos θ_c, D′ = E sin θ_c + D cos θ_c.
     fn short_bounces(&mut self, step: &Step, block: u32, edge: usize, w: f64, tau: f64) -> (f64, f64) {
         let rocker = &self.rockers[block as usize];
-        let record = &mut self.records[block as usize];
+        let wall = &mut self.walls[block as usize];
         let EdgeTerms { alpha, x2, ceiling, .. } = rocker.edges[edge];
-        let r = rocker.wall_restitution[edge];
+        let r = wall.restitution[edge];
         let (mut w, mut tau) = (w, tau);
         let (sin, cos) = (alpha - ceiling).sin_cos();
         let (sin, cos) = (x2 * sin, x2 * cos);
@@ -214,21 +232,21 @@ impl Tile<'_> {
             e: Pull { now: -(v * sin + su * cos), slope: -(v1 * sin + su1 * cos) },
             d: Pull { now: v * cos - su * sin, slope: v1 * cos - su1 * sin },
         };
-        while w > self.rest_w && record.wall_impact_count < MAX_IMPACTS {
+        while w > self.rest_w && wall.impact_count < MAX_IMPACTS {
             let left = 1.0 - tau;
             if !acting.is_brief(w, left) {
                 break;
             }
-            let trace = Trace { height: ceiling, speed: record.walls[edge] };
+            let trace = Trace { height: ceiling, speed: wall.speeds[edge] };
             if !self.quiet
                 && let Some(impacts) = impacts_to_rest([acting; 2], r, w, left, [trace; 2], self.rest_w)
             {
-                record.wall_impact_count += impacts;
+                wall.impact_count += impacts;
                 return (0.0, 1.0);
             }
             let Some(flight) = acting.flight(w, left, ceiling) else { break };
-            record.wall_impact_count += 1;
-            record.walls[edge] = record.walls[edge].max(flight.speed);
+            wall.impact_count += 1;
+            wall.speeds[edge] = wall.speeds[edge].max(flight.speed);
             acting = acting.after(flight.time);
             w = flight.speed * r;
             tau += flight.time;
@@ -314,7 +332,7 @@ impl Tile<'_> {
     fn lean(&mut self, step: &Step, lane: usize, tau: f64) {
         let Moving { block, edge, .. } = self.moving.get(lane);
         let past_balance = self.rockers[block as usize].edges[edge].is_past_balance();
-        self.records[block as usize].state = State::Leaning { edge, past_balance };
+        self.records[block as usize].state = State::Leaning { edge: edge as u8, past_balance };
         self.pause(step, lane, block, tau);
     }
 

@@ -23,15 +23,6 @@ pub(super) struct Rocker {
     pub(super) edges: [EdgeTerms; 2],
     /// Restitution of a landing on each edge.
     pub(super) restitution: [f64; 2],
-    /// Restitution of an impact on the wall beyond each edge.
-    pub(super) wall_restitution: [f64; 2],
-}
-
-impl Rocker {
-    /// Whether the block at rest touches a wall.
-    fn touches_a_wall(&self) -> bool {
-        self.edges.iter().any(EdgeTerms::touches_wall)
-    }
 }
 
 /// The constants of a block rotating about one edge, in units of the step:
@@ -71,12 +62,19 @@ pub(super) struct Record {
     /// \[rad per step\].
     pub(super) sides: [Trace; 2],
     pub(super) impact_count: usize,
-    /// Largest speed of an impact on each wall \[rad per step\].
-    pub(super) walls: [f64; 2],
-    pub(super) wall_impact_count: usize,
-    /// Whether the block has met a wall since it left the floor.
-    bounced: bool,
     pub(super) state: State,
+}
+
+/// What a block has to do with walls; apart from its [`Record`], which every event changes.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct WallRecord {
+    /// Restitution of an impact on the wall beyond each edge.
+    pub(super) restitution: [f64; 2],
+    /// Largest speed of an impact on each wall \[rad per step\].
+    pub(super) speeds: [f64; 2],
+    pub(super) impact_count: usize,
+    /// Whether the block has met a wall since it left the floor.
+    pub(super) bounced: bool,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -88,7 +86,7 @@ pub(super) enum State {
     Moving,
     /// Held by the wall beyond an edge.
     Leaning {
-        edge: usize,
+        edge: u8,
         past_balance: bool,
     },
     /// Past its balance point at the end, and bouncing on a wall.
@@ -123,12 +121,15 @@ pub(super) struct Tile<'a> {
     shaking: &'a Shaking,
     rockers: &'a [Rocker],
     pub(super) records: Vec<Record>,
+    pub(super) walls: Vec<WallRecord>,
     pub(super) work: Work,
     /// Number of steps in an interval.
     parts: usize,
     arch: Arch,
     degree: Degree,
     moving: Ranks,
+    /// Whether any block has a wall.
+    walled: bool,
     /// Places of blocks with an event in the step.
     queue: Vec<u32>,
     again: Vec<u32>,
@@ -152,19 +153,29 @@ struct Step<'a> {
 }
 
 impl<'a> Tile<'a> {
-    pub(super) fn new(arch: Arch, degree: Degree, shaking: &'a Shaking, rockers: &'a [Rocker], parts: usize) -> Self {
+    pub(super) fn new(
+        arch: Arch,
+        degree: Degree,
+        shaking: &'a Shaking,
+        rockers: &'a [Rocker],
+        walls: Vec<WallRecord>,
+        parts: usize,
+    ) -> Self {
+        let walled = rockers.iter().any(|rocker| rocker.edges.iter().any(EdgeTerms::has_wall));
         Self {
             shaking,
             rockers,
             records: vec![Record::default(); rockers.len()],
+            walls,
             work: Work::default(),
             parts,
             arch,
             degree,
             moving: Ranks::default(),
+            walled,
             queue: Vec::new(),
             again: Vec::new(),
-            batch: Batch::default(),
+            batch: Batch::new(walled),
             lifted_in: vec![NONE; shaking.intervals()],
             lifted_next: vec![NONE; rockers.len()],
             pending: Vec::new(),
@@ -194,7 +205,7 @@ impl<'a> Tile<'a> {
             let record = &mut self.records[block as usize];
             record.sides[edge].height = best.max(y);
             let terms = &self.rockers[block as usize].edges[edge];
-            if record.bounced && y >= terms.alpha {
+            if self.walls[block as usize].bounced && y >= terms.alpha {
                 record.state = State::Bouncing;
             }
             if wait.is_some() {

@@ -31,6 +31,7 @@ impl Tile<'_> {
         let edges = &self.rockers[block as usize].edges;
         let first = match self.records[block as usize].state {
             State::Leaning { edge, .. } => {
+                let edge = usize::from(edge);
                 let EdgeTerms { alpha, ceiling, .. } = edges[edge];
                 self.shaking.first_release(edge, (ceiling - alpha).tan(), from)
             }
@@ -66,6 +67,7 @@ impl Tile<'_> {
         let rocker = &self.rockers[block as usize];
         let ((u, v), (u_end, v_end)) = (whole.at(from), whole.at(1.0));
         if let State::Leaning { edge, .. } = self.records[block as usize].state {
+            let edge = usize::from(edge);
             let (now, end) = (pull(rocker, edge, u, v), pull(rocker, edge, u_end, v_end));
             let at = if now > 0.0 {
                 from
