@@ -193,7 +193,9 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Mark
     }
     let mut layout = stacked(x, y, false);
     for &value in &marks.walls {
-        layout = layout.with_reference_line(ReferenceLine::horizontal(value).with_color(WALL).with_stroke_width(1.4));
+        layout = layout.with_reference_line(
+            ReferenceLine::horizontal(value).with_color(WALL).with_stroke_width(1.4).with_dasharray("1 0"),
+        );
     }
     for value in [-1.0, 1.0] {
         let mark = ReferenceLine::horizontal(value).with_color(DARK).with_stroke_width(1.2).with_dasharray("5 3");
