@@ -47,7 +47,7 @@ pub enum Value<'a> {
 
 /// Endings of names, longest first, each with its unit and the number of digits that people are
 /// shown.
-const UNITS: [(&str, &str, usize); 20] = [
+const UNITS: [(&str, &str, usize); 21] = [
     ("_m_s2", "m/s2", 4),
     ("_rad_s", "rad/s", 6),
     ("_m2_s", "m²/s", 4),
@@ -55,6 +55,7 @@ const UNITS: [(&str, &str, usize); 20] = [
     ("_m3_j", "m³/J", 5),
     ("_n_s_m", "N·s/m", 6),
     ("_n_m", "N/m", 6),
+    ("_n_s", "N·s", 4),
     ("_m_s", "m/s", 4),
     ("_s_m", "s/m", 6),
     ("_ratio", "", 4),

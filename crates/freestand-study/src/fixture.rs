@@ -239,7 +239,7 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
     let peak = match outcome {
         Outcome::NoUplift => 0.0,
         Outcome::Rocked => ratio * pivot.slenderness_angle_rad,
-        Outcome::Overturned => FRAC_PI_2,
+        Outcome::Overturned | Outcome::Leaned => FRAC_PI_2,
     };
     let cg_rise_m = pivot.cg_rise_m(peak.min(pivot.slenderness_angle_rad));
     let landing = Landing::rocking(block, ImpactModel::Paper);
@@ -247,11 +247,16 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
         outcome,
         stop: if outcome == Outcome::Overturned { StopReason::Overturned } else { StopReason::Settled },
         peak_rotation_rad: peak,
+        wall_impact_count: 0,
         impact_count: if outcome == Outcome::NoUplift { 0 } else { 17 },
         uplift_m: block.base_width_m() * peak.sin(),
         cg_rise_m,
         sides: [
-            SideExtremes { peak_rotation_rad: peak, impact_omega_rad_s: landing.omega_rad_s(0.8 * cg_rise_m, G0_M_S2) },
+            SideExtremes {
+                peak_rotation_rad: peak,
+                impact_omega_rad_s: landing.omega_rad_s(0.8 * cg_rise_m, G0_M_S2),
+                wall_omega_rad_s: 0.0,
+            },
             SideExtremes::default(),
         ],
     };

@@ -38,6 +38,7 @@ pub mod tables;
 pub mod target;
 pub mod validate;
 pub mod vary;
+pub mod walls;
 
 /// The design document: its examples are compiled and run.
 #[cfg(doctest)]

@@ -9,11 +9,13 @@ use freestand::impact::{
 use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::{
     Base, HistoryPoint, HistoryRecorder, Outcome, Rocking, RockingError, RockingImpact, RockingModel, RockingOptions,
-    SideExtremes, Until, rock_observed,
+    SideExtremes, Until, WallImpact, rock_observed,
 };
 use freestand::spectra::{UpliftCell, landings};
+use freestand::wall::Contact;
 
 use crate::cushion::EdgeCushion;
+use crate::walls::{WallStiffness, wall_facts, wall_problem};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{Choices, name_of};
 use freestand_output::facts;
@@ -42,6 +44,8 @@ pub struct RockRequest {
     pub options: RockingOptions,
     /// Mass \[kg\] and the cushion under one edge, for the shock.
     pub cushion: Option<(f64, EdgeCushion)>,
+    /// Mass and stiffness for the shock on a wall.
+    pub wall: WallStiffness,
     /// Coefficient of friction, for the warning against sliding.
     pub friction: Option<f64>,
 }
@@ -57,6 +61,10 @@ pub struct RockReport {
     pub warnings: Vec<String>,
     /// Its history, where it was sampled.
     pub history: Vec<HistoryPoint>,
+    /// Where it touches the right and the left wall.
+    pub contacts: [Option<Contact>; 2],
+    /// Its impacts on walls.
+    pub wall_impacts: Vec<WallImpact>,
 }
 
 /// Calculates the response of the object; its history is sampled only if `record` is true.
@@ -174,6 +182,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
             first_uplift_time_s "first uplift", uplift_count))
         .fact("impact_count", "impacts", rocking.impacts.len())
         .key("impacts", rocking.impacts.iter().map(impact).collect::<Vec<_>>())
+        .and(wall_facts(block, &rocking, request.wall))
         .and(facts!(rocking; passed_alpha_time_s "passes the balance point", overturn_time_s "overturns",
             rest_time_s "comes to rest", at_rest))
         .fact("friction_needed_ratio", "friction needed while rocking", friction.filter(|ratio| ratio.is_finite()))
@@ -188,7 +197,8 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)
         .fact("ceiling_g", "ceiling of the shock", shock.map(|s| s.ceiling_g))
         .and(facts!(rocking.effort; steps, evaluations));
-    RockReport { facts, outcome: rocking.outcome, warnings, history }
+    let Rocking { outcome, contacts, wall_impacts, .. } = rocking;
+    RockReport { facts, outcome, warnings, history, contacts, wall_impacts }
 }
 
 /// A problem of the solver, with what to do about it.
@@ -203,6 +213,9 @@ pub fn problem(error: RockingError) -> Problem {
         RockingError::InitialState { .. } => {
             "give an `initial_rotation` below 90 deg, at which the object is overturned"
         }
+        RockingError::Wall(error) => return wall_problem(error),
+        RockingError::BeyondWall { .. } => "give a smaller `initial_rotation`, or a wider gap",
+        RockingError::LinearisedWall => "leave `model` out, or the walls",
         RockingError::Duration { .. } => "give `motion`, or `initial_rotation` with `duration`",
         RockingError::Gravity { .. } => "leave `gravity` out for 9.80665 m/s2",
         RockingError::Accuracy { .. } => "use `accuracy` fast, standard or tight",

@@ -9,11 +9,12 @@ use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::Motion;
-use freestand::rocking::{Base, FREE_FLIGHT, Outcome, RockingError, RockingOptions};
+use freestand::rocking::{Base, FREE_FLIGHT, Outcome, RockingError, RockingOptions, RockingSummary};
 use freestand::sliding::{Sliding, SlidingOutcome};
 use freestand::spectra::{
     PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, ShockCell, UpliftCell, uplift_sensitivity, uplift_spectrum,
 };
+use freestand::wall::{Contact, Walls};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -21,6 +22,7 @@ use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::resolve::MAX_OBJECTS;
 use crate::shape::squat_warning;
 use crate::sliding::{Surface, slide_under};
+use crate::walls::{WallStiffness, acceleration_g, speed_m_s};
 use freestand_input::problem::Problem;
 use freestand_output::facts::Facts;
 
@@ -87,6 +89,8 @@ pub struct SpectrumRequest {
     pub options: RockingOptions,
     /// Mass \[kg\] and the cushion under one edge, for the shock.
     pub cushion: Option<(f64, EdgeCushion)>,
+    /// Mass and stiffness for the shock on a wall.
+    pub wall: WallStiffness,
     /// Whether to report by how much each object amplifies an error of the motion.
     pub sensitivity: bool,
     /// For objects that slide, or stand on casters: what is under them.
@@ -152,6 +156,8 @@ pub struct SpectrumChunk<'a> {
     /// Index of the motion.
     pub motion: usize,
     name: &'a str,
+    walls: Walls,
+    wall: WallStiffness,
     cushion: Option<(f64, &'a Cushion)>,
     blocks: Vec<Block>,
     cells: Vec<Cell>,
@@ -185,6 +191,11 @@ impl SpectrumChunk<'_> {
     fn shock(&self, index: usize) -> Option<ShockCell> {
         let (mass_kg, cushion) = self.cushion?;
         Some(self.cells[index].rocked()?.shock(mass_kg, cushion, ImpactModel::Paper, G0_M_S2))
+    }
+
+    /// Where an object touches the walls; a wall that cannot be used has made its history fail.
+    fn contacts(&self, block: &Block) -> [Option<Contact>; 2] {
+        self.walls.contacts(block).unwrap_or_default()
     }
 
     /// One object under the motion. Values are missing if there is no cushion, the object overturns
@@ -224,6 +235,15 @@ impl SpectrumChunk<'_> {
             .key("edge_acceleration_g", shock.and_then(|shock| shock.edge_acceleration_g))
             .key("edge_acceleration_impact_velocity_g", by_velocity_g)
             .key("ceiling_g", shock.map(|shock| shock.ceiling_g));
+        if !self.walls.is_none() {
+            let contacts = self.contacts(block);
+            let of_walls = |quantity: &dyn Fn(&RockingSummary) -> Option<f64>| rocking.and_then(quantity);
+            row = row.key("wall_speed_max_m_s", of_walls(&|found| speed_m_s(block, contacts, found.sides)));
+            if self.wall.stiffness_n_m.is_some() {
+                let shock_g = |found: &RockingSummary| acceleration_g(block, contacts, found.sides, self.wall);
+                row = row.key("wall_acceleration_g", of_walls(&shock_g));
+            }
+        }
         if let Some(sensitivities) = &self.sensitivities {
             let Sensitivity { ratio, sensitive } = sensitivities[index];
             let followed = rocking.is_some() && bottomed.is_none();
@@ -266,8 +286,9 @@ impl SpectrumChunk<'_> {
             tally.sensitive += usize::from(self.sensitivities.as_ref().is_some_and(|all| all[index].sensitive));
             let Some(UpliftCell { rocking, .. }) = cell.rocked() else { continue };
             tally.rocked += usize::from(rocking.outcome == Outcome::Rocked);
+            tally.leaned += usize::from(rocking.outcome == Outcome::Leaned);
             tally.overturned += usize::from(rocking.outcome == Outcome::Overturned);
-            if rocking.outcome != Outcome::Overturned {
+            if !rocking.outcome.has_fallen() {
                 let edge_g = shock.filter(|_| !bottomed).and_then(|shock| shock.edge_acceleration_g);
                 tally.largest_uplift_m = larger(tally.largest_uplift_m, Some(rocking.uplift_m));
                 tally.largest_edge_acceleration_g = larger(tally.largest_edge_acceleration_g, edge_g);
@@ -354,7 +375,8 @@ pub fn spectrum<E>(
             let slide = slide.clone();
             let name = motion.name.as_str();
             let cushion = request.cushion.as_ref().map(|(mass_kg, edge)| (*mass_kg, &edge.cushion));
-            each(&SpectrumChunk { motion: index, name, cushion, blocks, cells, sensitivities, slide })?;
+            let (walls, wall) = (request.options.walls, request.wall);
+            each(&SpectrumChunk { motion: index, name, walls, wall, cushion, blocks, cells, sensitivities, slide })?;
         }
     }
     Ok(timing)
@@ -366,6 +388,8 @@ pub fn spectrum<E>(
 pub struct SpectrumTally {
     pub objects: usize,
     pub rocked: usize,
+    /// Past their balance points, on a wall.
+    pub leaned: usize,
     pub overturned: usize,
     pub failed: usize,
     pub sensitive: usize,
@@ -393,6 +417,7 @@ mod tests {
             grid: Grid::new(heights_m, thicknesses_m).unwrap(),
             options: RockingOptions::default(),
             cushion: Some((150.0, cushion::resolve(&cushion::spring(4.38e6), None).unwrap())),
+            wall: WallStiffness::default(),
             sensitivity: true,
             surface: None,
         }

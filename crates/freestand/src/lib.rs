@@ -11,11 +11,13 @@
 //! | ground motions that match the spectrum of a code | [`code_spectrum`], [`synthesis`] |
 //! | the floors of a building | [`building`], [`oscillator`] |
 //! | rotation against time, event by event | [`rocking`] |
+//! | walls and neighbours beside the object | [`wall`] |
 //! | largest uplift over a grid of objects, and the resulting shock | [`spectra`] |
 //! | contact laws: the force of a cushion, and the landing of a mass on it | [`cushion`] |
 //! | a block that slides, or rolls on casters, instead of rocking | [`sliding`] |
 //! | the object on cushions, integrated in time: a check of that shock | [`compliant`] |
 //! | the shock of one landing on a cushion, Eqs. (1)–(8) of Al Abadi et al. | [`impact`] |
+//! | the shock of an impact on a wall | [`wall_shock`] |
 //! | a cushion identified from tests | [`identify`] |
 //! | the response of a component to a shock: shock response spectra, pulses | [`shock_response`] |
 //! | the shocks that cause damage, ASTM D3332 | [`damage_boundary`] |
@@ -85,7 +87,8 @@ pub mod sliding;
 pub mod spectra;
 pub mod suite;
 pub mod synthesis;
+pub mod wall_shock;
 pub mod worlds;
 
 use freestand_rocking::vector;
-pub use freestand_rocking::{G0_M_S2, block, motion, rocking};
+pub use freestand_rocking::{G0_M_S2, block, motion, rocking, wall};

@@ -140,7 +140,7 @@ impl UpliftCell {
             // Only the rocking before remains to compare: where an error has become visible in it,
             // the overturning is in doubt.
             Outcome::Overturned => Sensitivity { ratio: None, sensitive: lower.max(speed) > DOUBTFUL_RATIO },
-            Outcome::Rocked => {
+            Outcome::Rocked | Outcome::Leaned => {
                 let peak = self.rocking.peak_rotation_rad;
                 let ratio = amplified(peak, changed.peak_rotation_rad, peak);
                 // A block at the threshold that does not rise may rise under the changed motion: it
@@ -161,7 +161,7 @@ impl UpliftCell {
     /// The shock on a cushion (everything under the landing edge): the larger of the shocks of the
     /// landings from the two edges, which are equal unless the centre of gravity is off-centre.
     pub fn shock(&self, mass_kg: f64, cushion: &Cushion, model: ImpactModel, gravity_m_s2: f64) -> ShockCell {
-        let upright = self.rocking.outcome != Outcome::Overturned;
+        let upright = !self.rocking.outcome.has_fallen();
         let landings = landings(&self.block, model);
         let largest = |rise_m: &dyn Fn(&Landing, SideExtremes) -> f64| {
             let shocks = landings.iter().zip(self.rocking.sides).map(|(landing, side)| {

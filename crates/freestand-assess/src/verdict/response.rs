@@ -135,7 +135,7 @@ pub(super) fn pad_motion_of(subject: &Subject, draw: &Draw, found: &CompliantRoc
     let pulse = hardest.and_then(|touch| Some(touch.end_time_s? - touch.time_s));
     let changes = found.touches.iter().map(|touch| touch.speed_m_s + touch.rebound_m_s.unwrap_or(0.0).max(0.0));
     let outcome = match found.outcome {
-        Outcome::Overturned => PadOutcome::Overturned,
+        Outcome::Overturned | Outcome::Leaned => PadOutcome::Overturned,
         Outcome::Rocked => PadOutcome::LetGo,
         Outcome::NoUplift => PadOutcome::StayedOn,
     };

@@ -21,6 +21,7 @@ mod spectrum;
 mod spectrum_text;
 mod tolerance;
 mod validate;
+mod walls;
 
 use clap::{Parser, Subcommand};
 

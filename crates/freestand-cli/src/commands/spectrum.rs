@@ -17,6 +17,7 @@ use super::Done;
 use super::block::RockingArgs;
 use super::sliding::SlidingArgs;
 use super::spectrum_text::Seen;
+use super::walls::WallArgs;
 use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -39,6 +40,9 @@ Examples:
   Shock of four cabinets on their pads under two records:
     freestand spectrum --motion a.AT2 b.AT2 --heights \"1.5 m, 2 m\" \\
       --thicknesses \"300 mm, 400 mm\" --mass 150kg --stiffness \"4380 N/mm\"
+  The same objects 20 mm in front of a wall; the rows also contain the speed at the wall:
+    freestand spectrum --motion record.AT2 --heights \"1.5 m, 2 m\" \\
+      --thicknesses \"300 mm, 400 mm\" --wall-gap 20mm
   A million objects in a file, each with its sensitivity to an error of the motion:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
       --thicknesses \"0.1 m:1 m:1000\" --accuracy fast --sensitivity --csv rows.csv
@@ -75,6 +79,8 @@ pub(crate) struct SpectrumArgs {
     friction: Option<Given>,
     #[command(flatten)]
     sliding: Named<SlidingArgs>,
+    #[command(flatten)]
+    walls: WallArgs,
     #[command(flatten)]
     rocking: RockingArgs,
     /// Report how strongly each object amplifies an error of the motion
@@ -153,14 +159,18 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let thicknesses = values.read(&args.thicknesses).unwrap_or_default();
     let mass = values.read(&args.mass);
     let cushion = args.cushion.edge(mass, &mut values)?;
-    if args.mass.is_some() != args.cushion.is_given() {
+    if args.mass.is_some() != (args.cushion.is_given() || args.walls.needs_mass()) {
         let message = "the shock needs both the mass and the cushion of the objects";
         values.push(Problem::value(message, "give --mass and --stiffness (or another cushion), or neither"));
     }
+    // Whether walls are refused does not depend on the size of the objects.
+    let first = heights.first().zip(thicknesses.first()).and_then(|(&h, &t)| Block::uniform(h, t).ok());
+    let (walls, wall) = args.walls.read(first.as_ref(), mass, args.rocking.model, &mut values);
     let options = RockingOptions {
         model: args.rocking.model,
         restitution: args.rocking.restitution(&[], &mut values),
         accuracy: args.rocking.accuracy,
+        walls,
         ..RockingOptions::default()
     };
     if args.friction.is_some() && !args.sliding.is_given() {
@@ -171,6 +181,13 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     if args.sliding.is_given() && (args.mass.is_some() || args.sensitivity) {
         let message = "the shock and the sensitivity are those of rocking objects, and these slide or roll";
         values.push(Problem::value(message, "leave --mass, the cushion and --sensitivity out"));
+    }
+    if args.sliding.is_given() && !options.walls.is_none() {
+        let message = "walls stop objects that rock, and these slide or roll";
+        values.push(Problem::value(
+            message,
+            "leave the walls out, and give the room as --clearance-left and --clearance-right",
+        ));
     }
     values.finish()?;
     let (motions, verticals) = (args.motion.len(), args.vertical.len());
@@ -183,7 +200,8 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let grid = Grid::new(heights, thicknesses)?;
     let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
     checked(options.restitution, &blocks)?;
-    Ok(SpectrumRequest { grid, options, cushion: mass.zip(cushion), sensitivity: args.sensitivity, surface })
+    let cushion = mass.zip(cushion);
+    Ok(SpectrumRequest { grid, options, cushion, wall, sensitivity: args.sensitivity, surface })
 }
 
 /// Reads all records before the calculation, so that a problem in the last one is found early.

@@ -13,8 +13,8 @@ const FIRST_ROWS: usize = 10;
 /// The largest number of motions that are summarised.
 const MAX_SHOWN_MOTIONS: usize = 50;
 
-/// The last two are shown only with `--sensitivity`.
-const COLUMNS: [Column; 10] = [
+/// Shown for every spectrum.
+const COLUMNS: [Column; 8] = [
     ("motion", "motion", 0),
     ("height_m", "height [m]", 4),
     ("thickness_m", "thickness [m]", 4),
@@ -23,8 +23,6 @@ const COLUMNS: [Column; 10] = [
     ("edge_acceleration_g", "shock, uplift [g]", 4),
     ("edge_acceleration_impact_velocity_g", "shock, impact velocity [g]", 4),
     ("ceiling_g", "ceiling [g]", 4),
-    ("sensitivity_ratio", "sensitivity", 3),
-    ("sensitive", "sensitive", 0),
 ];
 
 /// Of objects that slide or roll; where casters are braked, some of them rock.
@@ -37,6 +35,11 @@ const SLIDING_COLUMNS: [Column; 7] = [
     ("slide_speed_max_m_s", "speed [m/s]", 4),
     ("uplift_m", "uplift [mm]", 4),
 ];
+/// Shown for objects beside walls.
+const OF_WALLS: [Column; 1] = [("wall_speed_max_m_s", "speed at a wall [m/s]", 4)];
+
+/// Shown with `--sensitivity`.
+const OF_SENSITIVITY: [Column; 2] = [("sensitivity_ratio", "sensitivity", 3), ("sensitive", "sensitive", 0)];
 
 /// The rows that the text shows, and the sums over all rows.
 #[derive(Debug)]
@@ -45,6 +48,7 @@ pub(crate) struct Seen {
     pub(crate) tallies: Vec<SpectrumTally>,
     rows: Vec<Vec<String>>,
     total: usize,
+    walls: bool,
     sensitivity: bool,
     slides: bool,
 }
@@ -52,28 +56,30 @@ pub(crate) struct Seen {
 impl Seen {
     /// For `total` rows of this number of motions.
     pub(crate) fn new(motions: usize, total: usize, request: &SpectrumRequest) -> Self {
-        let (tallies, rows) = (vec![SpectrumTally::default(); motions], Vec::new());
-        Self { tallies, rows, total, sensitivity: request.sensitivity, slides: request.surface.is_some() }
+        let tallies = vec![SpectrumTally::default(); motions];
+        let (walls, slides) = (!request.options.walls.is_none(), request.surface.is_some());
+        Self { tallies, rows: Vec::new(), total, walls, sensitivity: request.sensitivity, slides }
     }
 
-    fn columns(&self) -> &'static [Column] {
-        match (self.slides, self.sensitivity) {
-            (true, _) => &SLIDING_COLUMNS,
-            (false, true) => &COLUMNS,
-            (false, false) => &COLUMNS[..COLUMNS.len() - 2],
+    fn columns(&self) -> Vec<Column> {
+        if self.slides {
+            return SLIDING_COLUMNS.to_vec();
         }
+        let walls = OF_WALLS.iter().filter(|_| self.walls);
+        let sensitivity = OF_SENSITIVITY.iter().filter(|_| self.sensitivity);
+        COLUMNS.iter().chain(walls).chain(sensitivity).copied().collect()
     }
 
     pub(crate) fn add(&mut self, chunk: &SpectrumChunk) {
         let keep = if self.total > MAX_SHOWN_ROWS { FIRST_ROWS } else { self.total };
         chunk.add_to(&mut self.tallies[chunk.motion]);
         let (columns, missing) = (self.columns(), keep - self.rows.len().min(keep));
-        self.rows.extend(chunk.rows().take(missing).map(|row| cells(&row, columns)));
+        self.rows.extend(chunk.rows().take(missing).map(|row| cells(&row, &columns)));
     }
 
     /// The text; `place` is the file with all rows.
     pub(crate) fn text(&self, motions: &[SpectrumMotion], place: Option<&str>, timing: &SpectrumTiming) -> String {
-        let mut text = table(&headings(self.columns()), &self.rows);
+        let mut text = table(&headings(&self.columns()), &self.rows);
         let more = self.total - self.rows.len();
         if more > 0 {
             let place = place.map_or_else(
@@ -102,6 +108,7 @@ impl Seen {
             "largest uplift [mm]",
             "largest shock, uplift [g]",
         ];
+        headings.extend(self.walls.then_some("leaned"));
         headings.extend(self.sensitivity.then_some("sensitive"));
         headings.extend(self.slides.then_some(["slid", "largest slide [mm]"]).iter().flatten());
         let rows = motions.iter().zip(&self.tallies).take(MAX_SHOWN_MOTIONS).map(|(motion, tally)| {
@@ -109,6 +116,7 @@ impl Seen {
             row.extend([tally.objects, tally.rocked, tally.overturned, tally.failed].map(|count| count.to_string()));
             row.push(millimetres(tally.largest_uplift_m));
             row.push(optional(tally.largest_edge_acceleration_g, 4, ""));
+            row.extend(self.walls.then(|| tally.leaned.to_string()));
             row.extend(self.sensitivity.then(|| tally.sensitive.to_string()));
             if self.slides {
                 row.extend([tally.slid.to_string(), millimetres(tally.largest_slide_m)]);

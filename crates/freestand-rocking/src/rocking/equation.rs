@@ -1,8 +1,11 @@
 //! The equation of motion on one edge, as a Taylor series over a step.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::{RockingError, RockingModel};
 use crate::block::Pivot;
 use crate::polynomial::{self, MAX_DEGREE};
+use crate::wall::Contact;
 
 /// Largest p·h of a step: up to it the series converges like ½ᵏ/k! or faster.
 const MAX_STEP: f64 = 0.5;
@@ -22,8 +25,25 @@ pub(super) struct Edge {
     pub linearised: bool,
     /// Uplift threshold of s·ü_h/g: tan α, or α when linearised.
     pub threshold: f64,
+    /// The wall that ends the rotation about this edge.
+    pub wall: Option<Contact>,
     sin: f64,
     cos: f64,
+}
+
+/// What the block does at the start of a segment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Start {
+    /// It goes on from any state.
+    Moving,
+    /// It leaves the floor from rest, at the instant at which the threshold is passed: E is zero or
+    /// less there, whatever rounding yields.
+    Lifting,
+    /// It leaves the wall without velocity, at the instant at which nothing presses it on any
+    /// longer: −ÿ is zero or more there.
+    Leaving,
+    /// The wall holds it throughout.
+    Held,
 }
 
 /// Base acceleration over a step in units of g, with one g of gravity in `v`: start and
@@ -55,6 +75,8 @@ pub struct Segment {
     pub(super) edge: Edge,
     pub(super) ground: Ground,
     pub(super) gravity_m_s2: f64,
+    /// Whether a wall holds the block throughout.
+    held: bool,
     series: [f64; MAX_DEGREE + 1],
     degree: usize,
 }
@@ -76,7 +98,24 @@ impl Edge {
         } else {
             (cg_from_edge_m / pivot.half_diagonal_m, cg_height_m / pivot.half_diagonal_m, cg_from_edge_m / cg_height_m)
         };
-        Self { side, pivot, p2: p * p, linearised, threshold, sin, cos }
+        Self { side, pivot, p2: p * p, linearised, threshold, wall: None, sin, cos }
+    }
+
+    /// The rotation that ends the motion about this edge: θ_c, or π/2 without a wall.
+    pub(super) fn ceiling(&self) -> f64 {
+        self.wall.map_or(FRAC_PI_2, |wall| wall.angle_rad)
+    }
+
+    /// Whether the block at rest touches the wall of this side.
+    pub(super) fn touches_wall(&self) -> bool {
+        self.wall.is_some_and(|wall| wall.touches())
+    }
+
+    /// What pulls the block back from the rotation y: (1+ü_v/g) sin(α−y) + s(ü_h/g) cos(α−y), by
+    /// which a block at a wall leaves it (> 0) or leans on it.
+    pub(super) fn pull(&self, y: f64, u: f64, v: f64) -> f64 {
+        let (sin, cos) = (self.pivot.slenderness_angle_rad - y).sin_cos();
+        v * sin + self.side * u * cos
     }
 
     /// How far the base is from lifting the block about this edge: (1+ü_v/g) tan α + s ü_h/g,
@@ -94,9 +133,6 @@ impl Edge {
 impl Segment {
     /// The motion from (y, w) at `start_s` over `step_s`, which is halved as often as the series
     /// needs.
-    ///
-    /// `lifting`: the block starts at the instant at which the threshold is passed; E is zero or
-    /// less there, whatever rounding yields.
     #[expect(clippy::too_many_arguments, reason = "the state, the step and the accuracy are what a Taylor step takes")]
     pub(super) fn new(
         edge: Edge,
@@ -107,7 +143,7 @@ impl Segment {
         start_s: f64,
         step_s: f64,
         tolerance: f64,
-        lifting: bool,
+        start: Start,
     ) -> Result<Self, RockingError> {
         let mut segment = Self {
             start_s,
@@ -116,11 +152,16 @@ impl Segment {
             edge,
             ground,
             gravity_m_s2,
+            held: start == Start::Held,
             series: [0.0; MAX_DEGREE + 1],
             degree: 0,
         };
+        if segment.held {
+            segment.series[0] = y;
+            return Ok(segment);
+        }
         let least_s = step_s * 1e-12;
-        while !segment.expand(y, w, tolerance, lifting) {
+        while !segment.expand(y, w, tolerance, start) {
             segment.step_s *= 0.5;
             if segment.step_s <= least_s {
                 return Err(RockingError::StepTooSmall { time_s: start_s, step_s: segment.step_s });
@@ -132,11 +173,11 @@ impl Segment {
     /// Taylor coefficients in units of the step, up to the order at which two consecutive terms
     /// fall below `tolerance` of the largest; `false` if that takes more terms than the arrays
     /// hold.
-    fn expand(&mut self, y: f64, w: f64, tolerance: f64, lifting: bool) -> bool {
+    fn expand(&mut self, y: f64, w: f64, tolerance: f64, start: Start) -> bool {
         let (edge, ground, h) = (&self.edge, &self.ground, self.step_s);
         let e = {
             let margin = edge.margin(ground.u, ground.v);
-            edge.cos * if lifting { margin.min(0.0) } else { margin }
+            edge.cos * if start == Start::Lifting { margin.min(0.0) } else { margin }
         };
         let e_slope = h * edge.cos * edge.margin(ground.u_slope, ground.v_slope);
         let (d, d_slope) = if edge.linearised {
@@ -177,6 +218,8 @@ impl Segment {
             let mut f = e * cos[k] - d * sin[k];
             if k > 0 {
                 f += e_slope * cos[k - 1] - d_slope * sin[k - 1];
+            } else if start == Start::Leaving {
+                f = f.max(0.0);
             }
             let next = factor * f / ((k + 1) * (k + 2)) as f64;
             c[k + 2] = next;
@@ -201,6 +244,13 @@ impl Segment {
     pub(super) fn state(&self, ratio: f64) -> (f64, f64) {
         let (y, slope) = polynomial::value_and_slope(self.series(), ratio);
         (y, slope / self.step_s)
+    }
+
+    /// Whether an impact or an uplift happened at the start: the block is on the floor or at the
+    /// wall there.
+    pub(super) fn starts_with_an_event(&self) -> bool {
+        let y = self.series[0];
+        y == 0.0 || (y == self.edge.ceiling() && !self.held)
     }
 
     /// θ \[rad\] and ω \[rad/s\] at a ratio in \[0, 1\] of the step.
@@ -237,17 +287,23 @@ impl Segment {
     /// F_x/N of the contact at a ratio of the step; 0 past the balance point.
     ///
     /// F_x/m = ü_h + s ẍ, N/m = g + ü_v + z̈ with the centre of gravity at x = −R sin(α−y), z = R
-    /// cos(α−y).
+    /// cos(α−y). A block that leans does not accelerate: the moment that presses it on the wall,
+    /// −m g R P, gives the force of the wall on its lever ℓ.
     pub(super) fn friction(&self, ratio: f64) -> f64 {
         let (y, w) = self.state(ratio);
         let Ground { u, v, .. } = self.ground.after(ratio * self.step_s);
         let edge = &self.edge;
         let (sin, cos) = (edge.pivot.slenderness_angle_rad - y).sin_cos();
-        let acceleration =
-            -edge.p2 * if edge.linearised { edge.margin(u, v) - v * y } else { v * sin + edge.side * u * cos };
-        let r = edge.pivot.half_diagonal_m / self.gravity_m_s2;
-        let horizontal = u + edge.side * r * (cos * acceleration + sin * w * w);
-        let vertical = v + r * (sin * acceleration - cos * w * w);
+        let (horizontal, vertical) = if let Some(wall) = edge.wall.filter(|_| self.held) {
+            let pressed = -edge.pivot.half_diagonal_m * edge.pull(y, u, v) / wall.lever_m;
+            let (lift, push) = wall.force_angle_rad.sin_cos();
+            (u + edge.side * pressed * push, v - pressed * lift)
+        } else {
+            let acceleration =
+                -edge.p2 * if edge.linearised { edge.margin(u, v) - v * y } else { v * sin + edge.side * u * cos };
+            let r = edge.pivot.half_diagonal_m / self.gravity_m_s2;
+            (u + edge.side * r * (cos * acceleration + sin * w * w), v + r * (sin * acceleration - cos * w * w))
+        };
         if y > edge.pivot.slenderness_angle_rad {
             0.0
         } else if vertical > 0.0 {
@@ -267,7 +323,7 @@ mod tests {
         let block = Block::uniform(1.5, 0.5).unwrap();
         let edge = Edge::new(1.0, block.right_pivot(), block.cg_from_right_m(), block.cg_height_m(), 9.81, model);
         let ground = Ground { u: -0.4, u_slope: 3.0, v: 1.1, v_slope: 1.3 };
-        Segment::new(edge, 0.07, 0.3, ground, 9.81, 0.0, step_s, 1e-16, false).unwrap()
+        Segment::new(edge, 0.07, 0.3, ground, 9.81, 0.0, step_s, 1e-16, Start::Moving).unwrap()
     }
 
     /// The local error of the series truncated after degree n decreases like hⁿ⁺¹: every

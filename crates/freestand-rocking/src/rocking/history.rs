@@ -49,9 +49,8 @@ impl<'a> HistoryRecorder<'a> {
     pub fn observe(&mut self, segment: &Segment) {
         self.rest(segment.start_s);
         let end_s = segment.start_s + segment.end_ratio * segment.step_s;
-        // A segment that starts at θ = 0 starts with an event, which gets its own point even
-        // between samples.
-        let event = segment.rotation(0.0).0 == 0.0;
+        // An event gets its own point even between samples.
+        let event = segment.starts_with_an_event();
         if event {
             self.points.push(self.point(segment.start_s, segment.rotation(0.0)));
         }

@@ -13,6 +13,13 @@
 //!   tan α: exactly θ = 0 until the next uplift. Where the threshold is passed the block starts
 //!   again from zero velocity.
 //! * **Overturned** when |θ| reaches π/2; passing α is reported but is not yet overturning.
+//! * **Wall impact** when |θ| reaches the angle θ_c at which the block touches a wall
+//!   ([`crate::wall`]): ω⁺ = −e_w ω⁻ about the same edge.
+//! * **Leaning** when the velocity after a wall impact is at most [`REST_OMEGA_RAD_S`] and
+//!   (1+ü_v/g) sin(α−θ_c) + s(ü_h/g) cos(α−θ_c) ≤ 0: exactly |θ| = θ_c until that sum is positive.
+//! * **Touching walls** (θ_c = 0) stop the block at θ = 0. It uplifts only to the other side. A block
+//!   that comes back from there lands, meets the wall and lands again at one instant: ω⁺ = −e_w r² ω⁻,
+//!   about the edge that it came on. This is the limit of a small gap.
 //! * **Free flight** where g + ü_v ≤ 0: the model does not apply, and the result is an error.
 //!
 //! Each piece of the motion is a Taylor series of the exact equation, with an order that follows
@@ -28,10 +35,11 @@ use thiserror::Error;
 
 use crate::block::Block;
 use crate::motion::Motion;
+use crate::wall::{Contact, WallError, Walls};
 
 pub use equation::Segment;
 pub use history::{HistoryPoint, HistoryRecorder};
-pub use lanes::{rock_each, rock_many, rock_many_on};
+pub use lanes::{rock_between, rock_each, rock_many, rock_many_on};
 pub use solve::{rock, rock_observed};
 
 /// Speed after an impact at or below which a block comes to rest, unless the base lifts it
@@ -195,6 +203,8 @@ pub struct RockingOptions {
     pub initial_omega_rad_s: f64,
     /// When to stop.
     pub until: Until,
+    /// Walls beside the block.
+    pub walls: Walls,
 }
 
 impl Default for RockingOptions {
@@ -207,6 +217,7 @@ impl Default for RockingOptions {
             initial_rotation_rad: 0.0,
             initial_omega_rad_s: 0.0,
             until: Until::default(),
+            walls: Walls::NONE,
         }
     }
 }
@@ -226,6 +237,46 @@ pub struct RockingImpact {
 /// ([`RockingError::FreeFlight`]).
 pub const FREE_FLIGHT: &str = "free-flight";
 
+/// A side of the block: the edge that it turns about, and the wall beyond it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// θ > 0.
+    Right,
+    /// θ < 0.
+    Left,
+}
+
+impl Side {
+    /// `right`, `left`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Left => "left",
+        }
+    }
+
+    /// The place of this side in arrays of both: 0 for the right one.
+    pub fn index(self) -> usize {
+        match self {
+            Self::Right => 0,
+            Self::Left => 1,
+        }
+    }
+}
+
+/// One impact of the block on a wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WallImpact {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// The side of the wall.
+    pub side: Side,
+    /// ω⁻, signed \[rad/s\].
+    pub omega_before_rad_s: f64,
+    /// ω⁺ = −e_w ω⁻ \[rad/s\].
+    pub omega_after_rad_s: f64,
+}
+
 /// How a history ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
@@ -233,16 +284,25 @@ pub enum Outcome {
     NoUplift,
     /// The object rocked and did not overturn.
     Rocked,
+    /// At the end the object is past its balance point and a wall holds it, or it bounces there.
+    Leaned,
     /// |θ| reached π/2.
     Overturned,
 }
 
 impl Outcome {
-    /// The name in every output: `no-uplift`, `rocked`, `overturned`.
+    /// Whether the object has fallen over, onto the floor or against a wall: what counts in
+    /// decisions.
+    pub fn has_fallen(self) -> bool {
+        matches!(self, Self::Leaned | Self::Overturned)
+    }
+
+    /// The name in every output: `no-uplift`, `rocked`, `leaned`, `overturned`.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoUplift => "no-uplift",
             Self::Rocked => "rocked",
+            Self::Leaned => "leaned",
             Self::Overturned => "overturned",
         }
     }
@@ -253,7 +313,7 @@ impl Outcome {
 pub enum StopReason {
     /// The end of the motion, or the requested time, was reached.
     EndOfMotion,
-    /// The motion has ended and the block is at rest ([`Until::Settled`]).
+    /// The motion has ended and the block is at rest, or leans on a wall ([`Until::Settled`]).
     Settled,
     /// |θ| = π/2.
     Overturned,
@@ -307,8 +367,14 @@ pub struct Rocking {
     pub passed_alpha_time_s: Option<f64>,
     /// Time at which |θ| reached π/2 \[s\].
     pub overturn_time_s: Option<f64>,
-    /// All impacts.
+    /// All impacts on the floor.
     pub impacts: Vec<RockingImpact>,
+    /// All impacts on walls.
+    pub wall_impacts: Vec<WallImpact>,
+    /// Where the block touches the right and the left wall.
+    pub contacts: [Option<Contact>; 2],
+    /// Whether a wall holds the block at the end.
+    pub leaning: bool,
     /// Time at which the block last came to rest \[s\].
     pub rest_time_s: Option<f64>,
     /// θ at the end \[rad\].
@@ -335,8 +401,10 @@ pub struct RockingSummary {
     pub peak_rotation_rad: f64,
     /// Extremes on the right and the left edge.
     pub sides: [SideExtremes; 2],
-    /// Number of impacts until rest or the end.
+    /// Number of impacts on the floor until rest or the end.
     pub impact_count: usize,
+    /// Number of impacts on walls.
+    pub wall_impact_count: usize,
     /// B sin(peak rotation): uplift of the free edge \[m\].
     pub uplift_m: f64,
     /// Largest rise of the centre of gravity \[m\]; R(1 − cos α) once |θ| has passed α.
@@ -351,6 +419,7 @@ impl From<&Rocking> for RockingSummary {
             peak_rotation_rad: rocking.peak_rotation_rad,
             sides: rocking.sides,
             impact_count: rocking.impacts.len(),
+            wall_impact_count: rocking.wall_impacts.len(),
             uplift_m: rocking.uplift_m,
             cg_rise_m: rocking.cg_rise_m,
         }
@@ -365,6 +434,8 @@ pub struct SideExtremes {
     /// Largest |ω| just before an impact that ends the motion about this edge \[rad/s\]; 0 without
     /// impacts.
     pub impact_omega_rad_s: f64,
+    /// Largest |ω| just before an impact on the wall of this side \[rad/s\]; 0 without one.
+    pub wall_omega_rad_s: f64,
 }
 
 /// Why a history cannot be calculated.
@@ -401,6 +472,26 @@ pub enum RockingError {
         /// r.
         value: f64,
     },
+    /// A wall that cannot be used.
+    #[error(transparent)]
+    Wall(#[from] WallError),
+    /// A start beyond the angle at which the block touches a wall.
+    #[error(
+        "the object touches the {} wall at a rotation of {contact_rad} rad and cannot start beyond it, at {rotation_rad} \
+         rad",
+        side.name()
+    )]
+    BeyondWall {
+        /// The side of the wall.
+        side: Side,
+        /// |θ| at the start \[rad\].
+        rotation_rad: f64,
+        /// θ_c \[rad\].
+        contact_rad: f64,
+    },
+    /// Walls together with the linearised equation.
+    #[error("the linearised equation of motion has no walls")]
+    LinearisedWall,
     /// The initial rotation is not within ±π/2, or the initial velocity is not finite.
     #[error(
         "the initial rotation must be within ±π/2 and the velocity finite, not {rotation_rad} rad and {omega_rad_s} \

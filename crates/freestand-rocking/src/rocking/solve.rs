@@ -2,14 +2,15 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::equation::{Edge, Ground, Segment};
+use super::equation::{Edge, Ground, Segment, Start};
 use super::{
-    Base, MAX_IMPACTS, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, STEADY_IMPACTS,
-    SideExtremes, StopReason, Until,
+    Base, MAX_IMPACTS, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingModel, RockingOptions,
+    STEADY_IMPACTS, Side, SideExtremes, StopReason, Until, WallImpact,
 };
 use crate::block::Block;
 use crate::motion::Motion;
 use crate::polynomial::{first_root, roots, value};
+use crate::wall::Contact;
 
 /// The response of `block` to the motion of its base.
 ///
@@ -59,18 +60,22 @@ pub fn rock_observed(
 /// What the block is doing.
 enum Phase {
     Rest,
-    /// Rotating about `edges[edge]` with (y, w); `lifting`: it starts from zero velocity at this
-    /// instant.
+    /// Rotating about `edges[edge]` with (y, w).
     Moving {
         edge: usize,
         y: f64,
         w: f64,
-        lifting: bool,
+        start: Start,
+    },
+    /// Held by the wall beyond `edges[edge]`.
+    Leaning {
+        edge: usize,
     },
 }
 
 const RIGHT: usize = 0;
 const LEFT: usize = 1;
+const SIDES: [Side; 2] = [Side::Right, Side::Left];
 
 struct Solver<'a, F: FnMut(&Segment)> {
     edges: [Edge; 2],
@@ -84,6 +89,8 @@ struct Solver<'a, F: FnMut(&Segment)> {
     quiet: bool,
     /// Whether the block rocks practically for ever.
     steady: bool,
+    /// Whether the block has met a wall since it left the floor.
+    bounced: bool,
     phase: Phase,
     result: Rocking,
     observe: F,
@@ -151,15 +158,30 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             return Err(RockingError::InitialState { rotation_rad: theta, omega_rad_s: omega });
         }
         let edge = |side: f64, pivot, x| Edge::new(side, pivot, x, block.cg_height_m(), gravity, options.model);
-        let edges = [
+        let mut edges = [
             edge(1.0, block.right_pivot(), block.cg_from_right_m()),
             edge(-1.0, block.pivot(), block.cg_from_left_m()),
         ];
+        let contacts = options.walls.contacts(block)?;
+        if options.model == RockingModel::Linearised && !options.walls.is_none() {
+            return Err(RockingError::LinearisedWall);
+        }
+        for (edge, contact) in edges.iter_mut().zip(contacts) {
+            edge.wall = contact;
+        }
+        for (side, edge) in SIDES.into_iter().zip(&edges) {
+            let rotation_rad = edge.side * theta;
+            if let Some(wall) = edge.wall
+                && rotation_rad > wall.angle_rad
+            {
+                return Err(RockingError::BeyondWall { side, rotation_rad, contact_rad: wall.angle_rad });
+            }
+        }
         let given = theta != 0.0 || omega != 0.0;
         let phase = if given {
             let index = if theta > 0.0 || (theta == 0.0 && omega > 0.0) { RIGHT } else { LEFT };
             let s = edges[index].side;
-            Phase::Moving { edge: index, y: s * theta, w: s * omega, lifting: false }
+            Phase::Moving { edge: index, y: s * theta, w: s * omega, start: Start::Moving }
         } else {
             Phase::Rest
         };
@@ -177,6 +199,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             settle: matches!(options.until, Until::Settled { .. }),
             quiet: false,
             steady: false,
+            bounced: false,
             phase,
             result: Rocking {
                 outcome: if given { Outcome::Rocked } else { Outcome::NoUplift },
@@ -192,6 +215,9 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 passed_alpha_time_s: edges.iter().any(passed).then_some(0.0),
                 overturn_time_s: None,
                 impacts: Vec::new(),
+                wall_impacts: Vec::new(),
+                contacts,
+                leaning: false,
                 rest_time_s: None,
                 final_rotation_rad: 0.0,
                 final_omega_rad_s: 0.0,
@@ -214,6 +240,10 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             let at_end = ground.after(length_s);
             if at_end.v <= 0.0 {
                 return Err(RockingError::FreeFlight { time_s: start_s - ground.v / ground.v_slope });
+            }
+            if self.settle && index >= self.intervals.samples && self.stays_leaning() {
+                self.result.stop = StopReason::Settled;
+                break;
             }
             if matches!(self.phase, Phase::Rest) {
                 if self.settle && index >= self.intervals.samples {
@@ -239,6 +269,11 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 self.result.end_time_s = self.result.rest_time_s.unwrap_or(start_s);
                 break;
             }
+            if self.settle && index >= self.intervals.samples && self.stays_leaning() {
+                self.result.stop = StopReason::Settled;
+                self.result.end_time_s = self.result.wall_impacts.last().map_or(start_s, |impact| impact.time_s);
+                break;
+            }
             index += 1;
         }
         Ok(self.finish())
@@ -252,14 +287,31 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                 Phase::Rest => match self.uplift(ground, tau, length_s) {
                     Some((edge, at)) => {
                         tau = at;
-                        self.phase = Phase::Moving { edge, y: 0.0, w: 0.0, lifting: true };
+                        self.phase = Phase::Moving { edge, y: 0.0, w: 0.0, start: Start::Lifting };
                         self.result.uplift_count += 1;
                         self.result.first_uplift_time_s.get_or_insert(start_s + tau);
                         self.result.outcome = Outcome::Rocked;
                     }
                     None => tau = length_s,
                 },
-                Phase::Moving { edge, y, w, lifting } => {
+                Phase::Leaning { edge } => {
+                    let until = self.release(edge, ground, tau, length_s);
+                    let from = std::mem::replace(&mut tau, until.unwrap_or(length_s));
+                    if tau > from {
+                        self.lean(edge, ground.after(from), start_s + from, tau - from)?;
+                    }
+                    if until.is_some() {
+                        let y = self.edges[edge].ceiling();
+                        self.phase = Phase::Moving { edge, y, w: 0.0, start: Start::Leaving };
+                    }
+                }
+                // It moves towards the wall that it touches.
+                Phase::Moving { edge, y, w, .. }
+                    if w > 0.0 && self.edges[edge].wall.is_some_and(|wall| y >= wall.angle_rad) =>
+                {
+                    self.strike(edge, w, start_s + tau, ground.after(tau))?;
+                }
+                Phase::Moving { edge, y, w, start } => {
                     let rest_s = length_s - tau;
                     let step_s = rest_s.min(self.edges[edge].max_step_s());
                     let segment = Segment::new(
@@ -271,7 +323,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
                         start_s + tau,
                         step_s,
                         self.tolerance,
-                        lifting,
+                        start,
                     )?;
                     let used_s = self.advance(edge, segment)?;
                     // The last step of an interval ends exactly on the sample.
@@ -290,7 +342,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     fn uplift(&self, ground: Ground, tau: f64, length_s: f64) -> Option<(usize, f64)> {
         let (now, end) = (ground.after(tau), ground.after(length_s));
         let mut first: Option<(usize, f64)> = None;
-        for (index, edge) in self.edges.iter().enumerate() {
+        for (index, edge) in self.edges.iter().enumerate().filter(|(_, edge)| !edge.touches_wall()) {
             let (from, to) = (edge.margin(now.u, now.v), edge.margin(end.u, end.v));
             let at = if from < 0.0 {
                 tau
@@ -304,6 +356,39 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             }
         }
         first
+    }
+
+    /// When the wall beyond an edge no longer holds the block, within the rest of an interval.
+    fn release(&self, edge: usize, ground: Ground, tau: f64, length_s: f64) -> Option<f64> {
+        let (now, end) = (ground.after(tau), ground.after(length_s));
+        let edge = &self.edges[edge];
+        let y = edge.ceiling();
+        let (from, to) = (edge.pull(y, now.u, now.v), edge.pull(y, end.u, end.v));
+        let at = if from > 0.0 {
+            tau
+        } else if to > 0.0 {
+            tau + (length_s - tau) * from / (from - to)
+        } else {
+            return None;
+        };
+        (at < length_s).then_some(at)
+    }
+
+    /// A time during which the block leans on the wall.
+    fn lean(&mut self, edge: usize, ground: Ground, start_s: f64, step_s: f64) -> Result<(), RockingError> {
+        let held = self.edges[edge];
+        let (y, gravity) = (held.ceiling(), self.gravity_m_s2);
+        let segment = Segment::new(held, y, 0.0, ground, gravity, start_s, step_s, self.tolerance, Start::Held)?;
+        (self.observe)(&segment);
+        Ok(())
+    }
+
+    /// Whether the block leans and the base at rest does not let it go.
+    fn stays_leaning(&self) -> bool {
+        match self.phase {
+            Phase::Leaning { edge } => self.edges[edge].pull(self.edges[edge].ceiling(), 0.0, 1.0) <= 0.0,
+            Phase::Rest | Phase::Moving { .. } => false,
+        }
     }
 
     /// Takes one step, up to its first event, and changes the phase; returns the time used.
@@ -323,14 +408,26 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         let reach: f64 = c.iter().skip(lead + 1).map(|c| c.abs()).sum();
         let impact = if c[lead] > reach { None } else { first_root(&c[lead..]) };
         let highest = c[lead] + reach;
-        let overturn = if highest < FRAC_PI_2 { None } else { first_root(&below(c, FRAC_PI_2)[..c.len()]) };
-        let end = impact.unwrap_or(1.0).min(overturn.unwrap_or(1.0));
+        let walled = segment.edge.wall.is_some();
+        let ceiling = segment.edge.ceiling();
+        let stop = if highest < ceiling { None } else { reaches(c, ceiling) };
+        if walled && stop == Some(0.0) {
+            // Without velocity at the wall, and pressed on: it leans for the rest of the step.
+            let step_s = segment.step_s;
+            let (ground, start_s) = (segment.ground, segment.start_s);
+            self.phase = Phase::Leaning { edge };
+            self.lean(edge, ground, start_s, step_s)?;
+            return Ok(step_s);
+        }
+        let end = impact.unwrap_or(1.0).min(stop.unwrap_or(1.0));
         let (mut y, w) = segment.state(end);
-        let overturned = overturn.is_some_and(|x| x <= end);
+        let stopped = stop.is_some_and(|x| x <= end);
         // Rounding may take y below zero where the root lies just past the end of the step.
-        let landed = !overturned && (impact.is_some_and(|x| x <= end) || y <= 0.0);
+        let landed = !stopped && (impact.is_some_and(|x| x <= end) || y <= 0.0);
         if landed {
             y = 0.0;
+        } else if walled {
+            y = if stopped { ceiling } else { y.min(ceiling) };
         }
         self.track_peak(edge, &segment, end, y, highest);
         segment.end_ratio = end;
@@ -338,15 +435,17 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         let time_s = segment.start_s + used_s;
         (self.observe)(&segment);
 
-        if overturned {
+        if stopped && walled {
+            self.strike(edge, w.max(0.0), time_s, segment.ground.after(used_s))?;
+        } else if stopped {
             self.result.overturn_time_s = Some(time_s);
             (self.result.peak_rotation_rad, self.result.peak_rotation_time_s) = (FRAC_PI_2, Some(time_s));
             self.result.sides[edge].peak_rotation_rad = FRAC_PI_2;
-            self.phase = Phase::Moving { edge, y: FRAC_PI_2, w, lifting: false };
+            self.phase = Phase::Moving { edge, y: FRAC_PI_2, w, start: Start::Moving };
         } else if landed {
             self.land(edge, w.min(0.0), time_s, segment.ground.after(used_s))?;
         } else {
-            self.phase = Phase::Moving { edge, y, w, lifting: false };
+            self.phase = Phase::Moving { edge, y, w, start: Start::Moving };
         }
         Ok(used_s)
     }
@@ -354,14 +453,24 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     /// An impact at velocity `w` ≤ 0 that ends the rotation about `edge`.
     fn land(&mut self, edge: usize, w: f64, time_s: f64, ground: Ground) -> Result<(), RockingError> {
         let other = 1 - edge;
-        let after = -w * self.restitution[other];
         let side = self.edges[edge].side;
+        let mut after = -w * self.restitution[other];
+        let mut next = other;
+        self.bounced = false;
+        if let Some(wall) = self.edges[other].wall.filter(Contact::touches) {
+            // The floor, the wall and the floor again at one instant. Between two walls that it
+            // touches the block stops.
+            let back = after * wall.restitution_ratio;
+            self.note_wall(other, after, back, time_s)?;
+            after = if self.edges[edge].touches_wall() { 0.0 } else { back * self.restitution[edge] };
+            next = edge;
+        }
         let hardest = &mut self.result.sides[edge].impact_omega_rad_s;
         *hardest = hardest.max(-w);
         self.result.impacts.push(RockingImpact {
             time_s,
             omega_before_rad_s: side * w,
-            omega_after_rad_s: -side * after,
+            omega_after_rad_s: self.edges[next].side * after,
         });
         if self.result.impacts.len() > MAX_IMPACTS {
             return Err(RockingError::TooManyImpacts { time_s, limit: MAX_IMPACTS });
@@ -369,13 +478,53 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         let loss = -self.restitution[0].max(self.restitution[1]).ln();
         self.steady = self.settle && self.quiet && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss;
         self.phase = if after > REST_OMEGA_RAD_S {
-            Phase::Moving { edge: other, y: 0.0, w: after, lifting: false }
-        } else if let Some(lifted) = self.edges.iter().position(|e| e.margin(ground.u, ground.v) < 0.0) {
-            Phase::Moving { edge: lifted, y: 0.0, w: 0.0, lifting: true }
+            Phase::Moving { edge: next, y: 0.0, w: after, start: Start::Moving }
+        } else if let Some(lifted) =
+            self.edges.iter().position(|e| !e.touches_wall() && e.margin(ground.u, ground.v) < 0.0)
+        {
+            Phase::Moving { edge: lifted, y: 0.0, w: 0.0, start: Start::Lifting }
         } else {
             self.result.rest_time_s = Some(time_s);
             Phase::Rest
         };
+        Ok(())
+    }
+
+    /// An impact at velocity `w` ≥ 0 on the wall beyond `edge`.
+    fn strike(&mut self, edge: usize, w: f64, time_s: f64, ground: Ground) -> Result<(), RockingError> {
+        let held = self.edges[edge];
+        let ceiling = held.ceiling();
+        let after = w * held.wall.map_or(0.0, |wall| wall.restitution_ratio);
+        self.note_wall(edge, w, after, time_s)?;
+        self.bounced = true;
+        if held.touches_wall() {
+            // Only a block that is given a velocity gets here: the wall throws it back to the floor.
+            return self.land(edge, -after, time_s, ground);
+        }
+        self.phase = if after > REST_OMEGA_RAD_S {
+            Phase::Moving { edge, y: ceiling, w: -after, start: Start::Moving }
+        } else if held.pull(ceiling, ground.u, ground.v) > 0.0 {
+            Phase::Moving { edge, y: ceiling, w: 0.0, start: Start::Leaving }
+        } else {
+            Phase::Leaning { edge }
+        };
+        Ok(())
+    }
+
+    /// Adds a wall impact on the side of `edge`; the speeds are towards the wall and back.
+    fn note_wall(&mut self, edge: usize, before: f64, after: f64, time_s: f64) -> Result<(), RockingError> {
+        let side = self.edges[edge].side;
+        let hardest = &mut self.result.sides[edge].wall_omega_rad_s;
+        *hardest = hardest.max(before);
+        self.result.wall_impacts.push(WallImpact {
+            time_s,
+            side: SIDES[edge],
+            omega_before_rad_s: side * before,
+            omega_after_rad_s: -side * after,
+        });
+        if self.result.wall_impacts.len() > MAX_IMPACTS {
+            return Err(RockingError::TooManyImpacts { time_s, limit: MAX_IMPACTS });
+        }
         Ok(())
     }
 
@@ -400,8 +549,10 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             for (k, &c) in c.iter().enumerate().skip(1) {
                 slope[k - 1] = k as f64 * c;
             }
+            let ceiling = segment.edge.ceiling();
             roots(&slope[..c.len() - 1], &mut |x| {
-                let y = value(c, x);
+                // No further than the wall, whatever rounding yields.
+                let y = value(c, x).min(ceiling);
                 if x <= end && y > peak.0 {
                     peak = (y, x);
                 }
@@ -419,10 +570,19 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
 
     fn finish(self) -> Rocking {
         let mut result = self.result;
-        if let Phase::Moving { edge, y, w, .. } = self.phase {
-            let side = self.edges[edge].side;
+        let (edge, y, w) = match self.phase {
+            Phase::Rest => (RIGHT, 0.0, 0.0),
+            Phase::Moving { edge, y, w, .. } => (edge, y, w),
+            Phase::Leaning { edge } => (edge, self.edges[edge].ceiling(), 0.0),
+        };
+        result.at_rest = matches!(self.phase, Phase::Rest);
+        result.leaning = matches!(self.phase, Phase::Leaning { .. });
+        if !result.at_rest {
+            let Edge { side, pivot, .. } = self.edges[edge];
             (result.final_rotation_rad, result.final_omega_rad_s) = (side * y, side * w);
-            result.at_rest = false;
+            if (self.bounced || result.leaning) && y >= pivot.slenderness_angle_rad {
+                result.outcome = Outcome::Leaned;
+            }
         }
         if result.overturn_time_s.is_some() {
             result.outcome = Outcome::Overturned;
@@ -433,6 +593,14 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         result.cg_rise_m = rises.fold(0.0, f64::max);
         result
     }
+}
+
+/// When y reaches a limit that it does not exceed at the start; 0 where it is there and is about to.
+pub(super) fn reaches(series: &[f64], limit: f64) -> Option<f64> {
+    let gap = &below(series, limit)[..series.len()];
+    // A block that has just left the wall is on it: a root that does not count.
+    let lead = gap.iter().position(|&c| c != 0.0)?;
+    if gap[lead] > 0.0 { first_root(&gap[lead..]) } else { Some(0.0) }
 }
 
 /// The series of limit − y.

@@ -6,8 +6,10 @@ use kuva::render::annotations::ReferenceLine;
 
 use freestand::block::Block;
 use freestand::rocking::{HistoryPoint, Outcome};
+use freestand::wall::Contact;
 
 use crate::result::{ExampleHistory, StudyResult};
+use crate::rock::RockReport;
 use freestand_input::words::number;
 
 use super::FigureKind;
@@ -23,6 +25,8 @@ const PANELS_PX: [f64; 3] = [190.0, 172.0, 190.0];
 const QUIET_S: f64 = 2.0;
 /// Rotation at which an object has overturned \[rad\], a little less than π/2.
 const FLAT_RAD: f64 = 1.57;
+/// Colour of walls.
+const WALL: &str = "#8a5a2b";
 /// Largest rotation that is drawn of an object that overturns, as a multiple of α.
 const HIGHEST_RATIO: f64 = 1.6;
 
@@ -47,13 +51,14 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
         legend.push(entry(Sign::Cross, "overturns"));
     }
     let panels = vec![
-        rotation_panel(&theta, h.outcome, time_axis(from, to)),
+        rotation_panel(&theta, h.outcome, time_axis(from, to), &Marks::default()),
         accel_panel(&accel, time_axis(from, to)),
         impact_panel(&impacts, time_axis(from, to)),
     ];
     let outcome = match h.outcome {
         Outcome::NoUplift => "it does not uplift",
         Outcome::Rocked => "it rocks and does not overturn",
+        Outcome::Leaned => "it ends leaning on a wall",
         Outcome::Overturned => "it overturns",
     };
     let title = format!(
@@ -90,12 +95,9 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
 ///
 /// # Errors
 /// A figure that cannot be drawn.
-pub fn rock_figure(
-    motion: &str,
-    block: &Block,
-    outcome: Outcome,
-    history: &[HistoryPoint],
-) -> Result<Option<Figure>, FigureError> {
+pub fn rock_figure(motion: &str, block: &Block, report: &RockReport) -> Result<Option<Figure>, FigureError> {
+    let RockReport { outcome, history, contacts, wall_impacts, .. } = report;
+    let outcome = *outcome;
     let (Some(first), Some(last)) = (history.first(), history.last()) else { return Ok(None) };
     let (from, to) = (first.time_s, last.time_s);
     if to <= from {
@@ -107,10 +109,24 @@ pub fn rock_figure(
     };
     let theta = points(|point| point.theta_rad, alpha);
     let accel = points(|point| point.base_accel_m_s2, G0_M_S2);
+    let angle = |side: f64, contact: Option<Contact>| contact.map(|contact| side * contact.angle_rad / alpha);
+    let [right, left] = *contacts;
+    let walls: Vec<f64> = [angle(1.0, right), angle(-1.0, left)].into_iter().flatten().collect();
+    let struck: Vec<(f64, f64)> = wall_impacts
+        .iter()
+        .filter_map(|impact| {
+            let contact = contacts[impact.side.index()]?;
+            Some((impact.time_s, impact.omega_before_rad_s.signum() * contact.angle_rad / alpha))
+        })
+        .collect();
     let mut legend = vec![
         entry(Sign::Line { colour: curve_style(0).colour, width_px: 1.6, dash: None }, "rotation θ/α"),
         entry(Sign::Line { colour: DARK, width_px: 1.2, dash: Some("5 3") }, "balance point, θ = ±α"),
     ];
+    if !walls.is_empty() {
+        legend.push(entry(Sign::Line { colour: WALL, width_px: 1.4, dash: None }, "contact with a wall"));
+        legend.push(entry(Sign::Dot { colour: WALL }, "impact on the wall"));
+    }
     if outcome == Outcome::Overturned {
         legend.push(entry(Sign::Cross, "overturns"));
     }
@@ -126,7 +142,7 @@ pub fn rock_figure(
              rad. Bottom: acceleration of the floor.",
             number(alpha, 3)
         ),
-        panels: vec![rotation_panel(&theta, outcome, time_axis(from, to)), below],
+        panels: vec![rotation_panel(&theta, outcome, time_axis(from, to), &Marks { walls, struck }), below],
         columns: 1,
         row_heights_px: vec![PANELS_PX[0], PANELS_PX[2]],
         legend,
@@ -151,8 +167,17 @@ fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
     (to > from).then_some((from, to))
 }
 
-fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis) -> Panel {
-    let largest = points.iter().fold(0.0f64, |m, p| m.max(p.1.abs()));
+/// What a rotation panel shows of walls, divided by α.
+#[derive(Debug, Default)]
+struct Marks {
+    /// The rotations at which the object touches them.
+    walls: Vec<f64>,
+    /// Times and rotations of the impacts on them.
+    struck: Vec<(f64, f64)>,
+}
+
+fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Marks) -> Panel {
+    let largest = points.iter().map(|p| p.1).chain(marks.walls.iter().copied()).fold(0.0f64, |m, y| m.max(y.abs()));
     let reach = (1.1 * largest).clamp(1.15, HIGHEST_RATIO);
     let y = Axis { from: -reach, to: reach, step: Some(0.5), label: "Rotation θ/α (–)".into() };
     // A curve that leaves the axes ends at their edge: one point outside is kept, and clipped.
@@ -163,7 +188,15 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis) -> Panel {
     {
         plots.push(markers(&[(t, ratio.signum() * 0.93 * reach)], DARK, MarkerShape::Cross, 5.0));
     }
+    if !marks.struck.is_empty() {
+        plots.push(markers(&marks.struck, WALL, MarkerShape::Circle, 3.0));
+    }
     let mut layout = stacked(x, y, false);
+    for &value in &marks.walls {
+        layout = layout.with_reference_line(
+            ReferenceLine::horizontal(value).with_color(WALL).with_stroke_width(1.4).with_dasharray("1 0"),
+        );
+    }
     for value in [-1.0, 1.0] {
         let mark = ReferenceLine::horizontal(value).with_color(DARK).with_stroke_width(1.2).with_dasharray("5 3");
         layout = layout.with_reference_line(mark);

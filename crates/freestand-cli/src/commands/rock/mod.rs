@@ -21,6 +21,7 @@ use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
 use super::motion::plot::{PlotArgs, Target, place};
 use super::sliding::SlidingArgs;
+use super::walls::WallArgs;
 use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -41,6 +42,9 @@ Examples:
       --thickness 0.3m --history history.csv
   Several motions, a result and a figure for each:
     freestand rock --motion a.AT2 b.AT2 --height 1.5m --thickness 0.3m --plot --out histories
+  The same cabinet 50 mm in front of a wall, with the shock where its top strikes the wall:
+    freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" \\
+      --mass \"140 kg\" --wall-gap 50mm --wall-stiffness \"2000 N/mm\"
   Free rocking from a rotation of 5 degrees:
     freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m
   A low chest that slides before it can rock, with 20 cm of room on its left:
@@ -84,6 +88,8 @@ pub(crate) struct RockArgs {
     shape: ShapeArgs,
     #[command(flatten)]
     cushion: CushionArgs,
+    #[command(flatten)]
+    walls: Named<WallArgs>,
 
     #[command(flatten)]
     compliant: Named<CompliantArgs>,
@@ -117,7 +123,17 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         return Err(failure);
     }
     if args.compliant.is_compliant() {
+        if let Some(flag) = args.walls.given.first() {
+            let hint = "leave it out, or use --base rigid";
+            return Err(Failure::usage(format!("--{flag} applies only to a rigid base"), hint));
+        }
         return compliant::run(args, global, printer);
+    }
+    if args.sliding.is_given()
+        && let Some(flag) = args.walls.given.first()
+    {
+        let hint = "leave it out, and give the room beside it as --clearance-left and --clearance-right";
+        return Err(Failure::usage(format!("--{flag} applies only to an object that rocks"), hint));
     }
     if let Some(flag) = args.compliant.given.iter().find(|flag| *flag != "base") {
         return Err(Failure::usage(format!("--{flag} applies only to a compliant base"), "add --base compliant"));
@@ -141,13 +157,17 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let request = RockRequest { horizontal, ..request };
     let report = rock(&request, is_recorded)?;
     let history = || history_csv(&request.block, &report.history);
-    let mut facts = report.facts;
+    let mut plots = None;
     if let Some(target) = &target {
         let name = name.unwrap_or_else(|| "free rocking".to_owned());
-        let figure = rock_figure(&name, &request.block, report.outcome, &report.history)?;
+        let figure = rock_figure(&name, &request.block, &report)?;
         let figures = figure.into_iter().map(|figure| ("history".to_owned(), figure)).collect();
-        facts = facts.key("plots", place(target, figures, &files, &reading.inputs)?);
+        plots = Some(place(target, figures, &files, &reading.inputs)?);
     }
+    let facts = match plots {
+        Some(plots) => report.facts.key("plots", plots),
+        None => report.facts,
+    };
     reading.finish(args.history.as_deref(), history, (facts, report.warnings), files, printer)
 }
 
@@ -176,7 +196,7 @@ fn several(
         let file = format!("history-{:02}-{name}", index + 1);
         files.write(&format!("{file}.csv"), || history_csv(&request.block, &report.history))?;
         if let Some(target) = target
-            && let Some(figure) = rock_figure(&name, &request.block, report.outcome, &report.history)?
+            && let Some(figure) = rock_figure(&name, &request.block, &report)?
         {
             plots.extend(place(target, vec![(file, figure)], &files, &reading.inputs)?);
         }
@@ -281,6 +301,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     let omega = values.read(&args.initial_velocity);
     let gravity = values.read(&args.gravity);
     let duration = values.read(&args.duration);
+    let (walls, wall) = args.walls.read(block.as_ref(), mass, args.rocking.model, &mut values);
     let options = RockingOptions {
         model: args.rocking.model,
         restitution: args.rocking.restitution(block.as_slice(), &mut values),
@@ -289,6 +310,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
         initial_rotation_rad: rotation.unwrap_or(0.0),
         initial_omega_rad_s: omega.unwrap_or(0.0),
         until: duration.map_or(Until::EndOfMotion, Until::Time),
+        walls,
     };
     values.finish()?;
     let Some(block) = block else {
@@ -313,5 +335,5 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     }
     let mut reading = Reading::of(args)?;
     let vertical = reading.vertical.take();
-    Ok((RockRequest { block, horizontal: None, vertical, options, cushion: mass.zip(edge), friction }, reading))
+    Ok((RockRequest { block, horizontal: None, vertical, options, cushion: mass.zip(edge), wall, friction }, reading))
 }

@@ -19,16 +19,23 @@ pub(super) const BATCH: usize = 2 * ABREAST;
 pub(super) const CALM: f64 = 0.0;
 pub(super) const LANDING: f64 = 1.0;
 pub(super) const INTRICATE: f64 = 2.0;
+/// An impact on a wall.
+pub(super) const STRIKE: f64 = 6.0;
+/// Added to the event of a lane that is too high for it to be certain: a wall may be in the way.
+const AHEAD: f64 = 3.0;
 
 /// Lanes with an event in the step.
 #[derive(Default)]
 pub(super) struct Batch {
+    /// Whether any lane may have a wall.
+    walled: bool,
     pub(super) y: Column<BATCH>,
     pub(super) w: Column<BATCH>,
     alpha: Column<BATCH>,
     x2: Column<BATCH>,
     side: Column<BATCH>,
     pub(super) best: Column<BATCH>,
+    ceiling: Column<BATCH>,
     pub(super) tau: Column<BATCH>,
     /// The part of the step that remained.
     pub(super) rest: Column<BATCH>,
@@ -37,11 +44,17 @@ pub(super) struct Batch {
     summit: Column<BATCH>,
     /// Terms of y.
     pub(super) c: [Column<BATCH>; TERMS],
-    /// Terms of y divided by the power of x with which it starts at zero: y, y/x or y/x².
+    /// The polynomial whose root is the event: the terms of y divided by the power of x with which
+    /// it starts at zero, y, y/x or y/x²; before an impact on a wall those of d = θ_c − y, d or d/x.
     q: [Column<BATCH>; TERMS],
 }
 
 impl Batch {
+    /// A batch of lanes of which some may have walls, or none has.
+    pub(super) fn new(walled: bool) -> Self {
+        Self { walled, ..Self::default() }
+    }
+
     #[inline(always)]
     pub(super) fn gather(&mut self, moving: &Ranks, batch: &[u32]) {
         for (i, &lane) in batch.iter().enumerate() {
@@ -52,11 +65,13 @@ impl Batch {
             self.x2[i] = rank.x2[place];
             self.side[i] = rank.side[place];
             self.best[i] = rank.best[place];
+            self.ceiling[i] = rank.ceiling[place];
             self.tau[i] = rank.tau[place];
         }
         for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
             // Padding: a block that does not move and has no event.
             (self.y[i], self.w[i], self.x2[i], self.best[i], self.tau[i]) = (1.0, 0.0, 0.0, f64::INFINITY, 0.0);
+            self.ceiling[i] = FRAC_PI_2;
         }
     }
 
@@ -66,6 +81,12 @@ impl Batch {
         let vectors = lanes.div_ceil(2 * S::F64_LANES);
         for i in 0..vectors {
             self.expand::<S, K>(m, ground, i);
+        }
+        for i in 0..if self.walled { vectors } else { 0 } {
+            let walled = m.gt(m.splat(FRAC_PI_2), self.ceiling.get::<S>(i));
+            if m.any(m.and(walled, m.ge(self.event.get::<S>(i), m.splat(INTRICATE)))) {
+                self.at_walls::<S, K>(m, i);
+            }
         }
         for i in 0..vectors {
             if m.any(m.gt(self.summit.get::<S>(i), m.splat(0.0))) {
@@ -105,7 +126,8 @@ impl Batch {
 
         let bend = series.bend(m);
         let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
-        let falling = m.not(m.gt(m.splat(FRAC_PI_2), top));
+        // Up to the wall, or to π/2.
+        let falling = m.not(m.gt(self.ceiling.get::<S>(i), top));
         let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
 
         // y divided by the power of x with which it starts at zero: y, y/x or y/x².
@@ -149,13 +171,59 @@ impl Batch {
         let simple = m.and(m.or(calm, landing), m.not(m.or(falling, hidden)));
         let summit = m.and(m.and(simple, turning), m.and(concave, m.and(m.gt(w, zero), m.ge(zero, w1))));
         let event = m.select(landing, m.splat(LANDING), m.splat(CALM));
-        self.event.set::<S>(i, m.select(simple, event, m.splat(INTRICATE)));
+        // Where it is too high, and nothing else is in the way, a wall decides (`at_walls`).
+        let ahead = m.select(m.or(simple, hidden), m.splat(INTRICATE), m.add(event, m.splat(AHEAD)));
+        let ahead = m.select(m.or(calm, landing), ahead, m.splat(INTRICATE));
+        self.event.set::<S>(i, m.select(simple, event, ahead));
         self.summit.set::<S>(i, m.select(summit, one, zero));
         self.rest.set::<S>(i, rest);
         unroll!(N, {
             if N <= K {
                 self.c[N].set::<S>(i, series.c[N]);
                 self.q[N].set::<S>(i, q[N]);
+            }
+        });
+    }
+
+    /// Decides for a vector of lanes what is certain about a wall in the rest of the step. The other
+    /// lanes are left to all roots of the series.
+    #[inline(always)]
+    fn at_walls<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
+        let zero = m.splat(0.0);
+        let (ceiling, event) = (self.ceiling.get::<S>(i), self.event.get::<S>(i));
+        let mut series = Series::<S, K> { c: [zero; TERMS], slope: [zero; TERMS] };
+        unroll!(N, {
+            if N <= K {
+                series.c[N] = self.c[N].get::<S>(i);
+                series.slope[N] = m.mul(m.splat(N as f64), series.c[N]);
+            }
+        });
+        let (y, w) = (series.c[0], series.c[1]);
+        let (y1, w1) = series.end(m);
+        let (bend, concave, convex) = (series.bend(m), series.is_concave(m), series.is_convex(m));
+        let open = m.and(m.gt(m.splat(FRAC_PI_2), ceiling), m.ge(event, m.splat(INTRICATE)));
+        let (up, below) = (m.gt(w, zero), m.gt(ceiling, y));
+        let (reaches, stays_below) = (m.ge(y1, ceiling), m.gt(ceiling, y1));
+        // Up throughout, or up to a maximum: one impact at most.
+        let rises = m.and(below, m.or(m.gt(w, bend), m.and(up, convex)));
+        let arches = m.and(below, m.and(up, concave));
+        let sinks = m.and(m.ge(zero, w), m.or(m.gt(m.sub(zero, w), bend), concave));
+        // It leaves the wall and is pressed back to it; the curve is above its first tangent, which
+        // is above the floor.
+        let pressed = m.and(m.and(m.ge(y, ceiling), m.gt(zero, w)), m.and(convex, m.gt(m.add(y, w), zero)));
+        let strikes = m.and(open, m.and(reaches, m.or(pressed, m.or(rises, arches))));
+        let passes = m.and(stays_below, m.or(rises, m.and(arches, m.gt(w1, zero))));
+        // Without an impact on the wall it is as if there were none.
+        let clear = m.and(m.and(open, m.ge(event, m.splat(AHEAD))), m.or(sinks, passes));
+        let event = m.select(clear, m.sub(event, m.splat(AHEAD)), event);
+        let event = m.select(m.and(open, m.and(pressed, stays_below)), m.splat(CALM), event);
+        self.event.set::<S>(i, m.select(strikes, m.splat(STRIKE), event));
+        unroll!(N, {
+            if N <= K {
+                let from = if N == 0 { ceiling } else { zero };
+                let next = if N < K { series.c[N + 1] } else { zero };
+                let gap = m.select(pressed, m.sub(zero, next), m.sub(from, series.c[N]));
+                self.q[N].set::<S>(i, m.select(strikes, gap, self.q[N].get::<S>(i)));
             }
         });
     }
@@ -181,19 +249,20 @@ impl Batch {
         self.best.set::<S>(i, m.select(m.and(wanted, m.gt(y, best)), y, best));
     }
 
-    /// Takes a vector of lanes to the landing, or to the end of the step.
+    /// Takes a vector of lanes to the landing, to the wall, or to the end of the step.
     #[inline(always)]
     fn fall<S: Simd, const K: usize>(&mut self, m: Math<S>, i: usize) {
         let (zero, one) = (m.splat(0.0), m.splat(1.0));
         let (event, rest, tau) = (self.event.get::<S>(i), self.rest.get::<S>(i), self.tau.get::<S>(i));
         let landing = m.and(m.ge(event, m.splat(LANDING)), m.ge(m.splat(LANDING), event));
+        let ends = m.or(landing, m.ge(event, m.splat(STRIKE)));
         let mut q = [zero; TERMS];
         unroll!(N, {
             if N <= K {
                 q[N] = self.q[N].get::<S>(i);
             }
         });
-        let x = m.select(landing, root::<S, K>(m, &q, landing), one);
+        let x = m.select(ends, root::<S, K>(m, &q, ends), one);
         let (mut y, mut w) = (self.c[K].get::<S>(i), zero);
         unroll_down!(N, {
             if N < K {

@@ -1,7 +1,5 @@
 //! The code that is compiled for each vector unit and each degree of the series.
 
-use std::f64::consts::FRAC_PI_2;
-
 use pulp::{Arch, Simd, WithSimd};
 
 use super::batch::Batch;
@@ -59,7 +57,7 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
         let m = Math(simd);
         let (u, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
         let (v, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
-        let (half, quarter_turn, zero, one) = (m.splat(0.5), m.splat(FRAC_PI_2), m.splat(0.0), m.splat(1.0));
+        let (half, zero, one) = (m.splat(0.5), m.splat(0.0), m.splat(1.0));
         let pairs = Column::<ABREAST>::pairs::<S>();
         for rank in &mut *ranks {
             for i in 0..pairs {
@@ -75,7 +73,8 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
                 // Above the floor throughout: too high to reach it, or going up too fast to come
                 // back.
                 let above = m.or(m.gt(y, reach), m.gt(w, half_bend));
-                let calm = m.and(above, m.gt(quarter_turn, top));
+                // Below π/2, or below the wall.
+                let calm = m.and(above, m.gt(rank.ceiling.get::<S>(i), top));
                 let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
                 // A maximum that may be the largest so far is an event, too.
                 let uneventful = m.and(calm, m.not(turning));

@@ -25,6 +25,8 @@ mod shaking;
 mod tile;
 mod unroll;
 
+use std::f64::consts::FRAC_PI_2;
+
 use rayon::prelude::*;
 
 use super::{
@@ -32,10 +34,11 @@ use super::{
     StopReason, Until, rock,
 };
 use crate::block::{Block, Pivot};
+use crate::wall::{Contact, Walls};
 use degree::DEGREES;
 use series::{INVERSE, TERMS};
 use shaking::Shaking;
-use tile::{EdgeTerms, Record, Rocker, State, Tile};
+use tile::{EdgeTerms, Record, Rocker, State, Tile, WallRecord};
 
 /// Largest number of blocks in a tile: enough of them have an event in the same step to fill a
 /// vector, and all of them fit in the cache.
@@ -50,7 +53,7 @@ const SMALL_TILE: usize = 128;
 /// A result does not depend on the other blocks, their order, the number of threads or the
 /// processor's vector units. Cases that the kernel does not cover are calculated by [`rock`], block
 /// by block: the linearised equation, an initial rotation or velocity, a fixed end
-/// ([`Until::Time`]), a base that falls away, a restitution above 0.9997, a time step so long for
+/// ([`Until::Time`]), a base that falls away, a restitution of the floor or a wall above 0.9997, a time step so long for
 /// the block that it would have to be divided into more than 64 parts, and a wait for rest of less
 /// than two steps.
 ///
@@ -91,7 +94,8 @@ pub fn rock_many_on(
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Result<RockingSummary, RockingError>> {
-    follow(arch, blocks, &vec![options.restitution; blocks.len()], base, options)
+    let own = vec![(options.restitution, options.walls); blocks.len()];
+    follow(arch, blocks, &own, base, options)
 }
 
 /// [`rock_many`] with a restitution for each block, in place of that of `options`: for an
@@ -118,43 +122,81 @@ pub fn rock_each(
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Result<RockingSummary, RockingError>> {
-    let (blocks, restitutions): (Vec<Block>, Vec<Restitution>) = objects.iter().copied().unzip();
-    follow(pulp::Arch::new(), &blocks, &restitutions, base, options)
+    let own = |&(block, restitution): &(Block, Restitution)| (block, (restitution, options.walls));
+    let (blocks, own): (Vec<Block>, Vec<Own>) = objects.iter().map(own).unzip();
+    follow(pulp::Arch::new(), &blocks, &own, base, options)
 }
+
+/// [`rock_each`] with walls for each block, too.
+///
+/// # Errors
+/// Those of [`rock_many`].
+///
+/// # Example
+/// A wall that it touches keeps the block from tilting towards it.
+/// ```
+/// use freestand_rocking::rocking::{Base, Outcome, Restitution, RockingOptions, rock_between};
+/// use freestand_rocking::{block::Block, motion::Motion, wall::{Wall, Walls}};
+/// let push = Motion::new(0.01, vec![4.0; 80])?;
+/// let block = Block::uniform(2.0, 0.3)?;
+/// let behind = Walls { left: Some(Wall::at(0.0)), ..Walls::NONE };
+/// let objects = [(block, Restitution::Housner, Walls::NONE), (block, Restitution::Housner, behind)];
+/// let base = Base { horizontal: Some(&push), vertical: None };
+/// let found = rock_between(&objects, base, &RockingOptions::default());
+/// assert_eq!(found[0].clone()?.outcome, Outcome::Rocked);
+/// assert_eq!(found[1].clone()?.outcome, Outcome::NoUplift);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn rock_between(
+    objects: &[(Block, Restitution, Walls)],
+    base: Base,
+    options: &RockingOptions,
+) -> Vec<Result<RockingSummary, RockingError>> {
+    let own = |&(block, restitution, walls): &(Block, Restitution, Walls)| (block, (restitution, walls));
+    let (blocks, own): (Vec<Block>, Vec<Own>) = objects.iter().map(own).unzip();
+    follow(pulp::Arch::new(), &blocks, &own, base, options)
+}
+
+/// What each block has of its own.
+type Own = (Restitution, Walls);
 
 fn follow(
     arch: pulp::Arch,
     blocks: &[Block],
-    restitutions: &[Restitution],
+    own: &[Own],
     base: Base,
     options: &RockingOptions,
 ) -> Vec<Result<RockingSummary, RockingError>> {
-    let own = |index: usize| RockingOptions { restitution: restitutions[index], ..*options };
+    let own = |index: usize| {
+        let (restitution, walls) = own[index];
+        RockingOptions { restitution, walls, ..*options }
+    };
     let scalar = |index: usize| rock(&blocks[index], base, &own(index)).map(|rocking| RockingSummary::from(&rocking));
     let Some((shaking, wait)) = prepare(base, options) else {
         return (0..blocks.len()).into_par_iter().map(scalar).collect();
     };
-    let plans: Vec<Option<(Plan, Rocker)>> =
+    let plans: Vec<Option<(Plan, Rocker, WallRecord)>> =
         blocks.par_iter().enumerate().map(|(index, block)| plan(block, &shaking, &own(index))).collect();
-    let of_plan = |(block, planned): (usize, &Option<(Plan, Rocker)>)| planned.map(|(plan, _)| (plan, block));
+    let of_plan =
+        |(block, planned): (usize, &Option<(Plan, Rocker, WallRecord)>)| planned.map(|(plan, ..)| (plan, block));
     let mut order: Vec<(Plan, usize)> = plans.iter().enumerate().filter_map(of_plan).collect();
     order.sort_unstable();
     let tiles: Vec<Vec<(Plan, usize)>> = order.chunk_by(|(a, _), (b, _)| a == b).flat_map(tiles).collect();
-    let done: Vec<Vec<Record>> = tiles
+    let done: Vec<Vec<(Record, WallRecord)>> = tiles
         .par_iter()
         // One tile per job: a thread that has finished one takes the next.
         .with_max_len(1)
         .map(|tile| {
             let plan = tile[0].0;
             // A block of a tile has a plan.
-            let rockers: Vec<Rocker> =
-                tile.iter().filter_map(|(_, block)| plans[*block].map(|(_, rocker)| rocker)).collect();
-            let mut tile = Tile::new(arch, DEGREES[plan.degree], &shaking, &rockers, plan.parts);
+            let (rockers, walls): (Vec<Rocker>, Vec<WallRecord>) =
+                tile.iter().filter_map(|(_, block)| plans[*block].map(|(_, rocker, walls)| (rocker, walls))).unzip();
+            let mut tile = Tile::new(arch, DEGREES[plan.degree], &shaking, &rockers, walls, plan.parts);
             tile.run(wait);
-            tile.records
+            tile.records.into_iter().zip(tile.walls).collect()
         })
         .collect();
-    let mut records = vec![Record::default(); blocks.len()];
+    let mut records = vec![(Record::default(), WallRecord::default()); blocks.len()];
     for (tile, done) in tiles.iter().zip(done) {
         for ((_, block), record) in tile.iter().zip(done) {
             records[*block] = record;
@@ -166,8 +208,8 @@ fn follow(
         .zip(records)
         .zip(&plans)
         .map(|(((index, block), record), plan)| match plan {
-            Some((plan, _)) if record.state != State::GivenUp => {
-                Ok(summary(block, &record, shaking.dt_s / plan.parts as f64, wait.is_some()))
+            Some((plan, rocker, _)) if record.0.state != State::GivenUp => {
+                Ok(summary(block, rocker, &record, shaking.dt_s / plan.parts as f64, wait.is_some()))
             }
             _ => scalar(index),
         })
@@ -229,7 +271,7 @@ const MOST_ELASTIC: f64 = 0.9997;
 
 /// The series and the constants of a block. `None`: the scalar solver calculates the response or
 /// reports the error.
-fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(Plan, Rocker)> {
+fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(Plan, Rocker, WallRecord)> {
     let restitution = options.restitution.ratios(block).ok()?;
     if restitution.iter().any(|r| *r > MOST_ELASTIC) {
         return None;
@@ -240,15 +282,25 @@ fn plan(block: &Block, shaking: &Shaking, options: &RockingOptions) -> Option<(P
     let x = |pivot: Pivot| pivot.frequency_parameter_rad_s(options.gravity_m_s2) * shaking.dt_s;
     let fastest = x(right).max(x(left));
     let plan = steps(fastest * fastest, shaking, options.accuracy)?;
-    let edge = |pivot: Pivot, from_edge_m: f64| {
+    let contacts = options.walls.contacts(block).ok()?;
+    let edge = |pivot: Pivot, from_edge_m: f64, wall: Option<Contact>| {
         let x = x(pivot) / plan.parts as f64;
         let (alpha, x2) = (pivot.slenderness_angle_rad, x * x);
-        let threshold = from_edge_m / block.cg_height_m();
+        let touches = wall.is_some_and(|wall| wall.touches());
+        let threshold = if touches { f64::INFINITY } else { from_edge_m / block.cg_height_m() };
+        let ceiling = wall.map_or(FRAC_PI_2, |wall| wall.angle_rad);
         let b = x2 * block.cg_height_m() / pivot.half_diagonal_m;
-        EdgeTerms { alpha, x2, threshold, b }
+        EdgeTerms { alpha, x2, threshold, b, ceiling }
     };
-    let edges = [edge(right, block.cg_from_right_m()), edge(left, block.cg_from_left_m())];
-    Some((plan, Rocker { edges, restitution }))
+    let edges = [edge(right, block.cg_from_right_m(), contacts[0]), edge(left, block.cg_from_left_m(), contacts[1])];
+    let restitutions = contacts.map(|contact| contact.map_or(0.0, |contact| contact.restitution_ratio));
+    // A ceiling of π/2 means that there is no wall.
+    let is_extreme = |contact: Contact| contact.angle_rad >= FRAC_PI_2 || contact.restitution_ratio > MOST_ELASTIC;
+    if contacts.into_iter().flatten().any(is_extreme) {
+        return None;
+    }
+    let walls = WallRecord { restitution: restitutions, ..WallRecord::default() };
+    Some((plan, Rocker { edges, restitution }, walls))
 }
 
 /// Upper limit of the first omitted term, relative to the acceleration. A rotation sums the
@@ -303,16 +355,26 @@ fn terms(x2: f64, shaking: &Shaking, parts: usize) -> [f64; TERMS] {
 }
 
 /// The result of a block from its [`Record`], whose velocities refer to steps of `step_s`.
-fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> RockingSummary {
+fn summary(
+    block: &Block,
+    rocker: &Rocker,
+    (record, walls): &(Record, WallRecord),
+    step_s: f64,
+    settle: bool,
+) -> RockingSummary {
     let over = if settle { StopReason::Settled } else { StopReason::EndOfMotion };
     let (outcome, stop) = match record.state {
+        State::Bouncing | State::Leaning { past_balance: true, .. } => (Outcome::Leaned, over),
         State::Untouched => (Outcome::NoUplift, over),
         State::Overturned => (Outcome::Overturned, StopReason::Overturned),
-        State::AtRest | State::Moving | State::GivenUp => (Outcome::Rocked, over),
+        State::AtRest | State::Moving | State::GivenUp | State::Leaning { .. } => (Outcome::Rocked, over),
     };
-    let sides = record
-        .sides
-        .map(|side| SideExtremes { peak_rotation_rad: side.height, impact_omega_rad_s: side.speed / step_s });
+    let sides = [0, 1].map(|side| SideExtremes {
+        // No further than the wall, whatever rounding yields.
+        peak_rotation_rad: record.sides[side].height.min(rocker.edges[side].ceiling),
+        impact_omega_rad_s: record.sides[side].speed / step_s,
+        wall_omega_rad_s: walls.speeds[side] / step_s,
+    });
     let peak_rotation_rad = sides[0].peak_rotation_rad.max(sides[1].peak_rotation_rad);
     // In many grids most blocks do not uplift, and need neither a pivot nor a calculation.
     let cg_rise_m = if outcome == Outcome::NoUplift {
@@ -327,6 +389,7 @@ fn summary(block: &Block, record: &Record, step_s: f64, settle: bool) -> Rocking
         peak_rotation_rad,
         sides,
         impact_count: record.impact_count,
+        wall_impact_count: walls.impact_count,
         uplift_m: block.base_width_m() * peak_rotation_rad.sin(),
         cg_rise_m,
     }

@@ -20,7 +20,7 @@ pub(super) struct Tail {
 const LEAST_SINE: f64 = 1e-3;
 
 /// The response from the rotation `y` and the velocity `w` about an edge until the speed after an
-/// impact is at most `rest`; `None` where the block may not return to the floor.
+/// impact is at most `rest`; `None` where the block may not return to the floor, or meets a wall.
 ///
 /// With ÿ = −x² sin φ, φ = α − y, the energy ½w² + x² cos φ about an edge is constant, and every
 /// impact multiplies the speed by the restitution.
@@ -28,6 +28,8 @@ pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) 
     let mut tail = Tail::default();
     let terms = &rocker.edges[edge];
     let highest = if w > 0.0 { turning_point(terms, y, w)? } else { y };
+    let clear = |terms: &EdgeTerms, highest: f64| (highest < terms.ceiling).then_some(());
+    clear(terms, highest)?;
     let mut speed = (w * w + 4.0 * terms.x2 * (terms.alpha - 0.5 * y).sin() * (0.5 * y).sin()).sqrt();
     tail.steps = (w.abs() + speed) / least_pull(terms, highest)?;
     tail.sides[edge].height = highest;
@@ -44,6 +46,7 @@ pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) 
         if tail.impacts <= 2 {
             let terms = &rocker.edges[edge];
             let highest = turning_point(terms, 0.0, speed)?;
+            clear(terms, highest)?;
             let [r, r_left] = rocker.restitution;
             tail.steps += 2.0 * speed / least_pull(terms, highest)? / (1.0 - r * r_left);
             let side = &mut tail.sides[edge];
@@ -75,6 +78,8 @@ fn turning_point(terms: &EdgeTerms, y: f64, w: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
     use super::*;
     use crate::block::Block;
     use crate::motion::Motion;
@@ -98,7 +103,8 @@ mod tests {
             let expected = rock(&block, Base { horizontal: Some(&still), vertical: None }, &options).unwrap();
             let h = 0.01;
             let x = pivot.frequency_parameter_rad_s(options.gravity_m_s2) * h;
-            let terms = EdgeTerms { alpha, x2: x * x, threshold: alpha.tan(), b: x * x * alpha.cos() };
+            let terms =
+                EdgeTerms { alpha, x2: x * x, threshold: alpha.tan(), b: x * x * alpha.cos(), ceiling: FRAC_PI_2 };
             let rocker = Rocker { edges: [terms; 2], restitution: [block.landing_ratio(); 2] };
             let got = tail(&rocker, 0, y, omega * h, 1e-9 * h).unwrap();
             assert_eq!(got.impacts, expected.impacts.len());
@@ -116,7 +122,7 @@ mod tests {
     #[test]
     fn a_block_near_its_balance_point_has_no_tail() {
         let alpha = 0.25;
-        let terms = EdgeTerms { alpha, x2: 1e-4, threshold: 0.0, b: 0.0 };
+        let terms = EdgeTerms { alpha, x2: 1e-4, threshold: 0.0, b: 0.0, ceiling: FRAC_PI_2 };
         let rocker = Rocker { edges: [terms; 2], restitution: [0.9; 2] };
         let barrier = 2.0 * 1e-2 * (0.5_f64 * alpha).sin();
         assert!(tail(&rocker, 0, 0.0, 1.0001 * barrier, 1e-11).is_none());

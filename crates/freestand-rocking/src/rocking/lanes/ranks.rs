@@ -1,5 +1,7 @@
 //! Moving blocks in ranks, each as wide as two vectors.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::tile::Rocker;
 use crate::vector::Column;
 
@@ -23,6 +25,8 @@ pub(super) struct Rank {
     pub(super) side: Column<ABREAST>,
     /// Largest y about this edge so far.
     pub(super) best: Column<ABREAST>,
+    /// The y that ends the motion about this edge: θ_c of a wall, or π/2.
+    pub(super) ceiling: Column<ABREAST>,
     /// 1 where the step has an event, else 0.
     pub(super) event: Column<ABREAST>,
     /// The part of the step that has passed.
@@ -38,6 +42,7 @@ const VACANT: Rank = Rank {
     x2: Column([0.0; ABREAST]),
     side: Column([0.0; ABREAST]),
     best: Column([f64::INFINITY; ABREAST]),
+    ceiling: Column([FRAC_PI_2; ABREAST]),
     event: Column([0.0; ABREAST]),
     tau: Column([0.0; ABREAST]),
     block: [NONE; ABREAST],
@@ -112,6 +117,7 @@ impl Ranks {
         rank.x2[i] = terms.x2;
         rank.side[i] = SIDES[moving.edge];
         rank.best[i] = moving.best;
+        rank.ceiling[i] = terms.ceiling;
         rank.tau[i] = moving.tau;
         rank.block[i] = moving.block;
     }
@@ -159,6 +165,6 @@ impl Ranks {
                 )*
             };
         }
-        copy!(y w alpha x2 side best event tau block);
+        copy!(y w alpha x2 side best ceiling event tau block);
     }
 }

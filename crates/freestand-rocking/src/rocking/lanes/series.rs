@@ -138,12 +138,25 @@ impl<S: Simd, const K: usize> Series<S, K> {
     /// Whether the slope certainly falls throughout the step: 2c₂ + Σ k(k−1)|cₖ| < 0.
     #[inline(always)]
     pub(super) fn is_concave(&self, m: Math<S>) -> Masks<S> {
-        let mut sum = self.slope[2];
+        m.gt(m.splat(0.0), self.curved(m, self.slope[2]))
+    }
+
+    /// Whether the slope certainly rises throughout the step: −2c₂ + Σ k(k−1)|cₖ| < 0.
+    #[inline(always)]
+    pub(super) fn is_convex(&self, m: Math<S>) -> Masks<S> {
+        let zero = m.splat(0.0);
+        m.gt(zero, self.curved(m, m.sub(zero, self.slope[2])))
+    }
+
+    /// `start` + Σ k(k−1)|cₖ| from k = 3.
+    #[inline(always)]
+    fn curved(&self, m: Math<S>, start: Numbers<S>) -> Numbers<S> {
+        let mut sum = start;
         unroll!(N, {
             if N >= 3 && N <= K {
                 sum = m.fma(m.abs(self.slope[N]), m.splat((N - 1) as f64), sum);
             }
         });
-        m.gt(m.splat(0.0), sum)
+        sum
     }
 }

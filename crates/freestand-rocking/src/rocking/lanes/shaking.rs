@@ -70,6 +70,12 @@ impl Shaking {
         self.u.len() - 1
     }
 
+    /// The first sample, from index `from`, at which s ü_h/(g+ü_v) about an edge passes a threshold:
+    /// it lets a block go that leans on the wall beyond that edge.
+    pub(super) fn first_release(&self, edge: usize, threshold: f64, from: usize) -> Option<usize> {
+        self.peaks[1 - edge].first_above(threshold, from)
+    }
+
     /// The first sample, from index `from`, that lifts a block at rest with these uplift thresholds
     /// of its right and left edges.
     pub(super) fn first_lift(&self, thresholds: [f64; 2], from: usize) -> Option<usize> {

@@ -5,9 +5,7 @@ use std::ops::Range;
 use super::super::rock_many;
 use super::trouble::{Random, Trouble};
 use crate::motion::Motion;
-use crate::rocking::{
-    Accuracy, Base, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact, RockingOptions, RockingSummary, rock,
-};
+use crate::rocking::{Accuracy, Base, REST_OMEGA_RAD_S, Rocking, RockingError, RockingOptions, RockingSummary, rock};
 
 /// Amplification beyond which nothing is left to compare: the motion is then chaotic or at the edge
 /// of overturning.
@@ -43,8 +41,11 @@ struct Tally {
     failures: Vec<String>,
 }
 
+/// How many numbers a summary keeps.
+const NUMBERS: usize = 7;
+
 /// Every number of a history that its summary keeps.
-fn numbers(summary: &RockingSummary) -> [f64; 5] {
+fn numbers(summary: &RockingSummary) -> [f64; NUMBERS] {
     let [right, left] = summary.sides;
     [
         summary.peak_rotation_rad,
@@ -52,6 +53,8 @@ fn numbers(summary: &RockingSummary) -> [f64; 5] {
         left.peak_rotation_rad,
         right.impact_omega_rad_s,
         left.impact_omega_rad_s,
+        right.wall_omega_rad_s,
+        left.wall_omega_rad_s,
     ]
 }
 
@@ -79,11 +82,19 @@ fn histories(trouble: &Trouble, change: f64) -> Vec<[Result<Rocking, RockingErro
 /// they may be so even where the peak is not.
 fn counts_apart(expected: &Rocking, changed: [&Rocking; 2]) -> Option<usize> {
     let last_s = |rocking: &Rocking| rocking.impacts.last().map_or(0.0, |impact| impact.time_s);
+    let last_wall_s = |rocking: &Rocking| rocking.wall_impacts.last().map_or(0.0, |impact| impact.time_s);
     let steady = |changed: &Rocking| {
-        changed.impacts.len() == expected.impacts.len() && (last_s(changed) - last_s(expected)).abs() < 1e-7
+        changed.impacts.len() == expected.impacts.len()
+            && changed.wall_impacts.len() == expected.wall_impacts.len()
+            && (last_s(changed) - last_s(expected)).abs() < 1e-7
+            && (last_wall_s(changed) - last_wall_s(expected)).abs() < 1e-7
     };
-    let doubtful = |impact: &&RockingImpact| (impact.omega_after_rad_s.abs() / REST_OMEGA_RAD_S - 1.0).abs() < DOUBTFUL;
-    changed.iter().all(|changed| steady(changed)).then(|| expected.impacts.iter().filter(doubtful).count())
+    let doubtful = |omega: &f64| (omega.abs() / REST_OMEGA_RAD_S - 1.0).abs() < DOUBTFUL;
+    let speeds = || {
+        let walls = expected.wall_impacts.iter().map(|impact| impact.omega_after_rad_s);
+        expected.impacts.iter().map(|impact| impact.omega_after_rad_s).chain(walls)
+    };
+    changed.iter().all(|changed| steady(changed)).then(|| speeds().filter(doubtful).count())
 }
 
 /// Holds the kernel to the scalar solver; an error is of a number where its amplification is 1 or
@@ -118,7 +129,7 @@ fn compare(seed: u64, trouble: &Trouble, demands: Demands, tally: &mut Tally) {
             apart.fold(0.0, f64::max) / demands.change
         };
         let same_fate = changed.iter().all(|changed| fate(changed) == fate(&expected));
-        if !same_fate || (0..5).any(|n| spread(n) > SENSITIVE * numbers(&expected)[n]) {
+        if !same_fate || (0..NUMBERS).any(|n| spread(n) > SENSITIVE * numbers(&expected)[n]) {
             tally.sensitive += 1;
             continue;
         }
@@ -130,25 +141,31 @@ fn compare(seed: u64, trouble: &Trouble, demands: Demands, tally: &mut Tally) {
             let (expected, got) = (numbers(&expected)[n], numbers(got)[n]);
             (got - expected).abs() / spread(n).max(expected).max(f64::MIN_POSITIVE)
         };
-        let error = (0..5).map(error).fold(0.0, f64::max);
+        let error = (0..NUMBERS).map(error).fold(0.0, f64::max);
         tally.errors_of_blocks.push(error);
         if error > demands.all {
             fail(format!("{:?} instead of {:?}, {error:.1e} of its amplification", numbers(got), numbers(&expected)));
         }
         let apart = got.impact_count.abs_diff(expected.impact_count);
-        tally.counts += usize::from(apart > 0);
+        let walls_apart = got.wall_impact_count.abs_diff(expected.wall_impact_count);
+        tally.counts += usize::from(apart + walls_apart > 0);
         // Errors that grow a hundredfold reach the last digits of the speeds that decide.
-        let compared = demands.all.is_finite() && (0..5).all(|n| spread(n) <= 100.0 * numbers(&expected)[n]);
-        if compared && most_counts_apart.is_some_and(|most| apart > most) {
-            fail(format!("{} impacts instead of {}", got.impact_count, expected.impact_count));
+        let compared = demands.all.is_finite() && (0..NUMBERS).all(|n| spread(n) <= 100.0 * numbers(&expected)[n]);
+        if compared && most_counts_apart.is_some_and(|most| apart + walls_apart > most) {
+            let counts = |summary: &RockingSummary| (summary.impact_count, summary.wall_impact_count);
+            fail(format!("{:?} impacts instead of {:?}", counts(got), counts(&expected)));
         }
     }
 }
 
 fn check(seeds: Range<u64>, demands: Demands) {
+    check_all(seeds.map(|seed| (seed, Trouble::new(seed, 20))), demands);
+}
+
+fn check_all(all: impl Iterator<Item = (u64, Trouble)>, demands: Demands) {
     let mut tally = Tally::default();
-    for seed in seeds {
-        compare(seed, &Trouble::new(seed, 20), demands, &mut tally);
+    for (seed, trouble) in all {
+        compare(seed, &trouble, demands, &mut tally);
     }
     tally.errors_of_blocks.sort_by(f64::total_cmp);
     let at = |share: f64| tally.errors_of_blocks[((tally.errors_of_blocks.len() - 1) as f64 * share) as usize];
@@ -196,10 +213,31 @@ fn fast_accuracy_follows_the_scalar_solver() {
     check(300..340, FAST);
 }
 
+/// The same between walls.
+fn check_walls(seeds: Range<u64>, demands: Demands) {
+    check_all(seeds.map(|seed| (seed, Trouble::between_walls(seed, 20))), demands);
+}
+
+#[test]
+fn standard_accuracy_follows_the_scalar_solver_between_walls() {
+    check_walls(30_000..30_040, STANDARD);
+}
+
+#[test]
+fn tight_accuracy_follows_the_scalar_solver_between_walls() {
+    check_walls(30_200..30_212, TIGHT);
+}
+
+#[test]
+fn fast_accuracy_follows_the_scalar_solver_between_walls() {
+    check_walls(30_300..30_315, FAST);
+}
+
 #[test]
 #[ignore = "minutes; for a change of the kernel"]
 fn every_accuracy_follows_the_scalar_solver_for_long() {
     for (from, demands) in [(1_000, STANDARD), (10_000, TIGHT), (20_000, FAST)] {
         check(from..from + 500, demands);
+        check_walls(from + 100_000..from + 100_500, demands);
     }
 }

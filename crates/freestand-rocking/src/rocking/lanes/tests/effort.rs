@@ -1,7 +1,7 @@
 //! The work that histories take. A number that changes here is speed lost or gained: whoever
 //! changes one knowingly writes the new one down.
 
-use super::super::{DEGREES, Plan, Rocker, Tile, plan, prepare};
+use super::super::{DEGREES, Plan, Rocker, Tile, WallRecord, plan, prepare};
 use super::trouble::Random;
 use crate::block::Block;
 use crate::motion::Motion;
@@ -54,13 +54,15 @@ fn scalar(base: Base, options: &RockingOptions) -> [usize; 3] {
 /// Steps of blocks that move, batches of events, and events.
 fn kernel(base: Base, options: &RockingOptions) -> [usize; 3] {
     let (shaking, wait) = prepare(base, options).unwrap();
-    let mut planned: Vec<(Plan, Rocker)> =
+    let mut planned: Vec<(Plan, Rocker, WallRecord)> =
         furniture().iter().map(|block| plan(block, &shaking, options).unwrap()).collect();
-    planned.sort_by_key(|(plan, _)| *plan);
+    planned.sort_by_key(|(plan, ..)| *plan);
     let mut sum = [0; 3];
-    for tile in planned.chunk_by(|(a, _), (b, _)| a == b) {
-        let (plan, rockers) = (tile[0].0, tile.iter().map(|(_, rocker)| *rocker).collect::<Vec<_>>());
-        let mut tile = Tile::new(pulp::Arch::new(), DEGREES[plan.degree], &shaking, &rockers, plan.parts);
+    for tile in planned.chunk_by(|(a, ..), (b, ..)| a == b) {
+        let plan = tile[0].0;
+        let (rockers, walls): (Vec<Rocker>, Vec<WallRecord>) =
+            tile.iter().map(|(_, rocker, wall)| (*rocker, *wall)).unzip();
+        let mut tile = Tile::new(pulp::Arch::new(), DEGREES[plan.degree], &shaking, &rockers, walls, plan.parts);
         tile.run(wait);
         sum = [sum[0] + tile.work.steps, sum[1] + tile.work.batches, sum[2] + tile.work.events];
     }

@@ -6,6 +6,7 @@ use crate::G0_M_S2;
 use crate::block::Block;
 use crate::motion::Motion;
 use crate::rocking::{Accuracy, Base, Outcome, Restitution, RockingModel, RockingOptions, Until, rock};
+use crate::wall::{Wall, Walls};
 
 /// Uniform numbers from a seed, the same on every machine (xorshift64).
 pub(super) struct Random(u64);
@@ -92,6 +93,34 @@ impl Trouble {
         if kind != "threshold" && random.chance(0.25) {
             trouble.scale_to_the_edge(random.log(1e-4, 0.05));
         }
+        trouble
+    }
+
+    /// The same between walls: a gap of down to a picometre or none at all, contacts about the
+    /// balance point of the first block, low obstacles, walls that return nothing or nearly all.
+    pub(super) fn between_walls(seed: u64, count: usize) -> Self {
+        let mut trouble = Self::new(seed, count);
+        let mut random = Random::new(!seed);
+        let block = trouble.blocks[0];
+        let (h, alpha) = (block.height_m(), block.pivot().slenderness_angle_rad);
+        let restitution_ratio = match random.pick(4) {
+            0 => 0.0,
+            1 => 1.0 - random.log(1e-2, 0.5),
+            _ => random.between(0.0, 0.6),
+        };
+        let height_m = random.chance(0.2).then(|| h * random.between(0.02, 1.2));
+        let mut wall = |chance: f64| {
+            let gap_m = match random.pick(8) {
+                0 => 0.0,
+                1 => h * random.log(1e-12, 1e-4),
+                2 => h * (alpha * random.between(0.99, 1.01)).min(1.5).sin(),
+                _ => h * alpha.sin() * random.log(0.01, 2.0),
+            };
+            random.chance(chance).then_some(Wall { gap_m, height_m, restitution_ratio })
+        };
+        let walls = Walls { left: wall(1.0), right: wall(0.5) };
+        trouble.options.walls = if random.chance(0.5) { walls } else { walls.mirrored() };
+        trouble.options.model = RockingModel::Rigid;
         trouble
     }
 

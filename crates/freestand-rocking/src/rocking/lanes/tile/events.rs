@@ -2,14 +2,15 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::waiting::margin;
+use super::waiting::{margin, pull};
 use super::{EdgeTerms, Lift, State, Step, Tile};
 use crate::polynomial::{first_root, roots, value, value_and_slope};
 use crate::rocking::MAX_IMPACTS;
-use crate::rocking::lanes::batch::{CALM, LANDING};
-use crate::rocking::lanes::chatter::{Acting, Pull, impacts_to_rest};
+use crate::rocking::lanes::batch::{CALM, LANDING, STRIKE};
+use crate::rocking::lanes::chatter::{Acting, Pull, Trace, impacts_to_rest};
 use crate::rocking::lanes::ranks::{Moving, SIDES};
 use crate::rocking::lanes::series::TERMS;
+use crate::rocking::solve::reaches;
 
 impl Tile<'_> {
     /// Takes up to `BATCH` lanes from their place in the step to their next event, or to its end.
@@ -29,6 +30,8 @@ impl Tile<'_> {
                 rank.tau[place] = 0.0;
             } else if at.event[i] == LANDING {
                 self.land(step, lane, at.w[i], at.tau[i]);
+            } else if at.event[i] == STRIKE {
+                self.strike(step, lane, at.w[i], at.tau[i]);
             } else {
                 let c = std::array::from_fn(|k| at.c[k][i]);
                 self.intricate(step, lane, &c, at.rest[i]);
@@ -36,12 +39,25 @@ impl Tile<'_> {
         }
     }
 
-    /// A step with more than one event, a maximum that is hard to find, or overturning: solved by
-    /// all roots of the series.
+    /// A step with more than one event, a maximum that is hard to find, a wall, or overturning:
+    /// solved by all roots of the series.
     #[inline(never)]
     fn intricate(&mut self, step: &Step, lane: usize, c: &[f64; TERMS], rest: f64) {
-        let c = &c[..=self.degree.degree];
         let Moving { block, edge, best, tau, .. } = self.moving.get(lane);
+        let terms = self.rockers[block as usize].edges[edge];
+        let mut c = *c;
+        if terms.has_wall() && c[0] >= terms.ceiling {
+            if c[1] > 0.0 {
+                self.strike(step, lane, c[1] / rest, tau);
+                return;
+            }
+            c[0] = terms.ceiling;
+            if c[1] == 0.0 {
+                // At the instant at which nothing presses it on any longer; a push is rounding.
+                c[2] = c[2].min(0.0);
+            }
+        }
+        let c = &c[..=self.degree.degree];
         let Some(lead) = c.iter().position(|&c| c != 0.0).filter(|&k| c[k] > 0.0) else {
             // The base does not lift it after all.
             if c.iter().all(|c| c.is_finite()) {
@@ -60,16 +76,14 @@ impl Tile<'_> {
             return;
         }
         let impact = if c[lead] > reach { None } else { first_root(&c[lead..]) };
-        let overturn = if highest < FRAC_PI_2 {
-            None
-        } else {
-            let mut below = [0.0; TERMS];
-            below.iter_mut().zip(c).for_each(|(below, c)| *below = -c);
-            below[0] += FRAC_PI_2;
-            first_root(&below[..c.len()])
-        };
-        let end = impact.unwrap_or(1.0).min(overturn.unwrap_or(1.0));
-        if overturn.is_some_and(|x| x <= end) {
+        let stop = if highest < terms.ceiling { None } else { reaches(c, terms.ceiling) };
+        if terms.has_wall() && stop == Some(0.0) {
+            self.lean(step, lane, 1.0);
+            return;
+        }
+        let end = impact.unwrap_or(1.0).min(stop.unwrap_or(1.0));
+        let stopped = stop.is_some_and(|x| x <= end);
+        if stopped && !terms.has_wall() {
             let record = &mut self.records[block as usize];
             record.state = State::Overturned;
             record.sides[edge].height = FRAC_PI_2;
@@ -77,21 +91,25 @@ impl Tile<'_> {
             return;
         }
         let (y, w) = value_and_slope(c, end);
+        // No further than the wall, whatever rounding yields.
+        let y = y.min(terms.ceiling);
         let mut best = best.max(y);
         if highest > best {
             let mut slope = [0.0; TERMS];
             slope.iter_mut().zip(c.iter().enumerate().skip(1)).for_each(|(slope, (k, c))| *slope = k as f64 * c);
             roots(&slope[..c.len() - 1], &mut |x| {
                 if x <= end {
-                    best = best.max(value(c, x));
+                    best = best.max(value(c, x).min(terms.ceiling));
                 }
                 x < end
             });
         }
         let (rank, place) = self.moving.rank_mut(lane);
         rank.best[place] = best;
-        if impact.is_some() || y <= 0.0 {
-            let after = if end == 1.0 { 1.0 } else { tau + end * rest };
+        let after = if end == 1.0 { 1.0 } else { tau + end * rest };
+        if stopped {
+            self.strike(step, lane, w / rest, after);
+        } else if impact.is_some() || y <= 0.0 {
             self.land(step, lane, w / rest, after);
         } else {
             (rank.y[place], rank.w[place], rank.tau[place]) = (y, w / rest, 0.0);
@@ -115,28 +133,135 @@ impl Tile<'_> {
             self.moving.leave(lane);
             return;
         }
+        if self.walled {
+            self.walls[block as usize].bounced = false;
+            if rocker.edges.iter().any(EdgeTerms::touches_wall) {
+                let (edge, w) = self.beside_touching_wall(block, edge, after);
+                self.go_on(step, lane, edge, w, tau);
+                return;
+            }
+        }
         let (edge, w, tau) =
             if after > self.rest_w { self.short_flights(step, block, other, after, tau) } else { (other, after, tau) };
+        self.go_on(step, lane, edge, w, tau);
+    }
+
+    /// Goes on from the floor with the velocity `w` about `edge`, or rests.
+    #[inline(always)]
+    fn go_on(&mut self, step: &Step, lane: usize, edge: usize, w: f64, tau: f64) {
         if w > self.rest_w {
-            self.turn(lane, edge, w, tau);
+            self.turn(lane, edge, 0.0, w, tau);
             return;
         }
+        let rocker = &self.rockers[self.moving.block(lane) as usize];
         let (u, v) = step.ground.at(tau);
         let lifted = (0..2).find(|&edge| margin(rocker, edge, u, v) < 0.0);
         match lifted {
-            Some(edge) => self.turn(lane, edge, 0.0, tau),
+            Some(edge) => self.turn(lane, edge, 0.0, 0.0, tau),
             None => self.come_to_rest(step, lane, tau),
         }
     }
 
-    /// Starts the rotation about `edge` from the floor.
-    fn turn(&mut self, lane: usize, edge: usize, w: f64, tau: f64) {
+    /// After a landing from the rotation about `edge`, with the velocity `after`, beside a wall that
+    /// the block touches at rest: the edge about which it goes on, and its velocity.
+    #[cold]
+    fn beside_touching_wall(&mut self, block: u32, edge: usize, after: f64) -> (usize, f64) {
+        let rocker = &self.rockers[block as usize];
+        let other = 1 - edge;
+        if !rocker.edges[other].touches_wall() {
+            return (other, after);
+        }
+        // The floor, the wall and the floor again at one instant. Between two walls that it touches
+        // the block stops.
+        let wall = &mut self.walls[block as usize];
+        wall.impact_count += 1;
+        wall.speeds[other] = wall.speeds[other].max(after);
+        let back = after * wall.restitution[other] * rocker.restitution[edge];
+        (edge, if rocker.edges[edge].touches_wall() { 0.0 } else { back })
+    }
+
+    /// An impact at velocity `w` on the wall beyond the edge of a lane.
+    #[inline(never)]
+    fn strike(&mut self, step: &Step, lane: usize, w: f64, tau: f64) {
+        let Moving { block, edge, .. } = self.moving.get(lane);
+        let rocker = &self.rockers[block as usize];
+        let ceiling = rocker.edges[edge].ceiling;
+        let speed = w.max(0.0);
+        self.records[block as usize].sides[edge].height = ceiling;
+        let wall = &mut self.walls[block as usize];
+        wall.impact_count += 1;
+        wall.speeds[edge] = wall.speeds[edge].max(speed);
+        wall.bounced = true;
+        let after = speed * wall.restitution[edge];
+        let (after, tau) =
+            if after > self.rest_w { self.short_bounces(step, block, edge, after, tau) } else { (after, tau) };
+        if self.walls[block as usize].impact_count > MAX_IMPACTS {
+            self.records[block as usize].state = State::GivenUp;
+            self.moving.leave(lane);
+            return;
+        }
+        if after > self.rest_w {
+            self.turn(lane, edge, ceiling, -after, tau);
+            return;
+        }
+        let (u, v) = step.ground.at(tau);
+        if pull(rocker, edge, u, v) > 0.0 {
+            self.turn(lane, edge, ceiling, 0.0, tau);
+        } else {
+            self.lean(step, lane, tau);
+        }
+    }
+
+    /// Calculates short flights from the wall back to it, which do not come near the floor. Returns
+    /// the speed away from the wall and the part of the step that has passed after the last of them;
+    /// a speed of zero at the end of the step if the block leans before it.
+    ///
+    /// With d = θ_c − y the equation is that of a flight from the floor:
+    /// d̈ = −(E′ cos d − D′ sin d), E′ = D sin θ_c − E cos θ_c, D′ = E sin θ_c + D cos θ_c.
+    fn short_bounces(&mut self, step: &Step, block: u32, edge: usize, w: f64, tau: f64) -> (f64, f64) {
+        let rocker = &self.rockers[block as usize];
+        let wall = &mut self.walls[block as usize];
+        let EdgeTerms { alpha, x2, ceiling, .. } = rocker.edges[edge];
+        let r = wall.restitution[edge];
+        let (mut w, mut tau) = (w, tau);
+        let (sin, cos) = (alpha - ceiling).sin_cos();
+        let (sin, cos) = (x2 * sin, x2 * cos);
+        let (u, v) = step.ground.at(tau);
+        let (su, su1, v1) = (SIDES[edge] * u, SIDES[edge] * step.ground.u_change, step.ground.v_change);
+        let mut acting = Acting {
+            e: Pull { now: -(v * sin + su * cos), slope: -(v1 * sin + su1 * cos) },
+            d: Pull { now: v * cos - su * sin, slope: v1 * cos - su1 * sin },
+        };
+        while w > self.rest_w && wall.impact_count < MAX_IMPACTS {
+            let left = 1.0 - tau;
+            if !acting.is_brief(w, left) {
+                break;
+            }
+            let trace = Trace { height: ceiling, speed: wall.speeds[edge] };
+            if !self.quiet
+                && let Some(impacts) = impacts_to_rest([acting; 2], r, w, left, [trace; 2], self.rest_w)
+            {
+                wall.impact_count += impacts;
+                return (0.0, 1.0);
+            }
+            let Some(flight) = acting.flight(w, left, ceiling) else { break };
+            wall.impact_count += 1;
+            wall.speeds[edge] = wall.speeds[edge].max(flight.speed);
+            acting = acting.after(flight.time);
+            w = flight.speed * r;
+            tau += flight.time;
+        }
+        (w, tau)
+    }
+
+    /// Starts the rotation about `edge` from the floor or from the wall.
+    fn turn(&mut self, lane: usize, edge: usize, y: f64, w: f64, tau: f64) {
         let block = self.moving.block(lane);
         let best = self.records[block as usize].sides[edge].height;
         // At the end of the step the block continues in the next one.
         let over = tau >= 1.0;
         let tau = if over { 0.0 } else { tau };
-        self.moving.set(lane, Moving { block, edge, y: 0.0, w, best, tau }, &self.rockers[block as usize]);
+        self.moving.set(lane, Moving { block, edge, y, w, best, tau }, &self.rockers[block as usize]);
         if !over {
             self.again.push(lane as u32);
         }
@@ -200,6 +325,19 @@ impl Tile<'_> {
         let record = &mut self.records[block as usize];
         record.state = State::AtRest;
         record.sides[edge].height = best;
+        self.pause(step, lane, block, tau);
+    }
+
+    /// The wall beyond the edge of a lane holds its block.
+    fn lean(&mut self, step: &Step, lane: usize, tau: f64) {
+        let Moving { block, edge, .. } = self.moving.get(lane);
+        let past_balance = self.rockers[block as usize].edges[edge].is_past_balance();
+        self.records[block as usize].state = State::Leaning { edge: edge as u8, past_balance };
+        self.pause(step, lane, block, tau);
+    }
+
+    /// The block of a lane stops in a step and waits for the base.
+    fn pause(&mut self, step: &Step, lane: usize, block: u32, tau: f64) {
         self.moving.leave(lane);
         if self.quiet {
             return;

@@ -4,6 +4,8 @@
 mod events;
 mod waiting;
 
+use std::f64::consts::FRAC_PI_2;
+
 use pulp::Arch;
 
 use super::batch::{BATCH, Batch};
@@ -31,9 +33,26 @@ pub(super) struct EdgeTerms {
     pub(super) alpha: f64,
     /// p²h².
     pub(super) x2: f64,
-    /// a/b: tan α.
+    /// a/b: tan α; infinite where the block at rest touches the wall, so that nothing lifts it.
     pub(super) threshold: f64,
     pub(super) b: f64,
+    /// θ_c of the wall, or π/2 without one.
+    pub(super) ceiling: f64,
+}
+
+impl EdgeTerms {
+    pub(super) fn has_wall(&self) -> bool {
+        self.ceiling < FRAC_PI_2
+    }
+
+    pub(super) fn touches_wall(&self) -> bool {
+        self.ceiling == 0.0
+    }
+
+    /// Whether a block at the wall is past its balance point.
+    fn is_past_balance(&self) -> bool {
+        self.ceiling >= self.alpha
+    }
 }
 
 /// The response of a block so far.
@@ -46,6 +65,18 @@ pub(super) struct Record {
     pub(super) state: State,
 }
 
+/// What a block has to do with walls; apart from its [`Record`], which every event changes.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct WallRecord {
+    /// Restitution of an impact on the wall beyond each edge.
+    pub(super) restitution: [f64; 2],
+    /// Largest speed of an impact on each wall \[rad per step\].
+    pub(super) speeds: [f64; 2],
+    pub(super) impact_count: usize,
+    /// Whether the block has met a wall since it left the floor.
+    pub(super) bounced: bool,
+}
+
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) enum State {
     /// At rest, never lifted.
@@ -53,6 +84,13 @@ pub(super) enum State {
     Untouched,
     AtRest,
     Moving,
+    /// Held by the wall beyond an edge.
+    Leaning {
+        edge: u8,
+        past_balance: bool,
+    },
+    /// Past its balance point at the end, and bouncing on a wall.
+    Bouncing,
     Overturned,
     /// Left to the scalar solver.
     GivenUp,
@@ -83,12 +121,15 @@ pub(super) struct Tile<'a> {
     shaking: &'a Shaking,
     rockers: &'a [Rocker],
     pub(super) records: Vec<Record>,
+    pub(super) walls: Vec<WallRecord>,
     pub(super) work: Work,
     /// Number of steps in an interval.
     parts: usize,
     arch: Arch,
     degree: Degree,
     moving: Ranks,
+    /// Whether any block has a wall.
+    walled: bool,
     /// Places of blocks with an event in the step.
     queue: Vec<u32>,
     again: Vec<u32>,
@@ -112,19 +153,29 @@ struct Step<'a> {
 }
 
 impl<'a> Tile<'a> {
-    pub(super) fn new(arch: Arch, degree: Degree, shaking: &'a Shaking, rockers: &'a [Rocker], parts: usize) -> Self {
+    pub(super) fn new(
+        arch: Arch,
+        degree: Degree,
+        shaking: &'a Shaking,
+        rockers: &'a [Rocker],
+        walls: Vec<WallRecord>,
+        parts: usize,
+    ) -> Self {
+        let walled = rockers.iter().any(|rocker| rocker.edges.iter().any(EdgeTerms::has_wall));
         Self {
             shaking,
             rockers,
             records: vec![Record::default(); rockers.len()],
+            walls,
             work: Work::default(),
             parts,
             arch,
             degree,
             moving: Ranks::default(),
+            walled,
             queue: Vec::new(),
             again: Vec::new(),
-            batch: Batch::default(),
+            batch: Batch::new(walled),
             lifted_in: vec![NONE; shaking.intervals()],
             lifted_next: vec![NONE; rockers.len()],
             pending: Vec::new(),
@@ -153,6 +204,10 @@ impl<'a> Tile<'a> {
             let Moving { block, edge, best, y, .. } = self.moving.get(lane);
             let record = &mut self.records[block as usize];
             record.sides[edge].height = best.max(y);
+            let terms = &self.rockers[block as usize].edges[edge];
+            if self.walls[block as usize].bounced && y >= terms.alpha {
+                record.state = State::Bouncing;
+            }
             if wait.is_some() {
                 record.state = State::GivenUp;
             }

@@ -1,6 +1,6 @@
 //! Blocks at rest, until the base lifts them.
 
-use super::{Lift, Rocker, State, Tile};
+use super::{EdgeTerms, Lift, Rocker, State, Tile};
 use crate::rocking::lanes::ranks::{Moving, NONE, SIDES};
 use crate::rocking::lanes::shaking::Interval;
 
@@ -12,21 +12,32 @@ impl Tile<'_> {
         (part, (place - part as f64).clamp(0.0, 1.0))
     }
 
-    /// Starts a block that the base lifts from rest, and returns its lane.
+    /// Starts a block that the base lifts from rest, or takes off a wall, and returns its lane.
     pub(super) fn start(&mut self, block: u32, edge: usize, tau: f64) -> usize {
         let record = &mut self.records[block as usize];
+        let leans = matches!(record.state, State::Leaning { .. });
         record.state = State::Moving;
         let best = record.sides[edge].height;
+        let rocker = &self.rockers[block as usize];
+        let y = if leans { rocker.edges[edge].ceiling } else { 0.0 };
         let lane = self.moving.enter();
-        self.moving.set(lane, Moving { block, edge, y: 0.0, w: 0.0, best, tau }, &self.rockers[block as usize]);
+        self.moving.set(lane, Moving { block, edge, y, w: 0.0, best, tau }, rocker);
         lane
     }
 
     /// Adds a block at rest to the list of the interval that ends at the first sample, from index
-    /// `from`, that lifts it.
+    /// `from`, that lifts it; a block that leans, that takes it off the wall.
     pub(super) fn wait(&mut self, block: u32, from: usize) {
-        let thresholds = self.rockers[block as usize].edges.map(|edge| edge.threshold);
-        if let Some(sample) = self.shaking.first_lift(thresholds, from) {
+        let edges = &self.rockers[block as usize].edges;
+        let first = match self.records[block as usize].state {
+            State::Leaning { edge, .. } => {
+                let edge = usize::from(edge);
+                let EdgeTerms { alpha, ceiling, .. } = edges[edge];
+                self.shaking.first_release(edge, (ceiling - alpha).tan(), from)
+            }
+            _ => self.shaking.first_lift(edges.map(|edge| edge.threshold), from),
+        };
+        if let Some(sample) = first {
             let interval = sample.saturating_sub(1);
             self.lifted_next[block as usize] = std::mem::replace(&mut self.lifted_in[interval], block);
         }
@@ -50,11 +61,23 @@ impl Tile<'_> {
         }
     }
 
-    /// The edge about which the base lifts a block at rest, and the ratio of the interval at which
+    /// The edge about which the base lifts a block at rest or takes it off the wall, and the ratio of the interval at which
     /// it does, not before the ratio `from`.
     pub(super) fn lift(&self, block: u32, whole: &Interval, from: f64) -> Option<(usize, f64)> {
         let rocker = &self.rockers[block as usize];
         let ((u, v), (u_end, v_end)) = (whole.at(from), whole.at(1.0));
+        if let State::Leaning { edge, .. } = self.records[block as usize].state {
+            let edge = usize::from(edge);
+            let (now, end) = (pull(rocker, edge, u, v), pull(rocker, edge, u_end, v_end));
+            let at = if now > 0.0 {
+                from
+            } else if end > 0.0 {
+                from + (1.0 - from) * now / (now - end)
+            } else {
+                return None;
+            };
+            return (at < 1.0).then_some((edge, at));
+        }
         let mut first: Option<(usize, f64)> = None;
         for edge in 0..2 {
             let (now, end) = (margin(rocker, edge, u, v), margin(rocker, edge, u_end, v_end));
@@ -71,6 +94,14 @@ impl Tile<'_> {
         }
         first
     }
+}
+
+/// What pulls a block at the wall beyond an edge back: (1+ü_v/g) sin(α−θ_c) + s(ü_h/g) cos(α−θ_c);
+/// positive when it leaves the wall.
+pub(super) fn pull(rocker: &Rocker, edge: usize, u: f64, v: f64) -> f64 {
+    let EdgeTerms { alpha, ceiling, .. } = rocker.edges[edge];
+    let (sin, cos) = (alpha - ceiling).sin_cos();
+    v * sin + SIDES[edge] * u * cos
 }
 
 /// How far the base is from lifting a block about an edge: (1+ü_v/g) tan α + s ü_h/g, negative when

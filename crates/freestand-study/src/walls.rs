@@ -1,0 +1,139 @@
+//! Walls as a person gives them, and what a history says about them.
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::rocking::{Rocking, SideExtremes, WallImpact};
+use freestand::wall::{Contact, DEFAULT_WALL_RESTITUTION_RATIO, Wall, WallError, Walls};
+use freestand::wall_shock::{WallShock, largest};
+use freestand_input::problem::Problem;
+use freestand_output::facts;
+use freestand_output::facts::Facts;
+
+/// The walls beside an object, in SI, as far as they were given.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GivenWalls {
+    /// Gap on the left \[m\].
+    pub left_gap_m: Option<f64>,
+    /// Gap on the right \[m\].
+    pub right_gap_m: Option<f64>,
+    /// Height of both \[m\]; without it they are taller than the object.
+    pub height_m: Option<f64>,
+    /// Restitution of both.
+    pub restitution_ratio: Option<f64>,
+}
+
+impl GivenWalls {
+    /// The walls, checked with `block`.
+    ///
+    /// # Errors
+    /// A height or a restitution without a gap, and values that the solver refuses.
+    pub fn walls(&self, block: &Block) -> Result<Walls, Problem> {
+        let Self { left_gap_m, right_gap_m, height_m, restitution_ratio } = *self;
+        let wall = |gap_m: f64| Wall {
+            gap_m,
+            height_m,
+            restitution_ratio: restitution_ratio.unwrap_or(DEFAULT_WALL_RESTITUTION_RATIO),
+        };
+        let walls = Walls { left: left_gap_m.map(wall), right: right_gap_m.map(wall) };
+        if walls.is_none() && (height_m.is_some() || restitution_ratio.is_some()) {
+            return Err(needs_a_gap());
+        }
+        walls.contacts(block).map_err(wall_problem)?;
+        Ok(walls)
+    }
+}
+
+/// A wall that cannot be used, with what to do about it.
+pub fn wall_problem(error: WallError) -> Problem {
+    let (key, hint) = match error {
+        WallError::Gap { .. } => {
+            ("wall_gap_left", "give a gap of 0 (touching) or more, or leave it out where there is no wall")
+        }
+        WallError::Height { .. } => {
+            ("wall_height", "give a positive `wall_height`, or leave it out for a wall taller than the object")
+        }
+        WallError::Restitution { .. } => (
+            "wall_restitution",
+            "give a `wall_restitution` of 0 or more and less than 1; 0.5 is the most of a passive wall",
+        ),
+    };
+    Problem::value(error.to_string(), hint).of(&[key])
+}
+
+/// Something about a wall whose place is not given.
+pub fn needs_a_gap() -> Problem {
+    Problem::value(
+        "there is no wall: its distance from the object is missing",
+        "give `wall_gap_left` (behind the object) or `wall_gap_right`; 0 where they touch",
+    )
+}
+
+/// Mass and stiffness for the shock on a wall, as far as they are known.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct WallStiffness {
+    /// Mass of the object \[kg\].
+    pub mass_kg: Option<f64>,
+    /// k_w \[N/m\].
+    pub stiffness_n_m: Option<f64>,
+}
+
+impl WallStiffness {
+    /// a_w of an impact \[g\].
+    fn acceleration_g(&self, shock: &WallShock, omega_rad_s: f64) -> Option<f64> {
+        Some(shock.acceleration_m_s2(omega_rad_s, self.mass_kg?, self.stiffness_n_m?) / G0_M_S2)
+    }
+}
+
+/// What a history says about walls.
+pub(crate) fn wall_facts(block: &Block, rocking: &Rocking, stiffness: WallStiffness) -> Facts<'static> {
+    let [right, left] = rocking.contacts;
+    let shocks = WallShock::of_sides(block, rocking.contacts);
+    let impact = |impact: &WallImpact| {
+        let shock = shocks[impact.side.index()].as_ref();
+        let omega = impact.omega_before_rad_s;
+        facts!(impact; time_s)
+            .key("side", impact.side.name())
+            .and(facts!(impact; omega_before_rad_s, omega_after_rad_s))
+            .key("speed_m_s", shock.map(|shock| shock.speed_m_s(omega)))
+            .key("acceleration_g", shock.and_then(|shock| stiffness.acceleration_g(shock, omega)))
+    };
+    let impulse = |mass_kg: f64| {
+        let of = |shock: &WallShock, omega: f64| shock.impulse_n_s(omega, mass_kg);
+        largest(shocks, rocking.sides, of)
+    };
+    // Without a wall these are for programs only.
+    let count_label = if right.or(left).is_some() { "impacts on walls" } else { "" };
+    let leans = if rocking.leaning { "leans on a wall" } else { "" };
+    let angle = |contact: Option<Contact>| contact.map(|contact| contact.angle_rad);
+    Facts::default()
+        .fact("wall_angle_left_rad", "touches the left wall at", angle(left))
+        .fact("wall_angle_right_rad", "touches the right wall at", angle(right))
+        .fact("wall_impact_count", count_label, rocking.wall_impacts.len())
+        .key("wall_impacts", rocking.wall_impacts.iter().map(impact).collect::<Vec<_>>())
+        .fact("wall_speed_max_m_s", "  largest speed", speed_m_s(block, rocking.contacts, rocking.sides))
+        .fact(
+            "wall_acceleration_g",
+            "  shock at the point of contact",
+            acceleration_g(block, rocking.contacts, rocking.sides, stiffness),
+        )
+        .fact("wall_impulse_max_n_s", "  largest impulse", stiffness.mass_kg.and_then(impulse))
+        .fact("leaning", leans, rocking.leaning)
+}
+
+/// The largest speed of an impact on a wall; `None` without one.
+pub(crate) fn speed_m_s(block: &Block, contacts: [Option<Contact>; 2], sides: [SideExtremes; 2]) -> Option<f64> {
+    largest(WallShock::of_sides(block, contacts), sides, WallShock::speed_m_s)
+}
+
+/// The largest shock of an impact on a wall \[g\]; `None` without one, or without mass and
+/// stiffness.
+pub(crate) fn acceleration_g(
+    block: &Block,
+    contacts: [Option<Contact>; 2],
+    sides: [SideExtremes; 2],
+    stiffness: WallStiffness,
+) -> Option<f64> {
+    let (mass_kg, stiffness_n_m) = stiffness.mass_kg.zip(stiffness.stiffness_n_m)?;
+    let of = |shock: &WallShock, omega: f64| shock.acceleration_m_s2(omega, mass_kg, stiffness_n_m) / G0_M_S2;
+    largest(WallShock::of_sides(block, contacts), sides, of)
+}
