@@ -28,8 +28,10 @@ mod equation;
 mod equilibrium;
 mod events;
 mod history;
+pub(crate) mod pad;
 mod solve;
-mod step;
+pub(crate) mod step;
+pub(crate) mod stepper;
 mod track;
 
 #[cfg(test)]
@@ -41,6 +43,8 @@ use crate::cushion::Cushion;
 use crate::rocking::{Base, Outcome};
 
 pub use audit::EnergyAudit;
+pub(crate) use audit::{Energies, Ledger};
+pub(crate) use events::TOUCHING;
 #[doc(hidden)]
 pub use bulk::rock_compliant_many_on;
 pub use bulk::{
@@ -449,9 +453,7 @@ fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> 
         }
         Start::Dropped { height_m } => not_negative("height of the drop", height_m)?,
     }
-    if let (Some(h), Some(v)) = (motion.horizontal, motion.vertical)
-        && (h.dt_s() != v.dt_s() || h.accel_m_s2().len() != v.accel_m_s2().len())
-    {
+    if equation::Line::mismatch([motion.horizontal, motion.vertical]) {
         return Err(CompliantError::VerticalMismatch);
     }
     Ok(())
