@@ -80,6 +80,7 @@ pub mod oscillator;
 mod search;
 pub mod shock_response;
 pub mod signal;
+pub mod spatial;
 pub mod spectra;
 pub mod suite;
 pub mod synthesis;

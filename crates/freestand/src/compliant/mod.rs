@@ -408,14 +408,14 @@ pub enum CompliantError {
     },
 }
 
-fn positive(name: &'static str, value: f64) -> Result<(), CompliantError> {
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), CompliantError> {
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
     Err(CompliantError::Value { name, requirement: "positive and finite", value })
 }
 
-fn not_negative(name: &'static str, value: f64) -> Result<(), CompliantError> {
+pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<(), CompliantError> {
     if value >= 0.0 && value.is_finite() {
         return Ok(());
     }
