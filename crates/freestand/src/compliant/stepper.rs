@@ -12,6 +12,8 @@ const EVENT_RAD: f64 = 1e-12;
 const SHORTEST_RAD: f64 = 1e-10;
 /// A step shorter than this angle does not gain accuracy; it is lost in rounding.
 const LOST_RAD: f64 = 1e-13;
+/// How close to an event the interpolating polynomial is searched: about its error.
+const CLOSE: f64 = 1e-7;
 /// Trial steps to locate one event; false position usually takes five.
 const EVENT_TRIALS: usize = 80;
 
@@ -99,6 +101,37 @@ pub(crate) fn first_event<const N: usize>(step: &Step<N>, margin: impl Fn(f64, &
         let margin = margin(step.start_s + share * step.length_s, &y);
         margin < 0.0
     })
+}
+
+/// A share of the step just past the first event before `share`, by false position on the
+/// interpolating polynomial: a close bracket for [`shortened`], without new steps.
+pub(crate) fn nearer<const N: usize>(step: &Step<N>, share: f64, margin: impl Fn(f64, &[f64; N]) -> f64) -> f64 {
+    let at = |share: f64| margin(step.start_s + share * step.length_s, &step.state(share));
+    let (mut low, mut low_margin) = (0.0, margin(step.start_s, &step.start));
+    let (mut high, mut high_margin) = (share, at(share));
+    let mut last_side = 0;
+    for _ in 0..EVENT_TRIALS {
+        if !(low_margin > 0.0 && high_margin < 0.0) || high_margin > -CLOSE || high - low < CLOSE {
+            break;
+        }
+        let middle = low + (high - low) * (low_margin / (low_margin - high_margin)).clamp(1e-6, 1.0 - 1e-6);
+        let margin = at(middle);
+        if margin < 0.0 {
+            (high, high_margin) = (middle, margin);
+            if last_side == 1 {
+                low_margin *= 0.5;
+            }
+            last_side = 1;
+        } else {
+            (low, low_margin) = (middle, margin);
+            if last_side == -1 {
+                high_margin *= 0.5;
+            }
+            last_side = -1;
+        }
+    }
+    // Past the error of the polynomial, so that the event is inside.
+    (high + CLOSE).min(share)
 }
 
 /// The step that ends just past the first event within `length_s`, located by false position with

@@ -186,6 +186,9 @@ pub(super) struct World<'a> {
     pub(super) gravity: f64,
     /// Number of elements that may slip.
     pub(super) slots: usize,
+    /// The bodies move in the plane of x and z, exactly: two elements do not hold a body in the
+    /// third direction, where rounding would grow.
+    pub(super) is_planar: bool,
 }
 
 /// The two axes of a face.
@@ -319,6 +322,10 @@ impl World<'_> {
         let shaking = [x, back_, self.gravity + up];
         for (index, body) in self.bodies.iter().enumerate() {
             let (at, pose) = (BODY * index, &poses[index]);
+            if self.is_planar {
+                forces[index][1] = 0.0;
+                (torques[index][0], torques[index][2]) = (0.0, 0.0);
+            }
             let spin = vector(y, at + SPIN);
             let torque = turned(&back(&pose.turn), &torques[index]);
             let momentum = [0, 1, 2].map(|axis| body.inertia[axis] * spin[axis]);

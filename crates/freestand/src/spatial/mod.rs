@@ -53,7 +53,7 @@ use crate::cushion::Cushion;
 use crate::motion::Motion;
 use crate::search::bisect;
 
-pub use stack::{Stack, StackBody, StackRocking, rock_stack, rock_stack_observed};
+pub use stack::{Stack, StackBody, StackPart, StackRocking, rock_stack, rock_stack_observed};
 pub use track::{BodyMotion, Patterns};
 
 /// Points of a cylinder's rim that rest on the floor.
@@ -501,7 +501,7 @@ impl SpatialObject {
                 });
             }
         }
-        World { bodies: vec![body], elements, gravity, slots }
+        World { bodies: vec![body], elements, gravity, slots, is_planar: matches!(self.shape, Shape::Plane { .. }) }
     }
 
     /// Returns an error if the cushions do not keep the object upright.
