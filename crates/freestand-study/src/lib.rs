@@ -28,6 +28,7 @@ pub mod shape;
 pub mod shock;
 pub mod shock_spectrum;
 pub mod simulated;
+pub mod spatial;
 pub mod spectrum;
 pub mod statistics;
 pub mod study;

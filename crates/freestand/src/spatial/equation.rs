@@ -1,6 +1,8 @@
 //! The equations of motion of rigid bodies in space on contact elements.
 
-use super::vector::{Turn, UPRIGHT, Vector, back, cross, difference, dot, moved, sum, turned, turning, upward};
+use super::vector::{
+    Shift, Turn, UPRIGHT, Vector, cross, difference, dot, moved, moved_back, shift, sum, turned, turned_back, turning,
+};
 use crate::compliant::Energies;
 use crate::compliant::pad::Pad;
 
@@ -117,34 +119,39 @@ impl Grip {
 pub(super) struct Pose {
     pub(super) place: Vector,
     pub(super) velocity: Vector,
-    pub(super) turn: Turn,
+    turn: Turn,
+    /// Q − I.
+    shift: Shift,
     /// Angular velocity in floor axes.
     pub(super) omega: Vector,
 }
 
 impl Pose {
-    const STILL: Self = Self { place: [0.0; 3], velocity: [0.0; 3], turn: UPRIGHT, omega: [0.0; 3] };
+    const STILL: Self = Self { place: [0.0; 3], velocity: [0.0; 3], turn: UPRIGHT, shift: [[0.0; 3]; 3], omega: [0.0; 3] };
 
     fn at(y: &[f64]) -> Self {
         let turn = [y[TURN], y[TURN + 1], y[TURN + 2], y[TURN + 3]];
+        let shift = shift(&turn);
         Self {
             place: vector(y, PLACE),
             velocity: vector(y, VELOCITY),
             turn,
-            omega: turned(&turn, &vector(y, SPIN)),
+            shift,
+            omega: turned(&shift, &vector(y, SPIN)),
         }
     }
 
     /// Displacement and velocity of a point of the body.
     pub(super) fn point(&self, from_cg: &Vector) -> (Vector, Vector) {
-        let by_turn = moved(&self.turn, from_cg);
+        let by_turn = moved(&self.shift, from_cg);
         let arm = sum(from_cg, &by_turn);
         (sum(&self.place, &by_turn), sum(&self.velocity, &cross(&self.omega, &arm)))
     }
 
     /// The axis of the body that is vertical at rest, and its rate.
     pub(super) fn axis(&self) -> (Vector, Vector) {
-        let axis = upward(&self.turn);
+        let [x, y, z] = self.shift;
+        let axis = [x[2], y[2], 1.0 + z[2]];
         (axis, cross(&self.omega, &axis))
     }
 }
@@ -237,7 +244,7 @@ impl World<'_> {
         let (shift, velocity, point_arm) = match element.point_of {
             Some(body) => {
                 let pose = &poses[body];
-                let by_turn = moved(&pose.turn, &element.point);
+                let by_turn = moved(&pose.shift, &element.point);
                 let arm = sum(&element.point, &by_turn);
                 (sum(&pose.place, &by_turn), sum(&pose.velocity, &cross(&pose.omega, &arm)), arm)
             }
@@ -253,8 +260,8 @@ impl World<'_> {
                 let shift = difference(&shift, &pose.place);
                 let arm = sum(&from_cg, &shift);
                 let velocity = difference(&difference(&velocity, &pose.velocity), &cross(&pose.omega, &arm));
-                let turn = back(&pose.turn);
-                (sum(&shift, &moved(&turn, &arm)), turned(&turn, &velocity), arm, from_cg)
+                let place = sum(&shift, &moved_back(&pose.shift, &arm));
+                (place, turned_back(&pose.shift, &velocity), arm, from_cg)
             }
         };
         let [a, b] = along(element.normal);
@@ -266,6 +273,17 @@ impl World<'_> {
             on_face: [place[a], place[b]],
             sliding: [rate[a], rate[b]],
             to_end: element.end.map_or(f64::INFINITY, |(axis, end)| end - (from_cg[axis] + place[axis]).abs()),
+        }
+    }
+
+    /// The compression of an element alone.
+    pub(super) fn compression(&self, element: &Element, poses: &Poses) -> f64 {
+        match (element.point_of, element.face_of) {
+            (Some(body), None) => {
+                let (pose, axis) = (&poses[body], element.normal);
+                -(element.gap + element.sign * (pose.place[axis] + dot(&pose.shift[axis], &element.point)))
+            }
+            _ => self.foot(element, poses).compression,
         }
     }
 
@@ -327,7 +345,7 @@ impl World<'_> {
                 (torques[index][0], torques[index][2]) = (0.0, 0.0);
             }
             let spin = vector(y, at + SPIN);
-            let torque = turned(&back(&pose.turn), &torques[index]);
+            let torque = turned_back(&pose.shift, &torques[index]);
             let momentum = [0, 1, 2].map(|axis| body.inertia[axis] * spin[axis]);
             let gyroscopic = cross(&spin, &momentum);
             for axis in 0..3 {
@@ -349,7 +367,7 @@ impl World<'_> {
         force[element.normal] = element.sign * load.normal;
         match element.face_of {
             None => force,
-            Some(body) => turned(&poses[body].turn, &force),
+            Some(body) => turned(&poses[body].shift, &force),
         }
     }
 
@@ -398,7 +416,7 @@ impl World<'_> {
         let rates = self.rates(grips, line, time_s, y);
         // Acceleration of a body's point at an arm from its centre of gravity.
         let linear = |body: usize| vector(&rates, BODY * body + VELOCITY);
-        let angular = |body: usize| turned(&poses[body].turn, &vector(&rates, BODY * body + SPIN));
+        let angular = |body: usize| turned(&poses[body].shift, &vector(&rates, BODY * body + SPIN));
         let point = element.point_of.map_or([0.0; 3], |body| {
             let omega = &poses[body].omega;
             let inward = cross(omega, &cross(omega, &foot.point_arm));
@@ -415,7 +433,7 @@ impl World<'_> {
         let relative = difference(&relative, &cross(&pose.omega, &nearing));
         // The axes of the face turn as well.
         let relative = difference(&relative, &cross(&pose.omega, &slow));
-        -element.sign * turned(&back(&pose.turn), &relative)[element.normal]
+        -element.sign * turned_back(&pose.shift, &relative)[element.normal]
     }
 
     /// Where the energy is.
@@ -428,15 +446,13 @@ impl World<'_> {
             potential_j += body.mass * self.gravity * y[PLACE + 2];
         }
         let poses = self.poses(y);
-        let stored = |(element, &grip): (&Element, &Grip)| {
-            let foot = self.foot(element, &poses);
-            match grip {
-                Grip::Open { .. } | Grip::Gone => 0.0,
-                // The energy of a slipping spring is counted with the slip.
-                Grip::Slip => element.pad.pressed_j(foot.compression),
-                Grip::Stick { .. } => {
-                    element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
-                }
+        let stored = |(element, &grip): (&Element, &Grip)| match grip {
+            Grip::Open { .. } | Grip::Gone => 0.0,
+            // The energy of a slipping spring is counted with the slip.
+            Grip::Slip => element.pad.pressed_j(self.compression(element, &poses)),
+            Grip::Stick { .. } => {
+                let foot = self.foot(element, &poses);
+                element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
             }
         };
         let behind = self.behind();

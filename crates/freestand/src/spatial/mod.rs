@@ -341,6 +341,16 @@ impl SpatialPiece<'_, '_> {
         self.seen.step.length_s
     }
 
+    /// Where a point of a body is at a share of the step, in floor axes from the point below the
+    /// centre of its base at rest; the point is given from the centre of the base, upright \[m\].
+    pub fn place_m(&self, body: usize, from_base_m: [f64; 3], share_ratio: f64) -> Option<[f64; 3]> {
+        let rigid = self.seen.world.bodies.get(body)?;
+        let poses = self.seen.world.poses(&self.seen.state(share_ratio));
+        let [x, y, z] = from_base_m;
+        let moved = poses[body].point(&[x, y, z - rigid.cg_height]).0;
+        Some([x + moved[0], y + moved[1], z + moved[2]])
+    }
+
     /// Where a body is at a share of the step; 0 is the only or the lower body, 1 the upper one.
     pub fn pose(&self, body: usize, share_ratio: f64) -> Option<BodyPose> {
         let rigid = self.seen.world.bodies.get(body)?;
@@ -544,10 +554,11 @@ impl World<'_> {
     fn released(&self, turn: vector::Turn, omega: [f64; 3]) -> State {
         let mut y = self.upright();
         y[TURN..SPIN].copy_from_slice(&turn);
-        y[SPIN..SPIN + 3].copy_from_slice(&vector::turned(&vector::back(&turn), &omega));
+        let shift = vector::shift(&turn);
+        y[SPIN..SPIN + 3].copy_from_slice(&vector::turned_back(&shift, &omega));
         let base = || self.elements.iter().filter(|element| element.role == Role::Base);
         let poses = self.poses(&y);
-        let compression = |element: &Element<'_>| self.foot(element, &poses).compression;
+        let compression = |element: &Element<'_>| self.compression(element, &poses);
         let lowest = base().max_by(|a, b| compression(a).total_cmp(&compression(b)));
         let Some(lowest) = lowest else { return y };
         let top = compression(lowest);
@@ -559,7 +570,7 @@ impl World<'_> {
         let most_m = lowest.pad.cushion.static_compression_m(weight_n / lowest.pad.share);
         let d = bisect(0.0, most_m, |d| force(d) >= weight_n);
         y[PLACE + 2] = top - d;
-        let arm = vector::turned(&turn, &lowest.point);
+        let arm = vector::turned(&shift, &lowest.point);
         let velocity = vector::cross(&arm, &omega);
         y[VELOCITY..VELOCITY + 3].copy_from_slice(&velocity);
         y

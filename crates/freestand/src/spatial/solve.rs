@@ -122,10 +122,10 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
             }
-            let (step, grow) = self.next(line, rest_s)?;
+            let (step, grow, has_event) = self.next(line, rest_s)?;
             let is_last = step.length_s == rest_s;
             self.try_s = if is_last { grow.max(self.try_s) } else { grow };
-            self.accept(line, &step)?;
+            self.accept(line, &step, has_event)?;
             if is_last {
                 self.time_s = until_s;
             }
@@ -146,22 +146,24 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
-    /// A step that is accurate and ends no later than its first event, and the length to try next.
-    fn next(&mut self, line: &Line, rest_s: f64) -> Result<(Step<LEN>, f64), CompliantError> {
+    /// A step that is accurate and ends no later than its first event, the length to try next, and
+    /// whether there is an event.
+    fn next(&mut self, line: &Line, rest_s: f64) -> Result<(Step<LEN>, f64, bool), CompliantError> {
         let mut effort = self.effort;
         let take = |length_s: f64| self.take(line, length_s);
         let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
         let (mut step, grow) = accurate((self.time_s, self.try_s, rest_s), self.unit_s, take, &mut effort)?;
-        if let Some(share) = first_event(&step, margin) {
+        let event = first_event(&step, margin);
+        if let Some(share) = event {
             let share = nearer(&step, share, margin);
             let now = margin(self.time_s, &self.y);
             step = shortened(share * step.length_s, now, self.unit_s, take, margin, &mut effort);
         }
         self.effort = effort;
-        Ok((step, grow))
+        Ok((step, grow, event.is_some()))
     }
 
-    fn accept(&mut self, line: &Line, step: &Step<LEN>) -> Result<(), CompliantError> {
+    fn accept(&mut self, line: &Line, step: &Step<LEN>, has_event: bool) -> Result<(), CompliantError> {
         self.effort.steps += 1;
         let seen = Seen { world: self.world, grips: &self.grips, step };
         self.track.read(&seen);
@@ -177,18 +179,20 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         if !poses[0].place[2].is_finite() {
             return Err(CompliantError::NotFinite { time_s: self.time_s });
         }
-        let mut changed = false;
-        for index in 0..self.grips.len() {
-            if self.margin(index, line, self.time_s, (&self.y, &poses)) < 0.0 {
-                self.change(index, &poses);
-                changed = true;
+        if has_event {
+            let mut changed = false;
+            for index in 0..self.grips.len() {
+                if self.margin(index, line, self.time_s, (&self.y, &poses)) < 0.0 {
+                    self.change(index, &poses);
+                    changed = true;
+                }
             }
-        }
-        if changed {
-            self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
-        }
-        if let Some(body) = (0..self.world.bodies.len()).find(|&body| poses[body].axis().0[2] <= 0.0) {
-            self.fallen = Some(Fallen { body, time_s: self.time_s, slid_off: false });
+            if changed {
+                self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
+            }
+            if let Some(body) = (0..self.world.bodies.len()).find(|&body| poses[body].axis().0[2] <= 0.0) {
+                self.fallen = Some(Fallen { body, time_s: self.time_s, slid_off: false });
+            }
         }
         self.ledger.enter(&self.world.energies(&self.grips, &self.y));
         Ok(())
@@ -200,11 +204,11 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         if grip == Grip::Gone {
             return 1.0;
         }
-        let foot = self.world.foot(element, poses);
-        let d = foot.compression / element.unit_m;
         if let Grip::Open { since_s, compression_m } = grip {
-            return element.pad.surface(since_s, compression_m, time_s) / element.unit_m - d;
+            let surface_m = element.pad.surface(since_s, compression_m, time_s);
+            return (surface_m - self.world.compression(element, poses)) / element.unit_m;
         }
+        let foot = self.world.foot(element, poses);
         let load = self.world.load(element, grip, &foot, y);
         let pushes = element.pad.pushes(foot.compression, load.normal, (element.unit_m, element.weight_n));
         let (low, high) = self.lines[index];

@@ -203,10 +203,8 @@ impl Track {
                 Role::Wall => continue,
             };
             let peaks = &mut self.peaks[body];
-            let [from, to] = ends.map(|poses| seen.world.foot(element, &poses));
-            let most = -from.compression.min(to.compression);
-            let is_top = from.compression_rate < 0.0 && to.compression_rate >= 0.0;
-            if most <= 0.0 && !is_top {
+            let [from, to] = ends.map(|poses| -seen.world.compression(element, &poses));
+            if from.max(to) <= HEADROOM * peaks.uplift {
                 continue;
             }
             let height = |y: &State| {
@@ -216,7 +214,7 @@ impl Track {
             if let Some((_, height_m)) = seen.crest(peaks.uplift, height) {
                 peaks.uplift = height_m;
             }
-            if peaks.uplift > 0.0 && peaks.first_uplift.is_none() {
+            if peaks.first_uplift.is_none() {
                 let is_up = |share: f64| height(&seen.state(share)).0 > 0.0;
                 let share = if is_up(0.0) { 0.0 } else { bisect(0.0, 1.0, is_up) };
                 peaks.first_uplift = Some(seen.time_s(share));

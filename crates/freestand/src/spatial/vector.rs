@@ -24,23 +24,36 @@ pub(super) fn difference(a: &Vector, b: &Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// How far a rotation moves the end of a vector: (Q − I) p, without cancellation where the rotation
-/// is small.
-pub(super) fn moved(turn: &Turn, p: &Vector) -> Vector {
-    let [w, axis @ ..] = turn;
-    let twice = cross(axis, p).map(|part| 2.0 * part);
-    let second = cross(axis, &twice);
-    [w * twice[0] + second[0], w * twice[1] + second[1], w * twice[2] + second[2]]
+/// Q − I of a rotation: what it adds to a vector, without cancellation where it is small.
+pub(super) type Shift = [Vector; 3];
+
+/// Q − I.
+pub(super) fn shift([w, x, y, z]: &Turn) -> Shift {
+    [
+        [-2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), -2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), -2.0 * (x * x + y * y)],
+    ]
 }
 
-/// Q p.
-pub(super) fn turned(turn: &Turn, p: &Vector) -> Vector {
-    sum(p, &moved(turn, p))
+/// (Q − I) p.
+pub(super) fn moved(shift: &Shift, p: &Vector) -> Vector {
+    [dot(&shift[0], p), dot(&shift[1], p), dot(&shift[2], p)]
 }
 
-/// Qᵀ.
-pub(super) fn back(turn: &Turn) -> Turn {
-    [turn[0], -turn[1], -turn[2], -turn[3]]
+/// (Qᵀ − I) p.
+pub(super) fn moved_back(shift: &Shift, p: &Vector) -> Vector {
+    [0, 1, 2].map(|axis| shift[0][axis] * p[0] + shift[1][axis] * p[1] + shift[2][axis] * p[2])
+}
+
+/// Q p: from body axes to those of the floor.
+pub(super) fn turned(shift: &Shift, p: &Vector) -> Vector {
+    sum(p, &moved(shift, p))
+}
+
+/// Qᵀ p: from the axes of the floor to those of the body.
+pub(super) fn turned_back(shift: &Shift, p: &Vector) -> Vector {
+    sum(p, &moved_back(shift, p))
 }
 
 /// q̇ = ½ q ⊗ (0, Ω), with Ω in body axes.
@@ -60,9 +73,4 @@ pub(super) fn turning(turn: &Turn, omega: &Vector) -> Turn {
 pub(super) fn tilted(angle_rad: f64, toward_rad: f64) -> Turn {
     let (sin, cos) = (0.5 * angle_rad).sin_cos();
     [cos, -sin * toward_rad.sin(), sin * toward_rad.cos(), 0.0]
-}
-
-/// The axis of a body that is vertical at rest, in floor axes.
-pub(super) fn upward([w, x, y, z]: &Turn) -> Vector {
-    [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)]
 }
