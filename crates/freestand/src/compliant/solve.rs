@@ -18,6 +18,9 @@ use crate::block::Block;
 use crate::motion::Motion;
 use crate::rocking::{Base, Outcome};
 
+/// How far past an event a step may end, as a margin: rounding.
+const CLOSE: f64 = 1e-13;
+
 /// A step of a history, as passed to an observer.
 #[derive(Debug, Clone, Copy)]
 pub struct Piece<'a, 'b> {
@@ -298,7 +301,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         let (mut step, grow) = accurate((self.time_s, self.try_s, rest_s), self.unit_s, take, &mut effort)?;
         if let Some(share) = first_event(&step, margin) {
             let now = margin(self.time_s, &self.y);
-            step = shortened(share * step.length_s, now, self.unit_s, take, margin, &mut effort);
+            step = shortened(share * step.length_s, now, (self.unit_s, CLOSE), take, margin, &mut effort);
         }
         self.effort = effort;
         Ok((step, grow))

@@ -12,8 +12,6 @@ const EVENT_RAD: f64 = 1e-12;
 const SHORTEST_RAD: f64 = 1e-10;
 /// A step shorter than this angle does not gain accuracy; it is lost in rounding.
 const LOST_RAD: f64 = 1e-13;
-/// How close to an event the interpolating polynomial is searched: about its error.
-const CLOSE: f64 = 1e-7;
 /// Trial steps to locate one event; false position usually takes five.
 const EVENT_TRIALS: usize = 80;
 
@@ -104,14 +102,20 @@ pub(crate) fn first_event<const N: usize>(step: &Step<N>, margin: impl Fn(f64, &
 }
 
 /// A share of the step just past the first event before `share`, by false position on the
-/// interpolating polynomial: a close bracket for [`shortened`], without new steps.
-pub(crate) fn nearer<const N: usize>(step: &Step<N>, share: f64, margin: impl Fn(f64, &[f64; N]) -> f64) -> f64 {
+/// interpolating polynomial: a close bracket for [`shortened`], without new steps. `close` is about
+/// the error of the polynomial.
+pub(crate) fn nearer<const N: usize>(
+    step: &Step<N>,
+    share: f64,
+    close: f64,
+    margin: impl Fn(f64, &[f64; N]) -> f64,
+) -> f64 {
     let at = |share: f64| margin(step.start_s + share * step.length_s, &step.state(share));
     let (mut low, mut low_margin) = (0.0, margin(step.start_s, &step.start));
     let (mut high, mut high_margin) = (share, at(share));
     let mut last_side = 0;
     for _ in 0..EVENT_TRIALS {
-        if !(low_margin > 0.0 && high_margin < 0.0) || high_margin > -CLOSE || high - low < CLOSE {
+        if !(low_margin > 0.0 && high_margin < 0.0) || high_margin > -close || high - low < close {
             break;
         }
         let middle = low + (high - low) * (low_margin / (low_margin - high_margin)).clamp(1e-6, 1.0 - 1e-6);
@@ -131,15 +135,16 @@ pub(crate) fn nearer<const N: usize>(step: &Step<N>, share: f64, margin: impl Fn
         }
     }
     // Past the error of the polynomial, so that the event is inside.
-    (high + CLOSE).min(share)
+    (high + close).min(share)
 }
 
 /// The step that ends just past the first event within `length_s`, located by false position with
-/// new steps, so that nothing after the event affects it; `low_margin` is the margin at its start.
+/// new steps, so that nothing after the event affects it; `low_margin` is the margin at its start,
+/// and a margin of −`close` is near enough.
 pub(crate) fn shortened<const N: usize>(
     length_s: f64,
     mut low_margin: f64,
-    unit_s: f64,
+    (unit_s, close): (f64, f64),
     take: impl Fn(f64) -> Step<N>,
     margin: impl Fn(f64, &[f64; N]) -> f64,
     effort: &mut CompliantEffort,
@@ -155,7 +160,7 @@ pub(crate) fn shortened<const N: usize>(
     let (mut high, mut high_margin) = (length_s, margin_after(&beyond));
     let mut last_side = 0;
     for _ in 0..EVENT_TRIALS {
-        if high_margin >= 0.0 || high - low <= EVENT_RAD * unit_s || high <= shortest_s {
+        if high_margin >= -close || high - low <= EVENT_RAD * unit_s || high <= shortest_s {
             break;
         }
         let ratio = low_margin / (low_margin - high_margin);

@@ -250,11 +250,11 @@ impl World<'_> {
             }
             None => ([0.0; 3], [0.0; 3], [0.0; 3]),
         };
-        let home = element.point_of.map_or([0.0; 3], |body| self.bodies[body].home);
-        let start = sum(&home, &element.point);
         let (place, rate, face_arm, from_cg) = match element.face_of {
-            None => (shift, velocity, [0.0; 3], start),
+            None => (shift, velocity, [0.0; 3], [0.0; 3]),
             Some(body) => {
+                let home = element.point_of.map_or([0.0; 3], |body| self.bodies[body].home);
+                let start = sum(&home, &element.point);
                 let pose = &poses[body];
                 let from_cg = difference(&start, &self.bodies[body].home);
                 let shift = difference(&shift, &pose.place);

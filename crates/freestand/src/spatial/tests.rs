@@ -85,15 +85,15 @@ fn a_push_along_x_is_the_planar_block() {
     }
 }
 
-/// The same numbers in another order; a rounding error of 1e-16 grows by the amplification of the
-/// history, some 1e4 here.
+/// The same numbers in another order. Rounding decides how far past an event a step ends, within
+/// 5e-8 of the static compression: 1e-9 of the rotation.
 #[test]
 fn axes_may_be_swapped_and_mirrored() {
     let (x, y) = (push(), pulse(0.5, 0.4, 0.1, 1.2));
     let object = prism(0.5, 0.7, 1.8, 200.0, 4e6);
     let here = rock(&object, both(&x, &y)).body;
     assert!(here.peak_tilt_x_rad.abs() > 0.02 && here.peak_tilt_y_rad.abs() > 0.02 && here.yaw_rad.abs() > 1e-4);
-    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-10, "{a} {b}");
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "{a} {b}");
     let swapped = rock(&prism(0.7, 0.5, 1.8, 200.0, 4e6), both(&y, &x)).body;
     near(swapped.final_tilt_x_rad, here.final_tilt_y_rad);
     near(swapped.final_tilt_y_rad, here.final_tilt_x_rad);
@@ -403,8 +403,8 @@ fn a_squat_upper_body_goes_along() {
     assert!(got.patterns.together_ratio > 0.2 && got.peak_relative_rotation_rad < 1e-3, "{got:?}");
 }
 
-/// Mirror images (1e-7: one upper body begins to fall, and rounding grows with it); the shares of
-/// the patterns add up; the balance closes, with friction and
+/// Mirror images (1e-5: one upper body begins to fall, and the 5e-8 with which events are located
+/// grow with it); the shares of the patterns add up; the balance closes, with friction and
 /// dashpots in both layers and with a lower body that is narrower than the upper one.
 #[test]
 fn stacks_keep_their_symmetry_and_energy() {
@@ -429,9 +429,9 @@ fn stacks_keep_their_symmetry_and_energy() {
             assert!((sum - 1.0).abs() < 1e-12 && p.rest_ratio < 0.9, "{p:?}");
             assert!(got.upper.peak_tilt_y_rad == 0.0 && got.lower.yaw_rad == 0.0, "{got:?}");
             let mirrored = rock_both(&both, &opposite);
-            assert!((got.lower.peak_tilt_x_rad + mirrored.lower.peak_tilt_x_rad).abs() < 1e-7);
+            assert!((got.lower.peak_tilt_x_rad + mirrored.lower.peak_tilt_x_rad).abs() < 1e-5);
             let apart = got.upper.peak_tilt_x_rad + mirrored.upper.peak_tilt_x_rad;
-            assert!(apart.abs() < 1e-7, "{lower:?} {is_rough}: {apart:e}");
+            assert!(apart.abs() < 1e-5, "{lower:?} {is_rough}: {apart:e}");
         }
     }
 }
@@ -453,33 +453,4 @@ fn the_upper_body_falls() {
     let soft = stack((0.5, 0.6, 400.0), (1.3, 0.2, 60.0), 8e6, 2e3);
     let motion = Base { horizontal: Some(&strong), vertical: None };
     assert!(matches!(rock_stack(&soft, motion, &until(1.0)), Err(CompliantError::Unstable { .. })));
-}
-
-#[test]
-fn zz_speed() {
-    // 24 s: pulses one after the other.
-    let dense = |a: f64, t: f64| {
-        let at = |i: usize| a * G0_M_S2 * (2.0 * PI * i as f64 * 0.005 / t).sin() * (1.0 + 0.7 * (i as f64 * 0.0123).sin());
-        Motion::new(0.005, (0..4800).map(at).collect()).unwrap()
-    };
-    let (x, y) = (dense(0.15, 0.83), dense(0.14, 0.67));
-    for accuracy in [CompliantAccuracy::Fast, CompliantAccuracy::Standard] {
-        let options = SpatialOptions { accuracy, ..SpatialOptions::default() };
-        for (name, mut object) in [
-            ("prism", prism(0.5, 0.7, 1.8, 200.0, 4e6)),
-            ("cylinder", cylinder(0.25, 1.8, 200.0, 4e6)),
-        ] {
-            for friction_ratio in [None, Some(0.4)] {
-                object.support.friction_ratio = friction_ratio;
-                let law = ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 3e3 };
-                for cushion in [Cushion::linear(4e6).unwrap(), Cushion::new(law.clone()).unwrap()] {
-                    object.support.cushion = cushion;
-                    let cpu = || std::fs::read_to_string("/proc/thread-self/schedstat").unwrap().split(' ').next().unwrap().parse::<f64>().unwrap() * 1e-6;
-                    let now = cpu();
-                    let got = rock_spatial(&object, both(&x, &y), &options).unwrap();
-                    println!("{:?} {name} {friction_ratio:?} {} {accuracy:?} {:?} t {} {} {:e}", cpu() - now, object.support.cushion.law().name(), got.effort, got.end_time_s, got.body.peak_tilt_rad, got.energy.residual_ratio);
-                }
-            }
-        }
-    }
 }
