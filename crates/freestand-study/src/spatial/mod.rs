@@ -28,8 +28,8 @@ use crate::cushion::EdgeCushion;
 const FREE_HISTORY_DT_S: f64 = 0.005;
 
 /// What a single history in space is worth.
-const ONE_REALISATION: &str = "one realisation: neighbouring motions and directions give other ones; shares and \
-     fractiles over many motions can be trusted, a single history cannot";
+const ONE_REALISATION: &str =
+    "one realisation: trust shares and fractiles over many motions and directions, not a single history";
 
 /// The shapes of objects in space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -262,8 +262,8 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
         .fact("end_time_s", "end", rocking.end_time_s)
         .and(tilt_facts(&body))
         .fact("impact_count", "contacts with the floor", rocking.base_contact_count)
-        .fact("threshold_x_g", "uplift threshold along the thickness, rigid corners", thresholds[0])
-        .fact("threshold_y_g", "uplift threshold along the width, rigid corners", thresholds[1])
+        .fact("threshold_x_g", "uplift threshold, thickness", thresholds[0])
+        .fact("threshold_y_g", "uplift threshold, width", thresholds[1])
         .fact("static_compression_m", "compression at rest", rocking.static_compression_m)
         .fact("energy_error_ratio", "error of the energy balance", rocking.energy.residual_ratio)
         .and(facts!(rocking.energy; cushion_dissipation_j, friction_j, lost_at_separation_j, base_work_j, turnover_j))

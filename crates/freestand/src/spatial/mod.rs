@@ -550,7 +550,7 @@ impl World<'_> {
     }
 
     /// One body with this rotation and angular velocity (floor axes); its weight is on the lowest
-    /// points, and the lowest of all is at rest.
+    /// points, and the lowest of all is at rest, in its place.
     fn released(&self, turn: vector::Turn, omega: [f64; 3]) -> State {
         let mut y = self.upright();
         y[TURN..SPIN].copy_from_slice(&turn);
@@ -570,6 +570,9 @@ impl World<'_> {
         let most_m = lowest.pad.cushion.static_compression_m(weight_n / lowest.pad.share);
         let d = bisect(0.0, most_m, |d| force(d) >= weight_n);
         y[PLACE + 2] = top - d;
+        // The lowest point is where it is when the body is upright.
+        let aside = vector::moved(&shift, &lowest.point);
+        (y[PLACE], y[PLACE + 1]) = (-aside[0], -aside[1]);
         let arm = vector::turned(&shift, &lowest.point);
         let velocity = vector::cross(&arm, &omega);
         y[VELOCITY..VELOCITY + 3].copy_from_slice(&velocity);

@@ -94,7 +94,7 @@ impl Common {
         let start = release(rotation.unwrap_or(0.0), omega.unwrap_or(0.0));
         if args.motion.is_empty() && args.vertical.is_none() && duration_s.is_none() {
             let hint = "give --motion FILE, or --initial-rotation with --duration";
-            return Err(Failure::usage("nothing moves the object, or for no stated time", hint));
+            return Err(Failure::usage("nothing moves the object", hint));
         }
         let mut base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion.clone()) };
         base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
