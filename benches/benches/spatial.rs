@@ -64,7 +64,8 @@ fn histories(criterion: &mut Criterion) {
             interface: support(&ContactLaw::KelvinVoigt { stiffness_n_m: 8e5, damping_n_s_m: 560.0 }, None),
         };
         let base = Base { horizontal: Some(&x), vertical: None };
-        group.bench_function(format!("stack, {accuracy:?}"), |b| b.iter(|| rock_stack(&stack, base, &options).unwrap()));
+        group
+            .bench_function(format!("stack, {accuracy:?}"), |b| b.iter(|| rock_stack(&stack, base, &options).unwrap()));
     }
     group.finish();
 }

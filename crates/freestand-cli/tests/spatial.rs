@@ -47,8 +47,7 @@ fn at<'a>(document: &'a Value, key: &str) -> &'a Value {
 /// tenth of the amplification, as the file states; times of a flat top are good to the root of it.
 #[test]
 fn every_known_answer_in_space_and_of_stacks() {
-    let path: PathBuf =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/cases/object_cases.json");
+    let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/cases/object_cases.json");
     let Ok(text) = fs::read_to_string(&path) else {
         eprintln!("skipped: {} is not there", path.display());
         return;
@@ -66,12 +65,17 @@ fn every_known_answer_in_space_and_of_stacks() {
             let samples = pulse(part, number(&pulses["dt"]), number(&pulses["duration_s"]));
             Some(write(&folder, &format!("{axis}.txt"), &[samples]))
         };
-        let args: Vec<String> = case["args"].as_array().unwrap().iter().map(|arg| match arg.as_str().unwrap() {
-            "{x}" => file("x").unwrap(),
-            "{y}" => file("y").unwrap(),
-            "{z}" => file("z").unwrap(),
-            other => other.to_owned(),
-        }).collect();
+        let args: Vec<String> = case["args"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|arg| match arg.as_str().unwrap() {
+                "{x}" => file("x").unwrap(),
+                "{y}" => file("y").unwrap(),
+                "{z}" => file("z").unwrap(),
+                other => other.to_owned(),
+            })
+            .collect();
         let got = document(&args.iter().map(String::as_str).collect::<Vec<_>>());
         done += 1;
         let expected = case["expect"].as_object().unwrap();
@@ -95,8 +99,23 @@ fn every_known_answer_in_space_and_of_stacks() {
 }
 
 const CABINET: [&str; 17] = [
-    "rock", "--base", "compliant", "--height", "2.1 m", "--thickness", "500 mm", "--mass", "200 kg", "--stiffness",
-    "4000 N/mm", "--unit", "m/s2", "--dt", "5 ms", "--law=kelvin-voigt", "--damping=5%",
+    "rock",
+    "--base",
+    "compliant",
+    "--height",
+    "2.1 m",
+    "--thickness",
+    "500 mm",
+    "--mass",
+    "200 kg",
+    "--stiffness",
+    "4000 N/mm",
+    "--unit",
+    "m/s2",
+    "--dt",
+    "5 ms",
+    "--law=kelvin-voigt",
+    "--damping=5%",
 ];
 
 /// The same motion as two files, as two columns of one, and turned with the object.
@@ -169,7 +188,9 @@ fn what_does_not_belong_together_is_refused() {
         assert_eq!(output.status.code(), Some(2), "{args:?}: {text}");
         assert!(text.contains("error:") && text.contains("hint:") && text.contains(says), "{args:?}: {text}");
     };
-    let with = |more: &[&'static str]| [&CABINET[..], &["--motion", &x], more].concat().into_iter().map(str::to_owned).collect::<Vec<_>>();
+    let with = |more: &[&'static str]| {
+        [&CABINET[..], &["--motion", &x], more].concat().into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
     let check = |more: &[&'static str], says: &str| {
         let args = with(more);
         refused(&args.iter().map(String::as_str).collect::<Vec<_>>(), says);
@@ -181,7 +202,10 @@ fn what_does_not_belong_together_is_refused() {
     check(&["--width", "0.7 m", "--restitution", "0.9"], "rigid base");
     check(&["--width", "0.7 m", "--upper-height", "0.5 m"], "--upper-height");
     check(&["--upper-height", "0.5 m"], "--upper-mass");
-    check(&["--upper-height=0.5 m", "--upper-thickness=0.1 m", "--upper-mass=5 kg", "--initial-rotation=1 deg"], "rest");
+    check(
+        &["--upper-height=0.5 m", "--upper-thickness=0.1 m", "--upper-mass=5 kg", "--initial-rotation=1 deg"],
+        "rest",
+    );
     check(&["--width", "-0.7 m"], "--width");
     refused(&[&CABINET[..], &["--motion", &x, "--width", "0.7 m", "--motion-y", &short]].concat(), "samples");
     refused(&["rock", "--height=2 m", "--thickness=0.5 m", "--motion", &x, "--width=0.7 m"], "--base compliant");

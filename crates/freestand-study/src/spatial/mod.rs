@@ -287,12 +287,7 @@ fn tilt_facts(body: &BodyMotion) -> Facts<'static> {
         base_slide_peak_m "largest displacement of the base", base_slide_final_m "displacement of the base at the end")
 }
 
-fn support_facts(
-    mass_kg: f64,
-    support: &Support,
-    options: &SpatialOptions,
-    effort: CompliantEffort,
-) -> Facts<'static> {
+fn support_facts(mass_kg: f64, support: &Support, options: &SpatialOptions, effort: CompliantEffort) -> Facts<'static> {
     Facts::default()
         .key("mass_kg", mass_kg)
         .key("law", support.cushion.law().name())
@@ -366,10 +361,7 @@ fn stack_facts(request: &StackRequest, rocking: &StackRocking) -> Facts<'static>
         .key("upper", upper)
         .fact("threshold_upper_g", "uplift threshold, upper body alone", stack.threshold_upper())
         .fact("threshold_together_g", "uplift threshold, both together", stack.threshold_together())
-        .key(
-            "patterns",
-            facts!(patterns; rest_ratio, same_ratio, opposite_ratio, together_ratio, upper_alone_ratio),
-        )
+        .key("patterns", facts!(patterns; rest_ratio, same_ratio, opposite_ratio, together_ratio, upper_alone_ratio))
         .line("both rock, same sense", percent(patterns.same_ratio))
         .line("both rock, opposite sense", percent(patterns.opposite_ratio))
         .line("together as one body", percent(patterns.together_ratio))
@@ -414,4 +406,63 @@ pub fn release(rotation_rad: f64, omega_rad_s: f64) -> SpatialStart {
         return SpatialStart::Rest;
     }
     SpatialStart::Released { tilt_rad: rotation_rad, toward_rad: 0.0, omega_rad_s: [0.0, omega_rad_s, 0.0] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ζ = c/(2√(k m)) is kept: 0.05 below 100 kg on 4e6 N/m and between, for 16 kg on 1e6 N/m.
+    #[test]
+    fn an_interface_has_the_damping_ratio_of_the_base() {
+        let base = damped(100.0, 4e6, 0.05).unwrap();
+        let between = interface(&base, Some(1e6), 100.0, 16.0).unwrap();
+        let ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } = *between.law() else { panic!("{between:?}") };
+        assert_eq!(stiffness_n_m, 1e6);
+        assert!((damping_n_s_m - 0.1 * (1e6 * 16.0f64).sqrt()).abs() < 1e-9);
+        assert_eq!(interface(&base, None, 100.0, 16.0).unwrap(), base);
+        let plain = interface(&Cushion::linear(4e6).unwrap(), Some(1e6), 100.0, 16.0).unwrap();
+        assert_eq!(plain, Cushion::linear(1e6).unwrap());
+        let hertz = Cushion::new(ContactLaw::Power { coefficient_n_mn: 1e8, exponent: 1.5 }).unwrap();
+        assert!(interface(&hertz, Some(1e6), 100.0, 16.0).unwrap_err().hint.is_some());
+    }
+
+    #[test]
+    fn a_prism_has_a_width_and_a_cylinder_a_diameter() {
+        assert!(shape(ShapeName::Prism, 2.0, 0.5, None).is_err());
+        assert!(shape(ShapeName::Cylinder, 2.0, 0.5, Some(0.6)).is_err());
+        let round = Shape::Cylinder { diameter_m: 0.5, height_m: 2.0 };
+        assert_eq!(shape(ShapeName::Cylinder, 2.0, 0.5, None), Ok(round));
+        assert_eq!(shape(ShapeName::Cylinder, 2.0, 0.5, Some(0.5)), Ok(round));
+        let prism = Shape::Prism { thickness_m: 0.5, width_m: 0.7, height_m: 2.0 };
+        assert_eq!(shape(ShapeName::Prism, 2.0, 0.5, Some(0.7)), Ok(prism));
+    }
+
+    /// Turned anticlockwise by 90°, the object meets the first motion along its width, from the
+    /// right as seen along it: along the width a₁ cos 90° … = −a₁ sin 90°.
+    #[test]
+    fn a_turned_object_meets_turned_motions() {
+        let motion = |scale: f64| Motion::new(0.01, vec![0.0, scale, 2.0 * scale]).unwrap();
+        let edge = EdgeCushion { cushion: Cushion::linear(4e6).unwrap(), pad_thickness_m: None, notes: Vec::new() };
+        let request = |orientation_rad: f64| SpatialRequest {
+            object: SpatialObject {
+                shape: Shape::Cylinder { diameter_m: 0.5, height_m: 1.8 },
+                mass_kg: 200.0,
+                support: Support::new(edge.cushion.clone()),
+                walls: Vec::new(),
+            },
+            edge: edge.clone(),
+            motions: [Some(motion(1.0)), Some(motion(0.5))],
+            vertical: None,
+            orientation_rad,
+            options: SpatialOptions::default(),
+        };
+        let last =
+            |orientation_rad: f64| turned(&request(orientation_rad)).unwrap().map(|m| m.unwrap().accel_m_s2()[2]);
+        assert_eq!(last(0.0), [2.0, 1.0]);
+        let [x, y] = last(std::f64::consts::FRAC_PI_2);
+        assert!((x - 1.0).abs() < 1e-12 && (y + 2.0).abs() < 1e-12, "{x} {y}");
+        let [x, y] = last(0.3);
+        assert!((x.hypot(y) - 5f64.sqrt()).abs() < 1e-12);
+    }
 }

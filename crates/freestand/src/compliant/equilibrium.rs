@@ -109,7 +109,8 @@ impl Body<'_> {
         let width = left + right;
         // From the forces on a block that does not rotate: each half of the cushions carries the
         // load under its edge.
-        let [d_left, d_right] = [right, left].map(|arm| self.pad.cushion.static_compression_m(self.weight() * arm / width));
+        let [d_left, d_right] =
+            [right, left].map(|arm| self.pad.cushion.static_compression_m(self.weight() * arm / width));
         y[THETA] = (d_right - d_left) / width;
         y[Z] = -d_left - left * y[THETA];
         let error = |s: &Statics| (s.force / self.weight()).abs() + (s.moment / (self.weight() * width)).abs();

@@ -44,7 +44,6 @@ use crate::rocking::{Base, Outcome};
 
 pub use audit::EnergyAudit;
 pub(crate) use audit::{Energies, Ledger};
-pub(crate) use events::TOUCHING;
 #[doc(hidden)]
 pub use bulk::rock_compliant_many_on;
 pub use bulk::{
@@ -52,6 +51,7 @@ pub use bulk::{
     stands_on_pads,
 };
 pub use equilibrium::{Equilibrium, equilibrium};
+pub(crate) use events::TOUCHING;
 pub use history::{CompliantPoint, CompliantRecorder};
 pub use solve::{Piece, rock_compliant, rock_compliant_observed};
 

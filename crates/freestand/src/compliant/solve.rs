@@ -3,9 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::audit::Ledger;
-use super::equation::{
-    Body, DASHPOT, DRAG, Grip, LEN, Line, OMEGA, SLIP, STRETCH, State, THETA, V_X, V_Z, WORK, X, Z,
-};
+use super::equation::{Body, DASHPOT, DRAG, Grip, LEN, Line, OMEGA, SLIP, STRETCH, State, THETA, V_X, V_Z, WORK, X, Z};
 use super::equilibrium::body;
 use super::step::{Scales, Step};
 use super::stepper::{accurate, first_event, shortened};

@@ -127,7 +127,8 @@ pub(super) struct Pose {
 }
 
 impl Pose {
-    const STILL: Self = Self { place: [0.0; 3], velocity: [0.0; 3], turn: UPRIGHT, shift: [[0.0; 3]; 3], omega: [0.0; 3] };
+    const STILL: Self =
+        Self { place: [0.0; 3], velocity: [0.0; 3], turn: UPRIGHT, shift: [[0.0; 3]; 3], omega: [0.0; 3] };
 
     fn at(y: &[f64]) -> Self {
         let turn = [y[TURN], y[TURN + 1], y[TURN + 2], y[TURN + 3]];
@@ -424,9 +425,9 @@ impl World<'_> {
         });
         let Some(body) = element.face_of else { return -element.sign * point[element.normal] };
         let (pose, arm) = (&poses[body], &foot.face_arm);
-        let velocity = element.point_of.map_or([0.0; 3], |other| {
-            sum(&poses[other].velocity, &cross(&poses[other].omega, &foot.point_arm))
-        });
+        let velocity = element
+            .point_of
+            .map_or([0.0; 3], |other| sum(&poses[other].velocity, &cross(&poses[other].omega, &foot.point_arm)));
         let nearing = difference(&velocity, &pose.velocity);
         let slow = difference(&nearing, &cross(&pose.omega, arm));
         let relative = difference(&difference(&point, &linear(body)), &cross(&angular(body), arm));

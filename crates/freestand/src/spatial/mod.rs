@@ -470,9 +470,8 @@ impl SpatialObject {
         let feet = self.shape.feet_m();
         let share = 2.0 / feet.len() as f64;
         let weight_n = mass * gravity;
-        let foot = |(slot, &[x, y]): (usize, &[f64; 2])| {
-            self.support.element((0, [x, y, -cg_height]), share, weight_n, slot)
-        };
+        let foot =
+            |(slot, &[x, y]): (usize, &[f64; 2])| self.support.element((0, [x, y, -cg_height]), share, weight_n, slot);
         let mut elements: Vec<Element<'_>> = feet.iter().enumerate().map(foot).collect();
         let slots = if self.support.friction_ratio.is_some() { elements.len() } else { 0 };
         for wall in &self.walls {

@@ -198,7 +198,8 @@ fn a_squat_block_slides_in_any_direction() {
 /// 15 ms of 9 s.
 #[test]
 fn a_slow_push_lifts_the_first_point_where_its_load_ends() {
-    let ramp = |rate_g_s: f64| Motion::new(0.01, (0..=1600).map(|i| rate_g_s * G0_M_S2 * f64::from(i) * 0.01).collect());
+    let ramp =
+        |rate_g_s: f64| Motion::new(0.01, (0..=1600).map(|i| rate_g_s * G0_M_S2 * f64::from(i) * 0.01).collect());
     let damped = |object: SpatialObject| {
         let law = ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 5e3 };
         SpatialObject { support: Support::new(Cushion::new(law).unwrap()), ..object }
@@ -255,10 +256,9 @@ fn a_cylinder_rolls_round_at_the_speed_of_a_rigid_one() {
         let (sin, cos) = f64::sin_cos(theta);
         // Spin n about the axis and Ω sin θ across it, for a body tilted towards +x.
         let omega = |round: f64, spin: f64| [spin * sin - round * sin * cos, 0.0, spin * cos + round * sin * sin];
-        for (round, spin, stiffness_n_m, time_s) in [
-            (at_rest, at_rest * c / a * sin, 1e9, 0.05),
-            (wobbling, -wobbling * (1.0 - cos), 1e8, 2.0 * PI / wobbling),
-        ] {
+        for (round, spin, stiffness_n_m, time_s) in
+            [(at_rest, at_rest * c / a * sin, 1e9, 0.05), (wobbling, -wobbling * (1.0 - cos), 1e8, 2.0 * PI / wobbling)]
+        {
             let object = cylinder(a, h, mass_kg, stiffness_n_m);
             let got = goes_round_at_rad_s(&object, &released(theta, 0.0, omega(round, spin), time_s));
             assert!((got / round - 1.0).abs() < 0.02, "{a} {theta}: {got} {round}");

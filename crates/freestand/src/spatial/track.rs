@@ -141,8 +141,7 @@ fn pose(world: &World<'_>, y: &State, body: usize) -> Pose {
 
 /// The centre of the base: its horizontal displacement squared, and the rate of that.
 fn slide(world: &World<'_>, y: &State, body: usize) -> (f64, f64) {
-    let ([x, y, _], [rate_x, rate_y, _]) =
-        pose(world, y, body).point(&[0.0, 0.0, -world.bodies[body].cg_height]);
+    let ([x, y, _], [rate_x, rate_y, _]) = pose(world, y, body).point(&[0.0, 0.0, -world.bodies[body].cg_height]);
     (x * x + y * y, 2.0 * (x * rate_x + y * rate_y))
 }
 
