@@ -1,6 +1,6 @@
 //! `freestand rock --base compliant` in three dimensions and for stacks, as it is called.
 
-#![expect(clippy::unwrap_used, clippy::print_stderr, reason = "a test may stop at what it cannot set up")]
+#![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
 
 use std::f64::consts::PI;
 use std::fs;
