@@ -412,7 +412,7 @@ fn stacks_keep_their_symmetry_and_energy() {
     let opposite = Motion::new(0.005, x.accel_m_s2().iter().map(|a| -a).collect()).unwrap();
     for (lower, upper) in [
         ((0.998, 0.37, 324.9), (0.792, 0.23, 94.9)),
-        ((0.8, 0.37, 324.9), (0.2, 0.8, 60.0)),
+        ((1.0, 0.3, 200.0), (0.2, 0.8, 60.0)),
         ((0.9, 0.3, 200.0), (0.6, 0.3, 90.0)),
     ] {
         let mut both = stack(lower, upper, 7.4e6, 1.3e6);
@@ -423,7 +423,7 @@ fn stacks_keep_their_symmetry_and_energy() {
                 both.interface = Support { friction_ratio: Some(0.25), ..Support::new(law(1.3e6, 600.0).unwrap()) };
             }
             let got = rock_both(&both, &x);
-            // One of them hardly rocks, and rings without losses: little energy to compare with.
+            // They ring without losses for a second: 1e-8 of each of some hundred vibrations.
             assert!(got.energy.residual_ratio < 1e-6, "{lower:?} {is_rough}: {:?}", got.energy);
             let p = got.patterns;
             let sum = p.rest_ratio + p.same_ratio + p.opposite_ratio + p.together_ratio + p.upper_alone_ratio;
