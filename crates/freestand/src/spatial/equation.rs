@@ -34,9 +34,10 @@ pub(super) type State = [f64; LEN];
 /// Accelerations of the base: to the right, back, upward.
 pub(super) type Line = crate::compliant::stepper::Line<3>;
 
-/// Below this share of the weight the direction of a slipping spring turns no faster: without load
-/// it has no direction.
-const TURNING: f64 = 1e-4;
+/// The direction of a slipping spring follows the velocity at most at this rate, in units of the
+/// vibration on the cushions: where the spring is short compared with the way that it slides, both
+/// agree but for the fiftieth part of a vibration, and the equations would be stiff.
+const TURNING: f64 = 50.0;
 
 /// A rigid body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -197,6 +198,8 @@ pub(super) struct World<'a> {
     /// The bodies move in the plane of x and z, exactly: two elements do not hold a body in the
     /// third direction, where rounding would grow.
     pub(super) is_planar: bool,
+    /// 1/ω of the fastest vibration on the cushions.
+    pub(super) unit_s: f64,
 }
 
 /// The two axes of a face.
@@ -208,7 +211,15 @@ fn along(normal: usize) -> [usize; 2] {
     }
 }
 
-impl World<'_> {
+impl<'a> World<'a> {
+    pub(super) fn new(bodies: Vec<Rigid>, elements: Vec<Element<'a>>, gravity: f64, is_planar: bool) -> Self {
+        let units = elements.iter().map(|element| (element.unit_m / gravity).sqrt());
+        let unit_s = units.fold(f64::INFINITY, f64::min);
+        let slots = elements.iter().filter(|element| element.friction.is_some()).map(|element| element.slot + 1);
+        let slots = slots.fold(0, usize::max);
+        Self { bodies, elements, gravity, slots, is_planar, unit_s }
+    }
+
     /// Number of entries of the state in use.
     pub(super) fn len(&self) -> usize {
         self.behind() + DIRECTION + self.slots
@@ -381,7 +392,9 @@ impl World<'_> {
         if across == 0.0 || friction == 0.0 {
             return 0.0;
         }
-        let length = friction * (load.normal.abs() + TURNING * element.weight_n) / element.tangential_stiffness;
+        let length = friction * load.normal.abs() / element.tangential_stiffness;
+        let [a, b] = foot.sliding;
+        let length = length.max((a * a + b * b).sqrt() * self.unit_s / TURNING);
         across / length
     }
 

@@ -473,7 +473,6 @@ impl SpatialObject {
         let foot =
             |(slot, &[x, y]): (usize, &[f64; 2])| self.support.element((0, [x, y, -cg_height]), share, weight_n, slot);
         let mut elements: Vec<Element<'_>> = feet.iter().enumerate().map(foot).collect();
-        let slots = if self.support.friction_ratio.is_some() { elements.len() } else { 0 };
         for wall in &self.walls {
             let cushion = wall.cushion.as_ref().unwrap_or(&self.support.cushion);
             let out = match wall.side {
@@ -510,7 +509,7 @@ impl SpatialObject {
                 });
             }
         }
-        World { bodies: vec![body], elements, gravity, slots, is_planar: matches!(self.shape, Shape::Plane { .. }) }
+        World::new(vec![body], elements, gravity, matches!(self.shape, Shape::Plane { .. }))
     }
 
     /// Returns an error if the cushions do not keep the object upright.

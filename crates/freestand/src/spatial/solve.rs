@@ -84,8 +84,7 @@ pub(super) fn follow(
 
 impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn new(world: &'a World<'b>, options: &SpatialOptions, start: &State, observe: F) -> Self {
-        let units = world.elements.iter().map(|element| element.unit_m);
-        let unit_s = units.fold(f64::INFINITY, |least, unit_m| least.min((unit_m / world.gravity).sqrt()));
+        let unit_s = world.unit_s;
         let mut grips = vec![Grip::UNTOUCHED; world.elements.len()];
         let poses = world.poses(start);
         for (grip, element) in grips.iter_mut().zip(&world.elements) {

@@ -143,7 +143,7 @@ impl Stack {
             });
             slots += usize::from(self.interface.friction_ratio.is_some());
         }
-        World { bodies, elements, gravity, slots, is_planar: true }
+        World::new(bodies, elements, gravity, true)
     }
 
     /// Returns an error if the cushions do not keep the stack upright: the energy of both rotations

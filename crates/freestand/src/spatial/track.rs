@@ -104,9 +104,10 @@ impl Seen<'_, '_> {
     }
 }
 
-/// `tilt_x` and `tilt_y` of an axis.
+/// `tilt_x` and `tilt_y` of an axis; a history ends where it is horizontal, within rounding.
 pub(super) fn tilts(axis: &[f64; 3]) -> [f64; 2] {
-    [axis[0].atan2(axis[2]), axis[1].atan2(axis[2])]
+    let up = axis[2].max(0.0);
+    [axis[0].atan2(up), axis[1].atan2(up)]
 }
 
 pub(super) fn yaw(turn: &[f64]) -> f64 {
