@@ -16,7 +16,8 @@
 //! * **Friction**: T = −k_t σ, with the stretch σ of a spring in the plane of the face. While it
 //!   sticks, σ̇ = v, the velocity of the point along the face. When |k_t σ| reaches μN it slips:
 //!   σ̇ = v − λσ̂, λ = v·σ̂ − (μ/k_t)Ṅ, which keeps |k_t σ| = μN while the direction turns with the
-//!   velocity; it sticks again where λ = 0. σ = 0 at each new contact.
+//!   velocity; it sticks again where λ = 0. σ = 0 at each new contact. The direction turns at no more
+//!   than fifty times the rate of the vibration on the cushions: faster, it is that of the velocity.
 //! * **A wall** is smooth and moves with the floor. What the object loses there follows from the
 //!   cushion of the wall; the foot may lift and slip.
 //! * **A stack** is two bodies in the plane. Between them are two elements at the corners of the
