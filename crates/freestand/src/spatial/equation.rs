@@ -399,38 +399,21 @@ impl<'a> World<'a> {
     }
 
     /// λ: the velocity at which the foot of a sliding spring slides along its stretch. The spring
-    /// sticks when it is negative.
-    pub(super) fn slipping(
-        &self,
-        element: &Element,
-        (grips, poses): (&[Grip], &Poses),
-        line: &Line,
-        time_s: f64,
-        y: &State,
-    ) -> f64 {
+    /// sticks when it is negative. A damped law needs the rates of the state.
+    pub(super) fn slipping(&self, element: &Element, poses: &Poses, (y, rates): (&State, Option<&State>)) -> f64 {
         let foot = self.foot(element, poses);
         let (sin, cos) = y[self.direction(element)].sin_cos();
         let along = cos * foot.sliding[0] + sin * foot.sliding[1];
-        let pressing =
-            if element.pad.is_damped() { self.pressing(element, &foot, (grips, poses), line, time_s, y) } else { 0.0 };
+        let pressing = rates.map_or(0.0, |rates| self.pressing(element, &foot, poses, rates));
         let normal_rate = element.pad.push_rate(foot.compression, foot.compression_rate, pressing);
         along - element.friction.unwrap_or(0.0) * normal_rate / element.tangential_stiffness
     }
 
     /// The second derivative of the compression of an element.
-    fn pressing(
-        &self,
-        element: &Element,
-        foot: &Foot,
-        (grips, poses): (&[Grip], &Poses),
-        line: &Line,
-        time_s: f64,
-        y: &State,
-    ) -> f64 {
-        let rates = self.rates(grips, line, time_s, y);
+    fn pressing(&self, element: &Element, foot: &Foot, poses: &Poses, rates: &State) -> f64 {
         // Acceleration of a body's point at an arm from its centre of gravity.
-        let linear = |body: usize| vector(&rates, BODY * body + VELOCITY);
-        let angular = |body: usize| turned(&poses[body].shift, &vector(&rates, BODY * body + SPIN));
+        let linear = |body: usize| vector(rates, BODY * body + VELOCITY);
+        let angular = |body: usize| turned(&poses[body].shift, &vector(rates, BODY * body + SPIN));
         let point = element.point_of.map_or([0.0; 3], |body| {
             let omega = &poses[body].omega;
             let inward = cross(omega, &cross(omega, &foot.point_arm));

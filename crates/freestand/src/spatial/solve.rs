@@ -187,8 +187,9 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         }
         if has_event {
             let mut changed = false;
+            let rates = self.rates_of_slip(line, self.time_s, &self.y);
             for index in 0..self.grips.len() {
-                if self.margin(index, line, self.time_s, (&self.y, &poses)) < 0.0 {
+                if self.margin(index, self.time_s, &poses, (&self.y, rates.as_ref())) < 0.0 {
                     self.change(index, &poses);
                     changed = true;
                 }
@@ -205,7 +206,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     }
 
     /// How far an element is from its next event, of the order of 1; negative past it.
-    fn margin(&self, index: usize, line: &Line, time_s: f64, (y, poses): (&State, &Poses)) -> f64 {
+    fn margin(&self, index: usize, time_s: f64, poses: &Poses, (y, rates): (&State, Option<&State>)) -> f64 {
         let (element, grip) = (&self.world.elements[index], self.grips[index]);
         if grip == Grip::Gone {
             return 1.0;
@@ -222,17 +223,25 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let margin = pushes.min(between);
         let Some(friction) = element.friction else { return margin };
         if grip == Grip::Slip {
-            let slipping = self.world.slipping(element, (&self.grips, poses), line, time_s, y);
+            let slipping = self.world.slipping(element, poses, (y, rates));
             margin.min(slipping * self.unit_s / element.unit_m)
         } else {
             margin.min((friction * load.normal - length(load.tangential)) / element.weight_n)
         }
     }
 
+    /// The rates that the margins of slipping elements need, if any does.
+    fn rates_of_slip(&self, line: &Line, time_s: f64, y: &State) -> Option<State> {
+        let mut both = self.world.elements.iter().zip(&self.grips);
+        let is_needed = both.any(|(element, grip)| *grip == Grip::Slip && element.pad.is_damped());
+        is_needed.then(|| self.world.rates(&self.grips, line, time_s, y))
+    }
+
     /// The smallest of all margins; overturning counts as one of them.
     fn least_margin(&self, line: &Line, time_s: f64, y: &State) -> f64 {
         let poses = self.world.poses(y);
-        let elements = (0..self.grips.len()).map(|index| self.margin(index, line, time_s, (y, &poses)));
+        let rates = self.rates_of_slip(line, time_s, y);
+        let elements = (0..self.grips.len()).map(|index| self.margin(index, time_s, &poses, (y, rates.as_ref())));
         let bodies = poses.iter().take(self.world.bodies.len()).map(|pose| pose.axis().0[2]);
         elements.chain(bodies).fold(f64::INFINITY, f64::min)
     }
