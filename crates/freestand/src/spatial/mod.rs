@@ -410,7 +410,7 @@ pub fn rock_spatial_observed(
     object: &SpatialObject,
     motion: SpatialMotion<'_>,
     options: &SpatialOptions,
-    observe: impl FnMut(&SpatialPiece<'_, '_>),
+    mut observe: impl FnMut(&SpatialPiece<'_, '_>),
 ) -> Result<SpatialRocking, CompliantError> {
     object.check()?;
     options.check()?;
@@ -425,7 +425,7 @@ pub fn rock_spatial_observed(
             (world.released(vector::tilted(tilt_rad, toward_rad), omega_rad_s), false)
         }
     };
-    let ended = follow(&world, [motion.x, motion.y, motion.vertical], options, (&start, is_at_rest), observe)?;
+    let ended = follow(&world, [motion.x, motion.y, motion.vertical], options, (&start, is_at_rest), &mut observe)?;
     let Ended { end_time_s, bodies, track, energy, effort, .. } = ended;
     let Some(&body) = bodies.first() else { return Err(CompliantError::NotFinite { time_s: end_time_s }) };
     Ok(SpatialRocking {

@@ -57,7 +57,7 @@ pub(super) fn follow(
     motions: [Option<&Motion>; 3],
     options: &SpatialOptions,
     (start, is_at_rest): (&State, bool),
-    observe: impl FnMut(&SpatialPiece<'_, '_>),
+    observe: &mut dyn FnMut(&SpatialPiece<'_, '_>),
 ) -> Result<Ended, CompliantError> {
     if Line::mismatch(motions) {
         return Err(CompliantError::VerticalMismatch);

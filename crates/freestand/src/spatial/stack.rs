@@ -195,7 +195,7 @@ pub fn rock_stack_observed(
     stack: &Stack,
     motion: Base<'_>,
     options: &SpatialOptions,
-    observe: impl FnMut(&SpatialPiece<'_, '_>),
+    mut observe: impl FnMut(&SpatialPiece<'_, '_>),
 ) -> Result<StackRocking, CompliantError> {
     [&stack.lower, &stack.upper].into_iter().try_for_each(StackBody::check)?;
     [&stack.support, &stack.interface].into_iter().try_for_each(Support::check)?;
@@ -207,7 +207,7 @@ pub fn rock_stack_observed(
     let world = stack.world(options.gravity_m_s2);
     stack.stands(&world)?;
     let motions = [motion.horizontal, None, motion.vertical];
-    let ended = follow(&world, motions, options, (&world.at_rest(), true), observe)?;
+    let ended = follow(&world, motions, options, (&world.at_rest(), true), &mut observe)?;
     let Ended { end_time_s, bodies, track, fallen, energy, effort } = ended;
     let (Some(&lower), Some(&upper)) = (bodies.first(), bodies.get(1)) else {
         return Err(CompliantError::NotFinite { time_s: end_time_s });
