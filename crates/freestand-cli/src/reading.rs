@@ -24,7 +24,7 @@ pub(crate) struct ReadArgs {
 }
 
 /// Two components of one file: `both`, or two by name.
-fn components(text: &str) -> Result<Second, Problem> {
+pub(crate) fn components(text: &str) -> Result<Second, Problem> {
     if text.trim().eq_ignore_ascii_case("both") {
         return Ok(Second::SameFile(None));
     }

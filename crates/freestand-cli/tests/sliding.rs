@@ -178,6 +178,11 @@ fn what_does_not_slide_is_refused() {
         (&["--sliding", "--base", "compliant"], "applies only to a rigid base", "--friction decides"),
         (&["--casters", "--model", "linear"], "applies only to an object that rocks", "leave it out"),
         (&["--casters", "--initial-rotation", "1 deg"], "applies only to an object that rocks", "leave it out"),
+        (
+            &["--sliding", "--friction", "0.2", "--wall-gap", "5 cm"],
+            "applies only to an object that rocks",
+            "--clearance-left",
+        ),
         (&["--sliding", "--casters"], "cannot be used with", "usage"),
     ] {
         let output = freestand("rock", &[&size[..], args].concat());

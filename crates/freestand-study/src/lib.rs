@@ -29,6 +29,7 @@ pub mod shock;
 pub mod shock_spectrum;
 pub mod simulated;
 pub mod sliding;
+pub mod spatial;
 pub mod spectrum;
 pub mod statistics;
 pub mod study;

@@ -84,6 +84,7 @@ mod search;
 pub mod shock_response;
 pub mod signal;
 pub mod sliding;
+pub mod spatial;
 pub mod spectra;
 pub mod suite;
 pub mod synthesis;

@@ -75,6 +75,17 @@ pub(crate) struct ShapeArgs {
 }
 
 impl ShapeArgs {
+    /// The first of these flags that is given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let flags = [
+            ("--base-width", self.base_width.is_some()),
+            ("--cg-height", self.cg_height.is_some()),
+            ("--cg-offset", self.cg_offset.is_some()),
+            ("--inertia", self.inertia.is_some()),
+        ];
+        flags.into_iter().find_map(|(name, given)| given.then_some(name))
+    }
+
     /// The block; problems are added to `values`.
     pub(crate) fn block(
         &self,

@@ -299,24 +299,30 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
     let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
     let beyond = compression_warnings(rocking.peak_compression_m, &base.cushion, pad_thickness_m);
     warnings.extend(beyond.iter().map(ToString::to_string));
-    if is_shaken && !base.cushion.law().is_damped() {
-        warnings.push(
-            "the cushions have no damping: under a motion the object keeps ringing on them, and the largest shock \
-             of a long history depends on rounding; use a damped law, such as `law = \"kelvin-voigt\"` with \
-             `damping = \"5 %\"`"
-                .to_owned(),
-        );
-    }
+    warnings.extend(ringing_warning(&base.cushion, is_shaken));
     if rocking.equilibrium.is_none() {
         warnings.push("the cushions are too soft to keep the object upright at rest: check their stiffness".to_owned());
     }
-    let missing = rocking.energy.residual_ratio;
-    if missing > ENERGY_LIMIT {
-        warnings.push(format!(
-            "the energy balance has an error of {missing:.1e} of the energy exchanged: use `accuracy = \"tight\"`"
-        ));
-    }
+    warnings.extend(energy_warning(rocking.energy.residual_ratio));
     warnings
+}
+
+/// What is wrong with undamped cushions under a motion.
+pub(crate) fn ringing_warning(cushion: &Cushion, is_shaken: bool) -> Option<String> {
+    (is_shaken && !cushion.law().is_damped()).then(|| {
+        "the cushions have no damping: under a motion the object keeps ringing on them, and the largest shock of a \
+         long history depends on rounding; use a damped law, such as `law = \"kelvin-voigt\"` with `damping = \"5 %\"`"
+            .to_owned()
+    })
+}
+
+/// A warning about an energy balance that does not close.
+pub(crate) fn energy_warning(residual_ratio: f64) -> Option<String> {
+    (residual_ratio > ENERGY_LIMIT).then(|| {
+        format!(
+            "the energy balance has an error of {residual_ratio:.1e} of the energy exchanged: use `accuracy = \"tight\"`"
+        )
+    })
 }
 
 /// A problem of the solver, with what to do about it.

@@ -1,7 +1,5 @@
 //! The energy balance of a history.
 
-use super::equation::{Body, DASHPOT, DRAG, Grip, SLIP, State, WORK};
-
 /// The energy of a block relative to its base, at the end of a history.
 ///
 /// Kinetic + potential + stored + dissipated + lost − work of the base equals the initial energy up
@@ -35,21 +33,32 @@ pub struct EnergyAudit {
     pub residual_ratio: f64,
 }
 
+/// Where the energy is at one instant, as in [`EnergyAudit`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Energies {
+    pub(crate) kinetic_j: f64,
+    pub(crate) potential_j: f64,
+    pub(crate) stored_j: f64,
+    pub(crate) base_work_j: f64,
+    pub(crate) cushion_dissipation_j: f64,
+    pub(crate) tangential_dissipation_j: f64,
+    pub(crate) friction_j: f64,
+}
+
 /// The running balance of a history.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Ledger {
-    pub(super) audit: EnergyAudit,
+pub(crate) struct Ledger {
+    pub(crate) audit: EnergyAudit,
     worst_j: f64,
     max_kinetic_j: f64,
     rest_j: f64,
 }
 
 impl Ledger {
-    pub(super) fn open(body: &Body, grips: &[Grip], y: &State) -> Self {
-        let mut ledger = Self::default();
-        let weight_n = body.mass * body.gravity;
-        ledger.rest_j = weight_n * body.cushion.static_compression_m(0.5 * weight_n);
-        ledger.enter(body, grips, y);
+    /// Begins with the energies at the start; `rest_j` is the work of the weight on the cushions.
+    pub(crate) fn open(rest_j: f64, energies: &Energies) -> Self {
+        let mut ledger = Self { rest_j, ..Self::default() };
+        ledger.enter(energies);
         ledger.audit.initial_j = ledger.balance_j();
         ledger.worst_j = 0.0;
         ledger
@@ -62,22 +71,22 @@ impl Ledger {
         a.kinetic_j + a.potential_j + a.stored_j + dissipated_j - a.base_work_j - a.initial_j
     }
 
-    /// Adds the state at the end of a step.
-    pub(super) fn enter(&mut self, body: &Body, grips: &[Grip], y: &State) {
+    /// Adds the energies at the end of a step.
+    pub(crate) fn enter(&mut self, now: &Energies) {
         let a = &mut self.audit;
-        (a.kinetic_j, a.potential_j) = body.mechanical_j(y);
-        a.stored_j = body.stored_j(grips, y);
-        a.base_work_j = y[WORK];
-        (a.cushion_dissipation_j, a.tangential_dissipation_j, a.friction_j) = (y[DASHPOT], y[DRAG], y[SLIP]);
+        (a.kinetic_j, a.potential_j, a.stored_j) = (now.kinetic_j, now.potential_j, now.stored_j);
+        a.base_work_j = now.base_work_j;
+        (a.cushion_dissipation_j, a.tangential_dissipation_j, a.friction_j) =
+            (now.cushion_dissipation_j, now.tangential_dissipation_j, now.friction_j);
         self.max_kinetic_j = self.max_kinetic_j.max(a.kinetic_j);
         self.worst_j = self.worst_j.max(self.balance_j().abs());
     }
 
-    pub(super) fn lose(&mut self, energy_j: f64) {
+    pub(crate) fn lose(&mut self, energy_j: f64) {
         self.audit.lost_at_separation_j += energy_j;
     }
 
-    pub(super) fn close(mut self) -> EnergyAudit {
+    pub(crate) fn close(mut self) -> EnergyAudit {
         let a = &mut self.audit;
         let dissipated_j = a.cushion_dissipation_j + a.tangential_dissipation_j + a.friction_j + a.lost_at_separation_j;
         a.turnover_j = self.max_kinetic_j + dissipated_j + self.rest_j;

@@ -1,6 +1,7 @@
 //! The equation of motion of a rigid block on contact elements.
 
-use crate::cushion::{ContactLaw, Cushion};
+use super::audit::Energies;
+use super::pad::Pad;
 
 /// The largest number of contact elements under a block.
 pub(super) const MAX_CONTACTS: usize = 16;
@@ -22,33 +23,12 @@ pub(super) const SLIP: usize = 9;
 /// Stretch of the tangential spring of contact i, at `STRETCH + i`.
 pub(super) const STRETCH: usize = 10;
 
-pub(super) type State = [f64; STRETCH + MAX_CONTACTS];
+pub(super) const LEN: usize = STRETCH + MAX_CONTACTS;
 
-/// Accelerations of the base at one instant \[m/s²\].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Shaking {
-    pub(super) horizontal: f64,
-    pub(super) vertical: f64,
-}
+pub(super) type State = [f64; LEN];
 
-/// A straight segment of the motion of the base.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Line {
-    pub(super) start: Shaking,
-    /// Change per second.
-    pub(super) slope: Shaking,
-    pub(super) start_s: f64,
-}
-
-impl Line {
-    pub(super) fn at(&self, time_s: f64) -> Shaking {
-        let since = time_s - self.start_s;
-        Shaking {
-            horizontal: self.start.horizontal + self.slope.horizontal * since,
-            vertical: self.start.vertical + self.slope.vertical * since,
-        }
-    }
-}
+/// A straight segment of the motion of the base: to the right, upward.
+pub(super) type Line = super::stepper::Line<2>;
 
 /// The state of a contact element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,9 +60,8 @@ pub(super) struct Body<'a> {
     pub(super) cg_height: f64,
     /// Contact elements from left to right, relative to the centre of gravity.
     pub(super) contacts: Vec<f64>,
-    /// The share of the cushion of one edge in each element.
-    pub(super) share: f64,
-    pub(super) cushion: &'a Cushion,
+    /// One element: its share of the cushion of one edge.
+    pub(super) pad: Pad<'a>,
     /// Of one element.
     pub(super) tangential_stiffness: f64,
     pub(super) tangential_damping: f64,
@@ -132,67 +111,11 @@ impl Body<'_> {
         }
     }
 
-    /// The law of an element, continued into tension, so that the step that finds the end of a
-    /// contact sees no kink.
-    pub(super) fn push(&self, d: f64, rate: f64) -> f64 {
-        let elastic = if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) };
-        let force = match self.cushion.law() {
-            ContactLaw::KelvinVoigt { damping_n_s_m, .. } => elastic + damping_n_s_m * rate,
-            ContactLaw::HuntCrossley { dissipation_s_m, .. } => elastic * (1.0 + dissipation_s_m * rate),
-            _ => elastic,
-        };
-        self.share * force
-    }
-
-    /// Whether a damped law has no force without compression, so that a contact can end there as
-    /// well.
-    pub(super) fn loses_force_at_touch(&self) -> bool {
-        matches!(self.cushion.law(), ContactLaw::HuntCrossley { .. })
-    }
-
-    /// The elastic part of [`Body::push`].
-    fn elastic(&self, d: f64) -> f64 {
-        self.share * if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) }
-    }
-
-    /// Rate of the normal force of a contact, from the derivatives of its compression.
-    pub(super) fn push_rate(&self, d: f64, rate: f64, acceleration: f64) -> f64 {
-        let slope = self.share * self.cushion.tangent_stiffness_n_m(d.abs());
-        match self.cushion.law() {
-            ContactLaw::KelvinVoigt { damping_n_s_m, .. } => slope * rate + self.share * damping_n_s_m * acceleration,
-            ContactLaw::HuntCrossley { dissipation_s_m, .. } => {
-                slope * rate * (1.0 + dissipation_s_m * rate) + self.elastic(d) * dissipation_s_m * acceleration
-            }
-            _ => slope * rate,
-        }
-    }
-
-    /// Energy in the cushion of a contact.
-    pub(super) fn pressed_j(&self, d: f64) -> f64 {
-        self.share * self.cushion.stored_energy_j(d.abs())
-    }
-
-    /// Position of the surface of an element without contact: a massless cushion recovers as its
-    /// dashpot allows.
-    pub(super) fn surface(&self, since_s: f64, compression_m: f64, time_s: f64) -> f64 {
-        if compression_m <= 0.0 {
-            return 0.0;
-        }
-        let gone_s = time_s - since_s;
-        match self.cushion.law() {
-            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
-                compression_m * (-stiffness_n_m / damping_n_s_m * gone_s).exp()
-            }
-            ContactLaw::HuntCrossley { dissipation_s_m, .. } => (compression_m - gone_s / dissipation_s_m).max(0.0),
-            _ => 0.0,
-        }
-    }
-
     pub(super) fn load(&self, grip: Grip, foot: &Foot, stretch: f64) -> Load {
         if !grip.carries() {
             return Load::default();
         }
-        let normal = self.push(foot.compression, foot.compression_rate);
+        let normal = self.pad.push(foot.compression, foot.compression_rate);
         let (k, c) = (self.tangential_stiffness, self.tangential_damping);
         let (tangential, stretching) = match grip {
             Grip::Slip(way) => {
@@ -208,8 +131,8 @@ impl Body<'_> {
 
     /// The time derivative of the state.
     pub(super) fn rates(&self, grips: &[Grip], line: &Line, time_s: f64, y: &State) -> State {
-        let mut rates = [0.0; STRETCH + MAX_CONTACTS];
-        let shaking = line.at(time_s);
+        let mut rates = [0.0; LEN];
+        let [horizontal, vertical] = line.at(time_s);
         let (mut right, mut up, mut turning) = (0.0, 0.0, 0.0);
         for (index, &grip) in grips.iter().enumerate().filter(|(_, grip)| grip.carries()) {
             let foot = self.foot(index, y);
@@ -218,17 +141,17 @@ impl Body<'_> {
             up += load.normal;
             turning += foot.arm_z * load.tangential - foot.arm_x * load.normal;
             rates[STRETCH + index] = load.stretching;
-            rates[DASHPOT] += (load.normal - self.elastic(foot.compression)) * foot.compression_rate;
+            rates[DASHPOT] += (load.normal - self.pad.elastic(foot.compression)) * foot.compression_rate;
             rates[DRAG] += self.tangential_damping * load.stretching * load.stretching;
             if matches!(grip, Grip::Slip(_)) {
                 rates[SLIP] -= load.tangential * self.slipping(&foot, &load);
             }
         }
         (rates[X], rates[Z], rates[THETA]) = (y[V_X], y[V_Z], y[OMEGA]);
-        rates[V_X] = right / self.mass - shaking.horizontal;
-        rates[V_Z] = up / self.mass - self.gravity - shaking.vertical;
+        rates[V_X] = right / self.mass - horizontal;
+        rates[V_Z] = up / self.mass - self.gravity - vertical;
         rates[OMEGA] = turning / self.inertia;
-        rates[WORK] = -self.mass * (shaking.horizontal * y[V_X] + shaking.vertical * y[V_Z]);
+        rates[WORK] = -self.mass * (horizontal * y[V_X] + vertical * y[V_Z]);
         rates
     }
 
@@ -248,17 +171,25 @@ impl Body<'_> {
         (rates[V_X] + alpha * arm_z - square * arm_x, rates[V_Z] - alpha * arm_x - square * arm_z)
     }
 
-    /// Kinetic energy relative to the base, and potential energy above unloaded pads.
-    pub(super) fn mechanical_j(&self, y: &State) -> (f64, f64) {
+    /// Where the energy of the block is.
+    pub(super) fn energies(&self, grips: &[Grip], y: &State) -> Energies {
         let speed = y[V_X] * y[V_X] + y[V_Z] * y[V_Z];
-        (0.5 * self.mass * speed + 0.5 * self.inertia * y[OMEGA] * y[OMEGA], self.mass * self.gravity * y[Z])
+        Energies {
+            kinetic_j: 0.5 * self.mass * speed + 0.5 * self.inertia * y[OMEGA] * y[OMEGA],
+            potential_j: self.mass * self.gravity * y[Z],
+            stored_j: self.stored_j(grips, y),
+            base_work_j: y[WORK],
+            cushion_dissipation_j: y[DASHPOT],
+            tangential_dissipation_j: y[DRAG],
+            friction_j: y[SLIP],
+        }
     }
 
     /// Energy in cushions and tangential springs; without a dashpot, the energy of a slipping
     /// spring is counted with the slip.
-    pub(super) fn stored_j(&self, grips: &[Grip], y: &State) -> f64 {
+    fn stored_j(&self, grips: &[Grip], y: &State) -> f64 {
         let of = |(index, &grip): (usize, &Grip)| {
-            let pressed = self.pressed_j(self.foot(index, y).compression);
+            let pressed = self.pad.pressed_j(self.foot(index, y).compression);
             let sheared = 0.5 * self.tangential_stiffness * y[STRETCH + index].powi(2);
             match grip {
                 Grip::Open { .. } => 0.0,

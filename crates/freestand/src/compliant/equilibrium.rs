@@ -1,6 +1,7 @@
 //! The block at rest on its cushions, and the initial state of a history.
 
-use super::equation::{Body, MAX_CONTACTS, OMEGA, STRETCH, State, THETA, V_X, V_Z, Z};
+use super::equation::{Body, LEN, OMEGA, State, THETA, V_X, V_Z, Z};
+use super::pad::Pad;
 use super::{CompliantBase, CompliantError, Start, not_negative, positive};
 use crate::block::Block;
 use crate::search::bisect;
@@ -61,8 +62,7 @@ pub(super) fn body<'a>(block: &Block, base: &'a CompliantBase, gravity: f64) -> 
         gravity,
         cg_height: block.cg_height_m(),
         contacts: (0..base.contacts).map(place).collect(),
-        share,
-        cushion: &base.cushion,
+        pad: Pad { cushion: &base.cushion, share },
         tangential_stiffness: share * base.tangential_stiffness_ratio * slope,
         tangential_damping: share * base.tangential_damping_n_s_m,
         friction: base.friction_ratio,
@@ -90,8 +90,8 @@ impl Body<'_> {
         for index in 0..self.contacts.len() {
             let foot = self.foot(index, y);
             if foot.compression > 0.0 {
-                let normal = self.push(foot.compression, 0.0);
-                let slope = self.share * self.cushion.tangent_stiffness_n_m(foot.compression);
+                let normal = self.pad.push(foot.compression, 0.0);
+                let slope = self.pad.share * self.pad.cushion.tangent_stiffness_n_m(foot.compression);
                 statics.force += normal;
                 statics.moment += foot.arm_x * normal;
                 statics.up += slope;
@@ -104,12 +104,13 @@ impl Body<'_> {
 
     /// The position in which the weight is in equilibrium.
     pub(super) fn balanced(&self) -> Result<State, CompliantError> {
-        let mut y = [0.0; STRETCH + MAX_CONTACTS];
+        let mut y = [0.0; LEN];
         let (left, right) = (-self.contacts[0], self.contacts[self.contacts.len() - 1]);
         let width = left + right;
         // From the forces on a block that does not rotate: each half of the cushions carries the
         // load under its edge.
-        let [d_left, d_right] = [right, left].map(|arm| self.cushion.static_compression_m(self.weight() * arm / width));
+        let [d_left, d_right] =
+            [right, left].map(|arm| self.pad.cushion.static_compression_m(self.weight() * arm / width));
         y[THETA] = (d_right - d_left) / width;
         y[Z] = -d_left - left * y[THETA];
         let error = |s: &Statics| (s.force / self.weight()).abs() + (s.moment / (self.weight() * width)).abs();
@@ -157,7 +158,7 @@ impl Body<'_> {
 
     /// The initial state of a history.
     pub(super) fn beginning(&self, start: Start) -> Result<State, CompliantError> {
-        let mut y = [0.0; STRETCH + MAX_CONTACTS];
+        let mut y = [0.0; LEN];
         match start {
             Start::Rest => return self.balanced(),
             Start::Dropped { height_m } => y[Z] = height_m,
@@ -166,7 +167,7 @@ impl Body<'_> {
                 let pivot = if is_right { self.contacts.len() - 1 } else { 0 };
                 y[THETA] = rotation_rad;
                 let upright = self.foot(pivot, &y).compression;
-                let alone = self.cushion.static_compression_m(self.weight() / self.share);
+                let alone = self.pad.cushion.static_compression_m(self.weight() / self.pad.share);
                 let lowered = |d: f64| {
                     let mut y = y;
                     y[Z] += upright - d;

@@ -4,10 +4,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::CompliantRocking;
 use super::equation::{Grip, Line, Load, OMEGA, SLIP, STRETCH, State, THETA, V_Z, X};
+use super::pad::between_kinks;
 use super::solve::{Piece, Solver};
 
 /// A contact that begins with less than this share of the weight counts as beginning without force.
-const TOUCHING: f64 = 1e-9;
+pub(crate) const TOUCHING: f64 = 1e-9;
 
 impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
     /// How far each contact is from its next event, of the order of 1; negative past it.
@@ -15,14 +16,11 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         let (body, foot) = (self.body, self.body.foot(index, y));
         let d = foot.compression / self.unit_m;
         if let Grip::Open { since_s, compression_m } = self.grips[index] {
-            return body.surface(since_s, compression_m, time_s) / self.unit_m - d;
+            return body.pad.surface(since_s, compression_m, time_s) / self.unit_m - d;
         }
         let load = body.load(self.grips[index], &foot, y[STRETCH + index]);
         let weight = body.mass * body.gravity;
-        // An undamped cushion pushes while it is compressed, a damped one while its force is
-        // positive.
-        let pushes = if body.cushion.law().is_damped() { load.normal / weight } else { d };
-        let pushes = if body.loses_force_at_touch() { pushes.min(d) } else { pushes };
+        let pushes = body.pad.pushes(foot.compression, load.normal, (self.unit_m, weight));
         let (low, high) = self.lines[index];
         let between = (foot.compression - low).min(high - foot.compression) / self.unit_m;
         let margin = pushes.min(between);
@@ -34,7 +32,7 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
                 } else {
                     let rates = body.rates(&self.grips, line, time_s, y);
                     let turned = -(rates[V_Z] - rates[OMEGA] * foot.arm_x - y[OMEGA] * y[OMEGA] * foot.arm_z);
-                    let normal_rate = body.push_rate(foot.compression, foot.compression_rate, turned);
+                    let normal_rate = body.pad.push_rate(foot.compression, foot.compression_rate, turned);
                     foot.sliding - way * friction * normal_rate / body.tangential_stiffness
                 };
                 margin.min(way * moves * self.unit_s / self.unit_m)
@@ -72,11 +70,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
             Grip::Open { .. } => self.touch(index, result),
             grip => {
                 let load = self.load(index);
-                let is_over =
-                    if self.body.cushion.law().is_damped() { load.normal < 0.0 } else { foot.compression < 0.0 };
-                let is_over = is_over || (self.body.loses_force_at_touch() && foot.compression < 0.0);
                 let (low, high) = self.lines[index];
-                if is_over {
+                if self.body.pad.is_over(foot.compression, load.normal) {
                     self.leave(index, result);
                 } else if foot.compression < low || foot.compression > high {
                     self.place_between_kinks(index);
@@ -90,7 +85,7 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
     /// Begins a contact; the energy that its cushion holds is taken back from the losses.
     fn touch(&mut self, index: usize, result: &mut CompliantRocking) {
         let foot = self.body.foot(index, &self.y);
-        self.ledger.lose(-self.body.pressed_j(foot.compression));
+        self.ledger.lose(-self.body.pad.pressed_j(foot.compression));
         self.y[STRETCH + index] = 0.0;
         self.grips[index] = Grip::Stick;
         self.place_between_kinks(index);
@@ -102,7 +97,7 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
             } else {
                 // At the first contact without dashpots both forces are zero, and their rates
                 // decide.
-                let rate = self.body.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
+                let rate = self.body.pad.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
                 let k = self.body.tangential_stiffness;
                 load.tangential != 0.0 || k * foot.sliding.abs() > friction * rate
             };
@@ -119,7 +114,7 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
         let foot = self.body.foot(index, &self.y);
         self.end_slip(index, result);
         let sheared = 0.5 * self.body.tangential_stiffness * self.y[STRETCH + index].powi(2);
-        self.ledger.lose(self.body.pressed_j(foot.compression) + sheared);
+        self.ledger.lose(self.body.pad.pressed_j(foot.compression) + sheared);
         self.y[STRETCH + index] = 0.0;
         self.grips[index] = Grip::Open { since_s: self.time_s, compression_m: foot.compression.max(0.0) };
         let none_left = !self.grips.iter().any(|grip| grip.carries());
@@ -158,8 +153,6 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
 
     pub(super) fn place_between_kinks(&mut self, index: usize) {
         let d = self.body.foot(index, &self.y).compression;
-        let above = self.kinks_m.iter().copied().filter(|&kink| kink > d).fold(f64::INFINITY, f64::min);
-        let below = self.kinks_m.iter().copied().filter(|&kink| kink > 0.0 && kink <= d);
-        self.lines[index] = (below.fold(f64::NEG_INFINITY, f64::max), above);
+        self.lines[index] = between_kinks(&self.kinks_m, d);
     }
 }

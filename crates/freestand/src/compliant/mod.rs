@@ -28,8 +28,10 @@ mod equation;
 mod equilibrium;
 mod events;
 mod history;
+pub(crate) mod pad;
 mod solve;
-mod step;
+pub(crate) mod step;
+pub(crate) mod stepper;
 mod track;
 
 #[cfg(test)]
@@ -41,6 +43,7 @@ use crate::cushion::Cushion;
 use crate::rocking::{Base, Outcome};
 
 pub use audit::EnergyAudit;
+pub(crate) use audit::{Energies, Ledger};
 #[doc(hidden)]
 pub use bulk::rock_compliant_many_on;
 pub use bulk::{
@@ -48,6 +51,7 @@ pub use bulk::{
     stands_on_pads,
 };
 pub use equilibrium::{Equilibrium, equilibrium};
+pub(crate) use events::TOUCHING;
 pub use history::{CompliantPoint, CompliantRecorder};
 pub use solve::{Piece, rock_compliant, rock_compliant_observed};
 
@@ -404,14 +408,14 @@ pub enum CompliantError {
     },
 }
 
-fn positive(name: &'static str, value: f64) -> Result<(), CompliantError> {
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), CompliantError> {
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
     Err(CompliantError::Value { name, requirement: "positive and finite", value })
 }
 
-fn not_negative(name: &'static str, value: f64) -> Result<(), CompliantError> {
+pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<(), CompliantError> {
     if value >= 0.0 && value.is_finite() {
         return Ok(());
     }
@@ -449,9 +453,7 @@ fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> 
         }
         Start::Dropped { height_m } => not_negative("height of the drop", height_m)?,
     }
-    if let (Some(h), Some(v)) = (motion.horizontal, motion.vertical)
-        && (h.dt_s() != v.dt_s() || h.accel_m_s2().len() != v.accel_m_s2().len())
-    {
+    if equation::Line::mismatch([motion.horizontal, motion.vertical]) {
         return Err(CompliantError::VerticalMismatch);
     }
     Ok(())

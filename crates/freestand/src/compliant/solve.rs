@@ -3,11 +3,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::audit::Ledger;
-use super::equation::{
-    Body, DASHPOT, DRAG, Grip, Line, MAX_CONTACTS, OMEGA, SLIP, STRETCH, Shaking, State, THETA, V_X, V_Z, WORK, X, Z,
-};
+use super::equation::{Body, DASHPOT, DRAG, Grip, LEN, Line, OMEGA, SLIP, STRETCH, State, THETA, V_X, V_Z, WORK, X, Z};
 use super::equilibrium::body;
-use super::step::Step;
+use super::step::{Scales, Step};
+use super::stepper::{accurate, first_event, shortened};
 use super::track::{Seen, Track};
 use super::{
     CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MAX_STEPS, PointPeaks, Start,
@@ -17,16 +16,8 @@ use crate::block::Block;
 use crate::motion::Motion;
 use crate::rocking::{Base, Outcome};
 
-/// Longest step, as an angle of the vibration of the block on the cushions: no contact can begin
-/// and end within one.
-const LONGEST_RAD: f64 = 0.5;
-/// A step ends at most this long after an event, as an angle of that vibration; no step is shorter.
-const EVENT_RAD: f64 = 1e-12;
-const SHORTEST_RAD: f64 = 1e-10;
-/// A step shorter than this angle does not gain accuracy; it is lost in rounding.
-const LOST_RAD: f64 = 1e-13;
-/// Trial steps to locate one event; false position usually takes five.
-const EVENT_TRIALS: usize = 80;
+/// How far past an event a step may end, as a margin: rounding.
+const CLOSE: f64 = 1e-13;
 
 /// A step of a history, as passed to an observer.
 #[derive(Debug, Clone, Copy)]
@@ -146,9 +137,8 @@ pub fn rock_compliant_observed(
     solver.begin(&mut result);
     let mut index = 0;
     while solver.time_s < end_s && result.overturn_time_s.is_none() {
-        let (line, until_s) = interval(motion, index, end_s);
-        let is_still = line.start == Shaking::default() && line.slope == Shaking::default();
-        if is_still && solver.is_resting && options.start == Start::Rest {
+        let (line, until_s) = Line::of([motion.horizontal, motion.vertical], index, end_s);
+        if line.is_still() && solver.is_resting && options.start == Start::Rest {
             solver.time_s = until_s;
         } else {
             solver.is_resting = false;
@@ -190,26 +180,6 @@ fn nothing_yet(options: &CompliantOptions, equilibrium: Option<super::Equilibriu
     }
 }
 
-/// The straight segment of the base's motion that begins at sample `index`, and its end; after the
-/// last sample the base comes to rest within one time step.
-fn interval(motion: Base<'_>, index: usize, end_s: f64) -> (Line, f64) {
-    let Some(given) = motion.horizontal.or(motion.vertical) else { return (Line::default(), end_s) };
-    let (dt_s, samples) = (given.dt_s(), given.accel_m_s2().len());
-    if index >= samples {
-        return (Line { start_s: index as f64 * dt_s, ..Line::default() }, end_s);
-    }
-    let sample = |motion: Option<&Motion>, index: usize| {
-        motion.and_then(|motion| motion.accel_m_s2().get(index)).copied().unwrap_or(0.0)
-    };
-    let at = |index| Shaking { horizontal: sample(motion.horizontal, index), vertical: sample(motion.vertical, index) };
-    let (start, end) = (at(index), at(index + 1));
-    let slope = Shaking {
-        horizontal: (end.horizontal - start.horizontal) / dt_s,
-        vertical: (end.vertical - start.vertical) / dt_s,
-    };
-    (Line { start, slope, start_s: index as f64 * dt_s }, ((index + 1) as f64 * dt_s).min(end_s))
-}
-
 pub(super) struct Solver<'a, 'b, F> {
     pub(super) body: &'a Body<'b>,
     pub(super) cg_from_left_m: f64,
@@ -244,10 +214,10 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         observe: F,
     ) -> Self {
         let weight_n = body.mass * body.gravity;
-        let unit_m = body.cushion.static_compression_m(0.5 * weight_n);
+        let unit_m = body.pad.cushion.static_compression_m(0.5 * weight_n);
         let unit_s = (unit_m / body.gravity).sqrt();
         let width_m = block.base_width_m();
-        let mut sizes = [unit_m; STRETCH + MAX_CONTACTS];
+        let mut sizes = [unit_m; LEN];
         (sizes[THETA], sizes[OMEGA]) = (unit_m / width_m, unit_m / width_m / unit_s);
         (sizes[V_X], sizes[V_Z]) = (unit_m / unit_s, unit_m / unit_s);
         for place in [WORK, DASHPOT, DRAG, SLIP] {
@@ -258,7 +228,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             body,
             cg_from_left_m: block.cg_from_left_m(),
             lines: vec![(f64::NEG_INFINITY, f64::INFINITY); grips.len()],
-            kinks_m: body.cushion.law().kinks_m(),
+            kinks_m: body.pad.cushion.law().kinks_m(),
             y: *start,
             rates: *start,
             time_s: 0.0,
@@ -269,7 +239,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             tolerance: options.accuracy.tolerance(),
             is_resting: true,
             track: Track::new(block, body, &options.points_m, is_free, start),
-            ledger: Ledger::open(body, &grips, start),
+            ledger: Ledger::default(),
             effort: CompliantEffort::default(),
             grips,
             observe,
@@ -287,7 +257,8 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         if !self.grips.iter().any(|grip| grip.carries()) {
             self.track.flies_from(0.0, result);
         }
-        self.ledger = Ledger::open(self.body, &self.grips, &self.y);
+        let rest_j = self.body.mass * self.body.gravity * self.unit_m;
+        self.ledger = Ledger::open(rest_j, &self.body.energies(&self.grips, &self.y));
     }
 
     /// Calculates one straight segment of the motion.
@@ -298,10 +269,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
             }
-            let (mut step, grow) = self.accurate(&line, rest_s)?;
-            if let Some(share) = self.first_event(&line, &step) {
-                step = self.shortened(&line, share * step.length_s);
-            }
+            let (step, grow) = self.next(&line, rest_s)?;
             let is_last = step.length_s == rest_s;
             self.try_s = if is_last { grow.max(self.try_s) } else { grow };
             self.accept(&line, step, result);
@@ -316,90 +284,28 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         Ok(())
     }
 
-    fn take(&mut self, line: &Line, length_s: f64) -> Step {
-        self.effort.evaluations += 6;
-        let from = (&self.y, &self.rates);
-        Step::take(self.body, &self.grips, line, self.time_s, from, length_s, (&self.sizes, self.tolerance))
+    /// The step of this length from the present state.
+    fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
+        let scales = Scales { len: self.body.len(), sizes: &self.sizes, tolerance: self.tolerance };
+        let rates = |time_s: f64, y: &State| self.body.rates(&self.grips, line, time_s, y);
+        Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
-    /// A step that is accurate enough, and the length to try next.
-    fn accurate(&mut self, line: &Line, rest_s: f64) -> Result<(Step, f64), CompliantError> {
-        let mut length_s = self.try_s.min(LONGEST_RAD * self.unit_s);
-        if length_s >= rest_s {
-            length_s = rest_s;
-        } else if 2.0 * length_s > rest_s {
-            length_s = 0.5 * rest_s;
+    /// A step that is accurate and ends no later than its first event, and the length to try next.
+    fn next(&mut self, line: &Line, rest_s: f64) -> Result<(Step<LEN>, f64), CompliantError> {
+        let mut effort = self.effort;
+        let take = |length_s: f64| self.take(line, length_s);
+        let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
+        let (mut step, grow) = accurate((self.time_s, self.try_s, rest_s), self.unit_s, take, &mut effort)?;
+        if let Some(share) = first_event(&step, margin) {
+            let now = margin(self.time_s, &self.y);
+            step = shortened(share * step.length_s, now, (self.unit_s, CLOSE), take, margin, &mut effort);
         }
-        loop {
-            let step = self.take(line, length_s);
-            if step.error_ratio <= 1.0 {
-                let growth = (0.9 * step.error_ratio.powf(-0.2)).clamp(0.5, 4.0);
-                return Ok((step, growth * length_s));
-            }
-            self.effort.rejected += 1;
-            // NaN where a trial went past the end of a bottoming cushion.
-            let shrink = if step.error_ratio.is_finite() { 0.9 * step.error_ratio.powf(-0.2) } else { 0.1 };
-            length_s *= shrink.clamp(0.1, 0.9);
-            if length_s < LOST_RAD * self.unit_s {
-                return Err(CompliantError::StepTooSmall { time_s: self.time_s, step_s: length_s });
-            }
-        }
+        self.effort = effort;
+        Ok((step, grow))
     }
 
-    /// A share of the step by which an event has passed, if there is one.
-    fn first_event(&self, line: &Line, step: &Step) -> Option<f64> {
-        [0.5, 1.0].into_iter().find(|&share| {
-            let y = if share == 1.0 { step.end } else { step.state(share) };
-            let margin = self.least_margin(line, step.start_s + share * step.length_s, &y);
-            margin < 0.0
-        })
-    }
-
-    /// The step that ends just past the first event within `length_s`, located by false position
-    /// with new steps, so that nothing after the event affects it.
-    fn shortened(&mut self, line: &Line, length_s: f64) -> Step {
-        let shortest_s = SHORTEST_RAD * self.unit_s;
-        let mut beyond = self.take(line, length_s);
-        let (mut low, mut low_margin) = (0.0, self.least_margin(line, self.time_s, &self.y));
-        let (mut high, mut high_margin) = (length_s, self.margin_after(line, &beyond));
-        let mut last_side = 0;
-        for _ in 0..EVENT_TRIALS {
-            if high_margin >= 0.0 || high - low <= EVENT_RAD * self.unit_s || high <= shortest_s {
-                break;
-            }
-            let ratio = low_margin / (low_margin - high_margin);
-            let share = if low_margin > 0.0 && ratio.is_finite() { ratio.clamp(1e-6, 1.0 - 1e-6) } else { 0.5 };
-            let middle = low + share * (high - low);
-            if low_margin <= 0.0 && middle < shortest_s {
-                break;
-            }
-            let trial = self.take(line, middle);
-            let margin = self.margin_after(line, &trial);
-            if margin < 0.0 {
-                (high, high_margin, beyond) = (middle, margin, trial);
-                if last_side == 1 {
-                    low_margin *= 0.5;
-                }
-                last_side = 1;
-                if margin > -1e-13 {
-                    break;
-                }
-            } else {
-                (low, low_margin) = (middle, margin);
-                if last_side == -1 {
-                    high_margin *= 0.5;
-                }
-                last_side = -1;
-            }
-        }
-        if beyond.length_s < shortest_s { self.take(line, shortest_s.min(length_s)) } else { beyond }
-    }
-
-    fn margin_after(&self, line: &Line, step: &Step) -> f64 {
-        self.least_margin(line, step.start_s + step.length_s, &step.end)
-    }
-
-    fn accept(&mut self, line: &Line, step: Step, result: &mut CompliantRocking) {
+    fn accept(&mut self, line: &Line, step: Step<LEN>, result: &mut CompliantRocking) {
         self.effort.steps += 1;
         let grips = self.grips.clone();
         let seen = Seen { body: self.body, grips: &grips, line, step: &step };
@@ -423,7 +329,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         if self.y[THETA].abs() >= FRAC_PI_2 {
             result.overturn_time_s = Some(self.time_s);
         }
-        self.ledger.enter(self.body, &self.grips, &self.y);
+        self.ledger.enter(&self.body.energies(&self.grips, &self.y));
     }
 
     fn finish(mut self, block: &Block, mut result: CompliantRocking) -> CompliantRocking {

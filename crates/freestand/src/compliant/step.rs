@@ -1,6 +1,4 @@
-//! One Runge–Kutta 5(4) step with an interpolating polynomial.
-
-use super::equation::{Body, Grip, Line, State};
+//! One Runge–Kutta 5(4) step with an interpolating polynomial, for any equation of motion.
 
 /// Nodes, weights and the error estimate of Dormand and Prince (1980).
 const NODES: [f64; 6] = [0.2, 0.3, 0.8, 8.0 / 9.0, 1.0, 1.0];
@@ -32,32 +30,40 @@ const RELATIVE: f64 = 1e-3;
 
 /// An accepted step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Step {
-    pub(super) start_s: f64,
-    pub(super) length_s: f64,
-    pub(super) start: State,
-    pub(super) end: State,
+pub(crate) struct Step<const N: usize> {
+    pub(crate) start_s: f64,
+    pub(crate) length_s: f64,
+    pub(crate) start: [f64; N],
+    pub(crate) end: [f64; N],
     /// Rates at the start and at the end.
-    pub(super) start_rates: State,
-    pub(super) end_rates: State,
+    pub(crate) start_rates: [f64; N],
+    pub(crate) end_rates: [f64; N],
     /// Error estimate relative to the scales of the state; above 1 the step was too long.
-    pub(super) error_ratio: f64,
-    last: State,
+    pub(crate) error_ratio: f64,
+    last: [f64; N],
 }
 
-impl Step {
-    /// A step from a state and its rates over `length_s`; an error ratio of 1 is `tolerance` of the
-    /// scales.
-    pub(super) fn take(
-        body: &Body,
-        grips: &[Grip],
-        line: &Line,
+/// What the error of a step is compared with.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Scales<'a, const N: usize> {
+    /// Number of entries of the state in use.
+    pub(crate) len: usize,
+    /// The size of each entry.
+    pub(crate) sizes: &'a [f64; N],
+    /// An error ratio of 1 is this share of the sizes.
+    pub(crate) tolerance: f64,
+}
+
+impl<const N: usize> Step<N> {
+    /// A step over `length_s` from a state and its rates; `rates` gives the rates at a time and a
+    /// state.
+    pub(crate) fn take(
+        rates: impl Fn(f64, &[f64; N]) -> [f64; N],
         start_s: f64,
-        (start, start_rates): (&State, &State),
+        (start, start_rates): (&[f64; N], &[f64; N]),
         length_s: f64,
-        (sizes, tolerance): (&State, f64),
+        Scales { len, sizes, tolerance }: Scales<N>,
     ) -> Self {
-        let len = body.len();
         let mut slopes = [*start_rates; 7];
         let mut y = *start;
         for (stage, row) in STAGES.iter().enumerate() {
@@ -65,11 +71,11 @@ impl Step {
                 let mean: f64 = row[..=stage].iter().zip(&slopes).map(|(weight, slope)| weight * slope[i]).sum();
                 *value = start[i] + length_s * mean;
             }
-            slopes[stage + 1] = body.rates(grips, line, start_s + NODES[stage] * length_s, &y);
+            slopes[stage + 1] = rates(start_s + NODES[stage] * length_s, &y);
         }
         let weighted =
             |weights: &[f64; 7], i: usize| weights.iter().zip(&slopes).map(|(w, slope)| w * slope[i]).sum::<f64>();
-        let mut last = [0.0; super::equation::STRETCH + super::equation::MAX_CONTACTS];
+        let mut last = [0.0; N];
         let mut sum = 0.0;
         for i in 0..len {
             last[i] = length_s * weighted(&DENSE, i);
@@ -89,7 +95,7 @@ impl Step {
     }
 
     /// The state at a share of the step.
-    pub(super) fn state(&self, share: f64) -> State {
+    pub(crate) fn state(&self, share: f64) -> [f64; N] {
         let rest = 1.0 - share;
         let mut y = self.start;
         for (i, value) in y.iter_mut().enumerate() {

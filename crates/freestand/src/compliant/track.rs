@@ -1,6 +1,6 @@
 //! The quantities that a history reports, collected step by step.
 
-use super::equation::{Body, Grip, Line, OMEGA, STRETCH, State, THETA};
+use super::equation::{Body, Grip, LEN, Line, OMEGA, STRETCH, State, THETA};
 use super::step::Step;
 use super::{CompliantRocking, EdgeSide, PointPeaks, Swing, Touch};
 use crate::block::{Block, Pivot};
@@ -18,7 +18,7 @@ pub(super) struct Seen<'a, 'b> {
     pub(super) body: &'a Body<'b>,
     pub(super) grips: &'a [Grip],
     pub(super) line: &'a Line,
-    pub(super) step: &'a Step,
+    pub(super) step: &'a Step<LEN>,
 }
 
 impl Seen<'_, '_> {
@@ -41,9 +41,9 @@ impl Seen<'_, '_> {
     /// Acceleration of a point of the block in the inertial frame: (horizontal, vertical).
     pub(super) fn acceleration(&self, right: f64, up: f64, share: f64) -> (f64, f64) {
         let (y, rates) = self.at(share);
-        let shaking = self.line.at(self.time_s(share));
+        let [right_m_s2, up_m_s2] = self.line.at(self.time_s(share));
         let (horizontal, vertical) = self.body.acceleration_of(right, up, &y, &rates);
-        (horizontal + shaking.horizontal, vertical + shaking.vertical)
+        (horizontal + right_m_s2, vertical + up_m_s2)
     }
 
     /// Raises `best` to the largest value over the step, if that may be larger.

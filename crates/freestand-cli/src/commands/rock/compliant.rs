@@ -8,7 +8,7 @@ use freestand_study::compliant::{
     CompliantRequest, Release, accuracy, history_csv, rock_on_cushions, start, trace_figure, with_tangential_stiffness,
 };
 
-use super::{Reading, RockArgs};
+use super::{Reading, RockArgs, spatial, stack};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
@@ -26,10 +26,10 @@ pub(crate) struct CompliantArgs {
     /// Tangential stiffness of the cushion under one edge [default: equal to the normal stiffness,
     /// an assumption]
     #[arg(long, positive = Dimension::Stiffness, conflicts_with = "tangential_ratio")]
-    tangential_stiffness: Option<Given>,
+    pub(super) tangential_stiffness: Option<Given>,
     /// Tangential stiffness divided by the normal stiffness under half of the weight
     #[arg(long, positive = Dimension::Ratio)]
-    tangential_ratio: Option<Given>,
+    pub(super) tangential_ratio: Option<Given>,
     /// The edges never slip while loaded (the default without --friction)
     #[arg(long, conflicts_with = "friction")]
     no_slip: bool,
@@ -61,6 +61,15 @@ impl CompliantArgs {
 }
 
 pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    match (args.spatial.given.first(), args.stack.given.first()) {
+        (Some(space), Some(upper)) => {
+            let hint = "leave one of them out: a stack moves in the plane of the thickness";
+            return Err(Failure::usage(format!("--{space} does not apply to a stack (--{upper})"), hint));
+        }
+        (Some(_), None) => return spatial::run(args, global, printer),
+        (None, Some(_)) => return stack::run(args, global, printer),
+        (None, None) => {}
+    }
     if args.motion.len() > 1 || args.plot.is_given() {
         let hint = "name one motion; with --out, the figure of the landings is drawn";
         return Err(Failure::usage("several motions and --plot apply only to a rigid base", hint));
@@ -75,10 +84,21 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     reading.finish(args.history.as_deref(), history, (report.facts, report.warnings), files, printer)
 }
 
+/// Refuses a flag of the rigid base.
+pub(super) fn of_rigid_base(flag: &str) -> Failure {
+    let hint = "leave it out: on cushions, the equations of motion determine the energy lost in a landing";
+    Failure::usage(format!("{flag} applies only to a rigid base"), hint)
+}
+
+/// Refuses a compliant base without its numbers.
+pub(super) fn without_cushion() -> Failure {
+    let hint = "give --mass and the --stiffness of the whole cushion under one edge, or --base rigid";
+    Failure::usage("a compliant base needs a mass and a stiffness", hint)
+}
+
 fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     if let Some(flag) = args.rocking.of_rigid_base() {
-        let hint = "leave it out: on cushions, the equations of motion determine the energy lost in a landing";
-        return Err(Failure::usage(format!("{flag} applies only to a rigid base"), hint));
+        return Err(of_rigid_base(flag));
     }
     let (flags, mut values) = (&args.compliant, Values::default());
     let height = values.read(&args.height);
@@ -99,8 +119,7 @@ fn request(args: &RockArgs) -> Result<(CompliantRequest, Reading), Failure> {
     let start = block.and_then(|block| values.take(start(&block, release, omega.unwrap_or(0.0))));
     values.finish()?;
     let (Some((block, start)), Some((mass_kg, edge))) = (block.zip(start), mass.zip(edge)) else {
-        let hint = "give --mass and the --stiffness of the whole cushion under one edge, or --base rigid";
-        return Err(Failure::usage("a compliant base needs a mass and a stiffness", hint));
+        return Err(without_cushion());
     };
     if args.motion.is_empty() && args.vertical.is_none() {
         args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;

@@ -2,6 +2,8 @@
 
 mod compliant;
 mod sliding;
+mod spatial;
+mod stack;
 
 use std::path::{Path, PathBuf};
 
@@ -14,9 +16,12 @@ use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_output::folder::write_file;
 use freestand_study::figures::rock_figure;
+use freestand_study::recorded::ReadMotion;
 use freestand_study::rock::{RockRequest, history_csv, rock};
 
 use self::compliant::CompliantArgs;
+use self::spatial::SpatialArgs;
+use self::stack::StackArgs;
 use super::Done;
 use super::block::{RockingArgs, ShapeArgs};
 use super::motion::plot::{PlotArgs, Target, place};
@@ -55,7 +60,16 @@ Examples:
       --thickness 0.6m --plot trolley.svg
   A cabinet released on its pads, with the history of the landing:
     freestand rock --base compliant --cg-rise \"16 mm\" --height \"2.3 m\" --thickness \"600 mm\" \\
-      --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing")]
+      --mass \"140 kg\" --stiffness \"4380 N/mm\" --law kelvin-voigt --damping 5% --out landing
+  A cabinet in three dimensions under two components of a record, with its walk from above:
+    freestand rock --base compliant --motion record.csv --components \"1, 2\" --height \"2.1 m\" \
+      --thickness \"500 mm\" --width \"700 mm\" --mass \"200 kg\" --stiffness \"4000 N/mm\" \
+      --law kelvin-voigt --damping 5% --friction 0.5 --plot walk.svg
+  A vase on a pedestal:
+    freestand rock --base compliant --motion record.AT2 --height \"1 m\" --thickness \"400 mm\" \
+      --mass \"150 kg\" --stiffness \"4000 N/mm\" --law kelvin-voigt --damping 5% \
+      --upper-height \"600 mm\" --upper-thickness \"150 mm\" --upper-mass \"12 kg\" \
+      --interface-stiffness \"300 N/mm\"")]
 pub(crate) struct RockArgs {
     /// Records of the horizontal acceleration of the floor, each for a result of its own [default:
     /// none, free rocking]
@@ -95,6 +109,10 @@ pub(crate) struct RockArgs {
     compliant: Named<CompliantArgs>,
     #[command(flatten)]
     sliding: Named<SlidingArgs>,
+    #[command(flatten)]
+    spatial: Named<SpatialArgs>,
+    #[command(flatten)]
+    stack: Named<StackArgs>,
 
     #[command(flatten)]
     rocking: RockingArgs,
@@ -135,7 +153,8 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         let hint = "leave it out, and give the room beside it as --clearance-left and --clearance-right";
         return Err(Failure::usage(format!("--{flag} applies only to an object that rocks"), hint));
     }
-    if let Some(flag) = args.compliant.given.iter().find(|flag| *flag != "base") {
+    let compliant = args.compliant.given.iter().filter(|flag| *flag != "base");
+    if let Some(flag) = compliant.chain(&args.spatial.given).chain(&args.stack.given).next() {
         return Err(Failure::usage(format!("--{flag} applies only to a compliant base"), "add --base compliant"));
     }
     if args.sliding.is_given()
@@ -224,12 +243,18 @@ struct Reading {
 
 impl Reading {
     fn of(args: &RockArgs) -> Result<Self, Failure> {
-        let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
-        let mut reading = Self { inputs, ..Self::default() };
+        let mut reading = Self::without_horizontal(args)?;
         for path in &args.motion {
             let named = reading.read(&args.read, path)?;
             reading.horizontal.push(named);
         }
+        Ok(reading)
+    }
+
+    /// The inputs and the vertical motion alone.
+    fn without_horizontal(args: &RockArgs) -> Result<Self, Failure> {
+        let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
+        let mut reading = Self { inputs, ..Self::default() };
         let vertically = args.vertically.reading(&args.read)?;
         reading.vertical =
             args.vertical.as_ref().map(|path| reading.read(&vertically, path)).transpose()?.map(|named| named.1);
@@ -238,10 +263,15 @@ impl Reading {
 
     fn read(&mut self, args: &ReadArgs, path: &Path) -> Result<(String, Motion), Failure> {
         let read = args.read_one(path)?;
+        self.enter(&read);
+        Ok((read.motion.name.clone(), read.motion.motion))
+    }
+
+    /// Adds the notes and the processing of a motion.
+    fn enter(&mut self, read: &ReadMotion) {
         let named = |text: &String| format!("{}: {text}", read.motion.name);
         self.warnings.extend(read.notes.iter().map(named));
         self.processing.extend(read.motion.processing.iter().map(named));
-        Ok((read.motion.name.clone(), read.motion.motion))
     }
 
     /// Writes the history, prints the result and ends the command.

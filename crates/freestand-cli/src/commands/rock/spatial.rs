@@ -1,0 +1,181 @@
+//! `freestand rock --base compliant --width`: an object in three dimensions.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand::G0_M_S2;
+use freestand::compliant::CompliantBase;
+use freestand::motion::Motion;
+use freestand::spatial::{SpatialObject, SpatialOptions, Support};
+use freestand_input::quantity::Dimension;
+use freestand_study::compliant::{accuracy, with_tangential_stiffness};
+use freestand_study::cushion::EdgeCushion;
+use freestand_study::recorded::{Second, read_all};
+use freestand_study::spatial::{
+    SHAPES, ShapeName, SpatialRequest, release, rock_in_space, shape, spatial_csv, spatial_figure,
+};
+
+use super::{Reading, RockArgs};
+use crate::args::GlobalArgs;
+use crate::commands::Done;
+use crate::commands::motion::plot::place;
+use crate::failure::Failure;
+use crate::files::Files;
+use crate::printer::Printer;
+use crate::reading::components;
+use crate::values::{Given, Reads, Values, choice};
+
+/// Flags of an object in three dimensions.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Three dimensions, on a compliant base")]
+pub(crate) struct SpatialArgs {
+    /// Horizontal size of the object across the thickness; with it the object moves in three
+    /// dimensions, and --motion acts along the thickness
+    #[arg(long, positive = Dimension::Length)]
+    width: Option<Given>,
+    /// Shape of the object [default: prism]
+    #[arg(long, value_parser = choice(SHAPES))]
+    shape: Option<ShapeName>,
+    /// Record of the horizontal acceleration along the width, with the step and length of --motion
+    #[arg(long, value_name = "FILE")]
+    motion_y: Option<PathBuf>,
+    /// Two horizontal components of the file of --motion, along the thickness and along the width:
+    /// "both", or two by name or number, such as "1, 2"
+    #[arg(long, value_name = "both|NAME, NAME", conflicts_with_all = ["component", "motion_y"], read = components)]
+    components: Option<Given<Second>>,
+    /// How far the object is turned from the direction of --motion, anticlockwise from above
+    /// [default: 0 deg]
+    #[arg(long, any = Dimension::Angle)]
+    orientation: Option<Given>,
+}
+
+/// What objects in space and stacks have in common.
+pub(super) struct Common {
+    pub(super) height_m: f64,
+    pub(super) thickness_m: f64,
+    pub(super) mass_kg: f64,
+    pub(super) edge: EdgeCushion,
+    pub(super) support: Support,
+    pub(super) options: SpatialOptions,
+}
+
+impl Common {
+    /// The object and its support; problems are added to `values`. `kind` names what is calculated.
+    pub(super) fn read(args: &RockArgs, kind: &str, mut values: Values) -> Result<Self, Failure> {
+        let flags = &args.compliant;
+        let planar = flags.given.iter().map(String::as_str).find(|flag| ["cg-rise", "contacts", "at"].contains(flag));
+        let planar = planar.map(|flag| format!("--{flag}"));
+        if let Some(flag) = planar.or(args.shape.given().map(str::to_owned)) {
+            let hint = "leave it out: the object is uniform, on the edges of its base";
+            return Err(Failure::usage(format!("{flag} does not apply to {kind}"), hint));
+        }
+        if let Some(flag) = args.rocking.of_rigid_base() {
+            return Err(super::compliant::of_rigid_base(flag));
+        }
+        if args.motion.len() > 1 {
+            let hint = "name one; several make shares and fractiles, one history each";
+            return Err(Failure::usage(format!("several motions do not apply to {kind}"), hint));
+        }
+        let height = values.read(&args.height);
+        let thickness = values.read(&args.thickness);
+        let mass = values.read(&args.mass);
+        let edge = args.cushion.edge(mass, &mut values)?;
+        let friction_ratio = values.read(&args.friction);
+        let tangential = values.read(&flags.tangential_stiffness);
+        let ratio = values.read(&flags.tangential_ratio);
+        let rotation = values.read(&args.initial_rotation);
+        let omega = values.read(&args.initial_velocity);
+        let gravity_m_s2 = values.read(&args.gravity).unwrap_or(G0_M_S2);
+        let duration_s = values.read(&args.duration);
+        values.finish()?;
+        let (Some((height_m, thickness_m)), Some((mass_kg, edge))) = (height.zip(thickness), mass.zip(edge)) else {
+            return Err(super::compliant::without_cushion());
+        };
+        let start = release(rotation.unwrap_or(0.0), omega.unwrap_or(0.0));
+        if args.motion.is_empty() && args.vertical.is_none() && duration_s.is_none() {
+            let hint = "give --motion FILE, or --initial-rotation with --duration";
+            return Err(Failure::usage("nothing moves the object", hint));
+        }
+        let mut base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion.clone()) };
+        base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
+        if let Some(stiffness_n_m) = tangential {
+            base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
+        }
+        let CompliantBase { cushion, tangential_stiffness_ratio, friction_ratio, .. } = base;
+        Ok(Self {
+            height_m,
+            thickness_m,
+            mass_kg,
+            edge,
+            support: Support { cushion, tangential_stiffness_ratio, friction_ratio },
+            options: SpatialOptions { gravity_m_s2, accuracy: accuracy(args.rocking.accuracy), start, duration_s },
+        })
+    }
+}
+
+/// Calculates and prints an object in space.
+pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let target = args.plot.target(global)?;
+    let mut values = Values::default();
+    let width = values.read(&args.spatial.width);
+    let orientation = values.read(&args.spatial.orientation);
+    let second = values.read(&args.spatial.components);
+    let common = Common::read(args, "an object in three dimensions", values)?;
+    let named = args.spatial.shape.unwrap_or_default();
+    let mut values = Values::default();
+    let shape = values.take(shape(named, common.height_m, common.thickness_m, width));
+    let shape = values.finish_with(shape)?;
+    let (name, motions, mut reading) = motions(args, second)?;
+    let request = SpatialRequest {
+        object: SpatialObject { shape, mass_kg: common.mass_kg, support: common.support, walls: Vec::new() },
+        edge: common.edge,
+        motions,
+        vertical: reading.vertical.take(),
+        orientation_rad: orientation.unwrap_or(0.0),
+        options: common.options,
+    };
+    let files = Files::begin(global, &reading.inputs)?;
+    let report = rock_in_space(&request, args.history.is_some() || files.wanted() || target.is_some())?;
+    let figure = || spatial_figure(&name, &report);
+    let mut facts = report.facts.clone();
+    if let Some(target) = &target {
+        let figures = figure()?.into_iter().map(|figure| ("spatial".to_owned(), figure)).collect();
+        facts = facts.key("plots", place(target, figures, &files, &reading.inputs)?);
+    }
+    let history = || spatial_csv(&report.history);
+    reading.finish(args.history.as_deref(), history, (facts, report.warnings.clone()), files, printer)
+}
+
+/// The name of the motion, both horizontal components, and the rest of what was read.
+fn motions(args: &RockArgs, second: Option<Second>) -> Result<(String, [Option<Motion>; 2], Reading), Failure> {
+    if args.motion.is_empty() && (second.is_some() || args.spatial.motion_y.is_some()) {
+        let hint = "name the motion along the thickness with --motion";
+        return Err(Failure::usage("the motion along the width has no motion along the thickness", hint));
+    }
+    if args.motion.is_empty() && args.vertical.is_none() {
+        args.read.refuse_without_record(|_| "name the record with --motion".to_owned())?;
+    }
+    let name = |reading: &Reading| reading.horizontal.first().map_or("no motion".to_owned(), |named| named.0.clone());
+    let Some(second) = second else {
+        let mut reading = Reading::of(args)?;
+        let name = name(&reading);
+        let x = reading.horizontal.pop().map(|named| named.1);
+        let y = args.spatial.motion_y.as_ref().map(|path| reading.read(&args.read, path)).transpose()?;
+        reading.inputs.extend(args.spatial.motion_y.clone());
+        return Ok((name, [x, y.map(|named| named.1)], reading));
+    };
+    let mut reading = Reading::without_horizontal(args)?;
+    let mut values = Values::default();
+    let mut files = args.read.files(&args.motion, &mut values);
+    values.finish()?;
+    files.second = second;
+    let mut across = None;
+    for read in read_all(&files)? {
+        across = read.motion.across.as_ref().map(|across| across.motion.clone());
+        reading.enter(&read);
+        reading.horizontal.push((read.motion.name, read.motion.motion));
+    }
+    let name = name(&reading);
+    let x = reading.horizontal.pop().map(|named| named.1);
+    Ok((name, [x, across], reading))
+}

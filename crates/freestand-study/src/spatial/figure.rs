@@ -1,0 +1,163 @@
+//! Figures of an object in space: its tilt against time and its base from above; and the rotations
+//! of a stack.
+
+use kuva::plot::scatter::MarkerShape;
+
+use freestand::spatial::Shape;
+
+use super::{SpatialPoint, SpatialReport, StackPoint, StackReport, feet};
+use freestand_input::words::number;
+use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::page::{Page, Panel, draw, panel_width_px};
+use freestand_output::figure::style::{Axis, DARK, LABELS_PX, curve_style, line, markers, plain, round_step};
+use freestand_output::figure::time::{stacked, symmetric, thin, time_axis};
+use freestand_output::figure::{Figure, FigureError};
+
+/// Heights of the two panels in space: tilt, plan \[px\].
+const PANELS_PX: [f64; 2] = [230.0, 400.0];
+/// Heights of the two panels of a stack \[px\].
+const STACK_PX: [f64; 2] = [200.0, 230.0];
+/// Room that the labels take beside and around a stacked panel \[px\].
+const BESIDE_PX: f64 = 76.0 + 18.0;
+const AROUND_PX: f64 = 8.0 + LABELS_PX;
+
+fn entry(sign: Sign, words: &str) -> Entry {
+    Entry { sign, words: words.into() }
+}
+
+fn curve(index: usize, words: &str) -> Entry {
+    entry(Sign::Line { colour: curve_style(index).colour, width_px: 1.5, dash: None }, words)
+}
+
+/// Tilt against time, and the base from above: its outline at rest and at the end, and the path of
+/// its centre. `None` if nothing moved.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Figure>, FigureError> {
+    let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else { return Ok(None) };
+    let (from, to) = (first.time_s, last.time_s);
+    if to <= from {
+        return Ok(None);
+    }
+    let degrees = |of: &dyn Fn(&SpatialPoint) -> f64| {
+        thin(report.history.iter().map(|point| (point.time_s, of(point).to_degrees())), from, to)
+    };
+    let tilts = [degrees(&|p| p.tilts_rad[2]), degrees(&|p| p.tilts_rad[0]), degrees(&|p| p.tilts_rad[1])];
+    let largest = tilts.iter().flatten().fold(0.0f64, |most, point| most.max(point.1.abs()));
+    let [x, y, height] = report.shape.sizes_m();
+    let size = match report.shape {
+        Shape::Cylinder { .. } => format!("Cylinder, {} mm × {} m", number(1e3 * x, 4), number(height, 4)),
+        _ => format!("{} mm × {} mm × {} m", number(1e3 * x, 4), number(1e3 * y, 4), number(height, 4)),
+    };
+    let tilt = Panel {
+        plots: tilts
+            .iter()
+            .enumerate()
+            .map(|(index, points)| line(points, curve_style(index).colour, if index == 0 { 1.8 } else { 1.0 }, None))
+            .collect(),
+        layout: stacked(time_axis(from, to), symmetric(largest, "Tilt (deg)"), true),
+    };
+    let page = Page {
+        name: "spatial".to_owned(),
+        title: plain(&format!("{size}, {motion}")),
+        caption: format!(
+            "An object of {size} under the motion “{motion}”: one realisation. Top: angle of its axis to the \
+             vertical, and its parts to the right (along the thickness) and to the back (along the width). Bottom: the \
+             base from above, relative to the floor, at rest and at the end, and the path of its centre."
+        ),
+        panels: vec![tilt, plan(report)],
+        columns: 1,
+        row_heights_px: PANELS_PX.to_vec(),
+        legend: vec![
+            curve(0, "tilt"),
+            curve(1, "to the right"),
+            curve(2, "to the back"),
+            entry(Sign::Line { colour: DARK, width_px: 1.0, dash: Some("5 3") }, "base at rest"),
+            entry(Sign::Line { colour: DARK, width_px: 1.4, dash: None }, "base at the end"),
+            curve(3, "path of its centre"),
+        ],
+    };
+    draw(page).map(Some)
+}
+
+/// The base from above, with equal scales.
+fn plan(report: &SpatialReport) -> Panel {
+    let closed = |points: &[[f64; 2]]| -> Vec<(f64, f64)> {
+        points.iter().chain(points.first()).map(|&[x, y]| (1e3 * x, 1e3 * y)).collect()
+    };
+    let (before, after) = (closed(&feet(&report.shape)), closed(&report.outline_m));
+    let path: Vec<(f64, f64)> = report.history.iter().map(|p| (1e3 * p.base_m[0], 1e3 * p.base_m[1])).collect();
+    let all = || before.iter().chain(&after).chain(&path);
+    let bounds = |of: fn(&(f64, f64)) -> f64| {
+        let values = || all().map(of);
+        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+    };
+    let ((left, right), (front, back)) = (bounds(|p| p.0), bounds(|p| p.1));
+    // The same scale along both axes.
+    let wide_px = panel_width_px(1) - BESIDE_PX;
+    let high_px = PANELS_PX[1] - AROUND_PX;
+    let scale = (1.1 * (right - left) / wide_px).max(1.1 * (back - front) / high_px);
+    let step = Some(round_step(0.2 * scale * high_px));
+    let axis = |low: f64, high: f64, pixels: f64, label: &str| {
+        let (middle, half) = (0.5 * (low + high), 0.5 * scale * pixels);
+        Axis { from: middle - half, to: middle + half, step, label: label.into() }
+    };
+    let x = axis(left, right, wide_px, "To the right (mm)");
+    let y = axis(front, back, high_px, "To the back (mm)");
+    let end = path.last().copied().unwrap_or_default();
+    Panel {
+        plots: vec![
+            line(&before, DARK, 1.0, Some("5 3")),
+            line(&after, DARK, 1.4, None),
+            line(&path, curve_style(3).colour, 1.2, None),
+            markers(&[end], curve_style(3).colour, MarkerShape::Circle, 3.0),
+        ],
+        layout: stacked(x, y, true),
+    }
+}
+
+/// Both rotations of a stack against time, and their difference. `None` if nothing moved.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>, FigureError> {
+    let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else { return Ok(None) };
+    let (from, to) = (first[0], last[0]);
+    if to <= from {
+        return Ok(None);
+    }
+    let degrees = |of: &dyn Fn(&StackPoint) -> f64| {
+        thin(report.history.iter().map(|point| (point[0], of(point).to_degrees())), from, to)
+    };
+    let both = [degrees(&|p| p[1]), degrees(&|p| p[2])];
+    let apart = degrees(&|p| p[2] - p[1]);
+    let most = |points: &[(f64, f64)]| points.iter().fold(0.0f64, |most, point| most.max(point.1.abs()));
+    let (lower, upper) = (&report.stack.lower, &report.stack.upper);
+    let size = |body: &freestand::spatial::StackBody| {
+        format!("{} mm × {} m", number(1e3 * body.thickness_m, 4), number(body.height_m, 4))
+    };
+    let top = Panel {
+        plots: both.iter().enumerate().map(|(i, points)| line(points, curve_style(i).colour, 1.5, None)).collect(),
+        layout: stacked(time_axis(from, to), symmetric(most(&both[0]).max(most(&both[1])), "Rotation (deg)"), false),
+    };
+    let below = Panel {
+        plots: vec![line(&apart, curve_style(2).colour, 1.5, None)],
+        layout: stacked(time_axis(from, to), symmetric(most(&apart), "Upper − lower (deg)"), true),
+    };
+    let page = Page {
+        name: "stack".to_owned(),
+        title: plain(&format!("{} on {}, {motion}", size(upper), size(lower))),
+        caption: format!(
+            "A body of {} on one of {} under the motion “{motion}”. Top: rotations of both, positive to the right. \
+             Bottom: their difference, the rotation of the upper body on the lower one.",
+            size(upper),
+            size(lower)
+        ),
+        panels: vec![top, below],
+        columns: 1,
+        row_heights_px: STACK_PX.to_vec(),
+        legend: vec![curve(0, "lower body"), curve(1, "upper body"), curve(2, "upper relative to lower")],
+    };
+    draw(page).map(Some)
+}

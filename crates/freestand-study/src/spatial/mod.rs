@@ -1,0 +1,468 @@
+//! One history of an object in three dimensions, or of a stack of two: request → report.
+
+mod figure;
+
+use freestand::compliant::CompliantEffort;
+use freestand::cushion::{ContactLaw, Cushion};
+use freestand::impact::stiffness_warnings;
+use freestand::motion::{MAX_SAMPLES, Motion};
+use freestand::rocking::Base;
+use freestand::signal::rotate::Pair;
+use freestand::spatial::{
+    BodyMotion, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions, SpatialPiece, SpatialStart, Stack,
+    StackRocking, Support, rock_spatial_observed, rock_stack_observed,
+};
+use freestand_input::problem::Problem;
+use freestand_input::words::{Choices, significant};
+use freestand_output::facts;
+use freestand_output::facts::Facts;
+use freestand_output::rows::numbers_csv;
+use freestand_records::horizontal::HorizontalMotion;
+
+pub use figure::{spatial_figure, stack_figure};
+
+use crate::compliant::{damped, energy_warning, problem, ringing_warning};
+use crate::cushion::EdgeCushion;
+
+/// Sampling of a history without a motion \[s\].
+const FREE_HISTORY_DT_S: f64 = 0.005;
+
+/// What a single history in space is worth.
+const ONE_REALISATION: &str =
+    "one realisation: trust shares and fractiles over many motions and directions, not a single history";
+
+/// The shapes of objects in space.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ShapeName {
+    /// A prism on its four corners.
+    #[default]
+    Prism,
+    /// An upright cylinder on its rim; the thickness is its diameter.
+    Cylinder,
+}
+
+/// The shapes by name.
+pub const SHAPES: Choices<ShapeName> = &[
+    (ShapeName::Prism, "prism", "A box on its four corners; needs --width"),
+    (ShapeName::Cylinder, "cylinder", "An upright cylinder on its rim; the thickness is its diameter"),
+];
+
+/// The shape of an object with these sizes \[m\].
+///
+/// # Errors
+/// A prism without a width, or a cylinder with one that is not its diameter.
+pub fn shape(name: ShapeName, height_m: f64, thickness_m: f64, width_m: Option<f64>) -> Result<Shape, Problem> {
+    match (name, width_m) {
+        (ShapeName::Prism, Some(width_m)) => Ok(Shape::Prism { thickness_m, width_m, height_m }),
+        (ShapeName::Prism, None) => {
+            let hint = "give `width`, the horizontal size across the thickness, or `shape = \"cylinder\"`";
+            Err(Problem::value("an object in three dimensions needs a width", hint))
+        }
+        (ShapeName::Cylinder, Some(width_m)) if width_m != thickness_m => {
+            let message = format!("`width`: a cylinder has one diameter, but {width_m} m differs from the thickness");
+            Err(Problem::value(message, "leave the width out: the thickness is the diameter"))
+        }
+        (ShapeName::Cylinder, _) => Ok(Shape::Cylinder { diameter_m: thickness_m, height_m }),
+    }
+}
+
+/// An object in space, under a motion or released.
+#[derive(Debug, Clone)]
+pub struct SpatialRequest {
+    /// The object and what it rests on.
+    pub object: SpatialObject,
+    /// How the cushion was read.
+    pub edge: EdgeCushion,
+    /// Horizontal motions of the floor: the first, and the one to its left (at 90° anticlockwise,
+    /// seen from above).
+    pub motions: [Option<Motion>; 2],
+    /// Vertical motion of the floor.
+    pub vertical: Option<Motion>,
+    /// How far the object is turned from the first motion, anticlockwise seen from above \[rad\].
+    pub orientation_rad: f64,
+    /// Options of the solver.
+    pub options: SpatialOptions,
+}
+
+/// A sample of a history in space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpatialPoint {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// Angles of the axis to the vertical: to the right, to the back, and in all \[rad\].
+    pub tilts_rad: [f64; 3],
+    /// Yaw \[rad\].
+    pub yaw_rad: f64,
+    /// Displacement of the centre of the base \[m\].
+    pub base_m: [f64; 3],
+}
+
+/// What an object in space did.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpatialReport {
+    /// The document of `freestand rock` in three dimensions.
+    pub facts: Facts<'static>,
+    /// Warnings about the validity of the result.
+    pub warnings: Vec<String>,
+    /// The shape.
+    pub shape: Shape,
+    /// The sampled history; empty if it was not recorded.
+    pub history: Vec<SpatialPoint>,
+    /// The outline of the base at the end, from above \[m\]; empty if it was not recorded.
+    pub outline_m: Vec<[f64; 2]>,
+}
+
+/// A stack under a motion.
+#[derive(Debug, Clone)]
+pub struct StackRequest {
+    /// The bodies and what they rest on.
+    pub stack: Stack,
+    /// How the cushion under the lower body was read.
+    pub edge: EdgeCushion,
+    /// Horizontal motion of the floor.
+    pub horizontal: Option<Motion>,
+    /// Vertical motion of the floor.
+    pub vertical: Option<Motion>,
+    /// Options of the solver.
+    pub options: SpatialOptions,
+}
+
+/// A sample of the history of a stack: time \[s\], rotations of the lower and of the upper body
+/// \[rad\].
+pub type StackPoint = [f64; 3];
+
+/// What a stack did.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StackReport {
+    /// The document of `freestand rock` for a stack.
+    pub facts: Facts<'static>,
+    /// Warnings about the validity of the result.
+    pub warnings: Vec<String>,
+    /// The stack.
+    pub stack: Stack,
+    /// The sampled history; empty if it was not recorded.
+    pub history: Vec<StackPoint>,
+}
+
+/// The cushion between the bodies of a stack: that under the lower one, or the same law with this
+/// stiffness of one edge and the same damping ratio.
+///
+/// # Errors
+/// A stiffness for a law that has none.
+pub fn interface(
+    cushion: &Cushion,
+    stiffness_n_m: Option<f64>,
+    lower_kg: f64,
+    upper_kg: f64,
+) -> Result<Cushion, Problem> {
+    let Some(interface_n_m) = stiffness_n_m else { return Ok(cushion.clone()) };
+    match *cushion.law() {
+        ContactLaw::Linear { .. } => damped(upper_kg, interface_n_m, 0.0),
+        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+            let ratio = damping_n_s_m / (2.0 * (stiffness_n_m * lower_kg).sqrt());
+            damped(upper_kg, interface_n_m, ratio)
+        }
+        ref law => Err(Problem::value(
+            format!("`interface_stiffness` does not describe a cushion of the law {}", law.name()),
+            "leave it out: the bodies then have the same cushion between them as below; or use a linear law",
+        )),
+    }
+}
+
+/// Samples at a fixed step from the pieces of a history.
+struct Sampler {
+    dt_s: f64,
+    sampled: usize,
+}
+
+impl Sampler {
+    /// For a history until `end_s`; refuses one that is too long.
+    fn new(motion: Option<&Motion>, options: &SpatialOptions, is_wanted: bool) -> Result<Self, Problem> {
+        let dt_s = motion.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
+        let end_s = options.duration_s.or(motion.map(Motion::duration_s)).unwrap_or(0.0);
+        if is_wanted && end_s / dt_s > MAX_SAMPLES as f64 {
+            let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
+            return Err(Problem::value(message, "give a shorter `duration`, or leave `history` and `out` out"));
+        }
+        Ok(Self { dt_s, sampled: 0 })
+    }
+
+    /// Passes the samples of a piece, each with its time and its share of the piece.
+    fn each(&mut self, piece: &SpatialPiece<'_, '_>, mut take: impl FnMut(f64, f64)) {
+        let end_s = piece.start_s() + piece.length_s();
+        while self.sampled as f64 * self.dt_s <= end_s {
+            let time_s = self.sampled as f64 * self.dt_s;
+            // Before its first piece a body at rest is in its initial state.
+            take(time_s, ((time_s - piece.start_s()) / piece.length_s()).clamp(0.0, 1.0));
+            self.sampled += 1;
+        }
+    }
+}
+
+/// The motions along the thickness and along the width of an object that is turned.
+fn turned(request: &SpatialRequest) -> Result<[Option<Motion>; 2], Problem> {
+    let [first, second] = &request.motions;
+    let Some(given) = first.as_ref().or(second.as_ref()) else { return Ok([None, None]) };
+    let too_large = |error: freestand::motion::MotionError| Problem::value(error.to_string(), "scale the motion down");
+    let zero = Motion::new(given.dt_s(), vec![0.0; given.accel_m_s2().len()]).map_err(too_large)?;
+    let (along, across) = (first.clone().unwrap_or_else(|| zero.clone()), second.clone().unwrap_or(zero));
+    Pair::new(&along, &across).map_err(|error| {
+        let hint = "resample one of them to the step and length of the other first, with motion convert";
+        Problem::value(error.to_string(), hint)
+    })?;
+    let both = HorizontalMotion { along, across: Some(across) };
+    let degrees = request.orientation_rad.to_degrees();
+    let part = |angle: f64| both.in_direction(angle).map(|motion| Some(motion.into_owned())).map_err(too_large);
+    if degrees == 0.0 {
+        return Ok([part(0.0)?, part(90.0)?]);
+    }
+    Ok([part(degrees)?, part(degrees + 90.0)?])
+}
+
+/// Calculates the motion of an object in space; the history is sampled only if `record` is true.
+///
+/// # Errors
+/// The errors of the solver, each with a hint; motions that differ in step or length; a history that
+/// is too long to sample.
+pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialReport, Problem> {
+    let [x, y] = turned(request)?;
+    let motion = SpatialMotion { x: x.as_ref(), y: y.as_ref(), vertical: request.vertical.as_ref() };
+    let given = motion.x.or(motion.vertical);
+    let mut sampler = Sampler::new(given, &request.options, record)?;
+    let feet = feet(&request.object.shape);
+    let (mut history, mut outline_m) = (Vec::new(), Vec::new());
+    let rocking = rock_spatial_observed(&request.object, motion, &request.options, |piece| {
+        if !record {
+            return;
+        }
+        sampler.each(piece, |time_s, share| {
+            if let Some(pose) = piece.pose(0, share) {
+                let [x, y] = pose.tilts_rad;
+                let tilts_rad = [x, y, pose.tilt_rad];
+                history.push(SpatialPoint { time_s, tilts_rad, yaw_rad: pose.yaw_rad, base_m: pose.base_m });
+            }
+        });
+        let above = |&[x, y]: &[f64; 2]| piece.place_m(0, [x, y, 0.0], 1.0).map(|[x, y, _]| [x, y]);
+        outline_m = feet.iter().filter_map(above).collect();
+    })
+    .map_err(problem)?;
+    let (object, options) = (&request.object, &request.options);
+    let [size_x, size_y, height_m] = object.shape.sizes_m();
+    let thresholds = object.shape.uplift_thresholds();
+    let name = match object.shape {
+        Shape::Cylinder { .. } => "cylinder",
+        _ => "prism",
+    };
+    let body = rocking.body;
+    let facts = Facts::default()
+        .key("base", "compliant")
+        .key("model", "compliant-3d")
+        .fact("shape", "shape", name)
+        .fact("outcome", "outcome", body.outcome.name())
+        .fact("end_time_s", "end", rocking.end_time_s)
+        .and(tilt_facts(&body))
+        .fact("impact_count", "contacts with the floor", rocking.base_contact_count)
+        .fact("threshold_x_g", "uplift threshold, thickness", thresholds[0])
+        .fact("threshold_y_g", "uplift threshold, width", thresholds[1])
+        .fact("static_compression_m", "compression at rest", rocking.static_compression_m)
+        .fact("energy_error_ratio", "error of the energy balance", rocking.energy.residual_ratio)
+        .and(facts!(rocking.energy; cushion_dissipation_j, friction_j, lost_at_separation_j, base_work_j, turnover_j))
+        .key("height_m", height_m)
+        .key("thickness_m", size_x)
+        .key("width_m", size_y)
+        .key("orientation_rad", request.orientation_rad)
+        .and(support_facts(object.mass_kg, &object.support, options, rocking.effort))
+        .fact("notes", "note", notes(&request.edge));
+    let is_shaken = given.is_some();
+    let warnings = warnings(object.mass_kg, &request.edge, is_shaken, rocking.energy.residual_ratio);
+    Ok(SpatialReport { facts, warnings, shape: object.shape, history, outline_m })
+}
+
+/// What one body did, as of the document in three dimensions.
+fn tilt_facts(body: &BodyMotion) -> Facts<'static> {
+    facts!(body; peak_tilt_rad "largest tilt", peak_tilt_time_s "  at", peak_tilt_x_rad "  to the right",
+        peak_tilt_y_rad "  to the back", uplift_m "uplift of a point of the base",
+        first_uplift_time_s "first uplift", overturn_time_s "overturns", final_tilt_x_rad "tilt at the end, to the right",
+        final_tilt_y_rad "tilt at the end, to the back", yaw_rad "yaw at the end",
+        base_slide_peak_m "largest displacement of the base", base_slide_final_m "displacement of the base at the end")
+}
+
+fn support_facts(mass_kg: f64, support: &Support, options: &SpatialOptions, effort: CompliantEffort) -> Facts<'static> {
+    Facts::default()
+        .key("mass_kg", mass_kg)
+        .key("law", support.cushion.law().name())
+        .and(facts!(support; tangential_stiffness_ratio, friction_ratio))
+        .key("tolerance", options.accuracy.tolerance())
+        .and(facts!(effort; steps, evaluations))
+}
+
+fn notes(edge: &EdgeCushion) -> Vec<String> {
+    std::iter::once(ONE_REALISATION.to_owned()).chain(edge.notes.iter().cloned()).collect()
+}
+
+fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f64) -> Vec<String> {
+    let stiffness = stiffness_warnings(mass_kg, &edge.cushion, edge.pad_thickness_m);
+    let mut warnings: Vec<String> = stiffness.iter().map(ToString::to_string).collect();
+    warnings.extend(ringing_warning(&edge.cushion, is_shaken));
+    warnings.extend(energy_warning(residual_ratio));
+    warnings
+}
+
+/// Calculates the motion of a stack; the history is sampled only if `record` is true.
+///
+/// # Errors
+/// The errors of the solver, each with a hint, and a history that is too long to sample.
+pub fn rock_stacked(request: &StackRequest, record: bool) -> Result<StackReport, Problem> {
+    let motion = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
+    let given = motion.horizontal.or(motion.vertical);
+    let mut sampler = Sampler::new(given, &request.options, record)?;
+    let mut history = Vec::new();
+    let rocking = rock_stack_observed(&request.stack, motion, &request.options, |piece| {
+        if record {
+            sampler.each(piece, |time_s, share| {
+                let rotation = |body| piece.pose(body, share).map_or(0.0, |pose| pose.tilts_rad[0]);
+                history.push([time_s, rotation(0), rotation(1)]);
+            });
+        }
+    })
+    .map_err(problem)?;
+    let facts = stack_facts(request, &rocking);
+    let lower_kg = request.stack.lower.mass_kg;
+    let warnings = warnings(lower_kg, &request.edge, given.is_some(), rocking.energy.residual_ratio);
+    Ok(StackReport { facts, warnings, stack: request.stack.clone(), history })
+}
+
+fn stack_facts(request: &StackRequest, rocking: &StackRocking) -> Facts<'static> {
+    let stack = &request.stack;
+    let body = |body: &BodyMotion| {
+        Facts::default()
+            .key("outcome", body.outcome.name())
+            .key("peak_rotation_rad", body.peak_tilt_rad)
+            .key("peak_rotation_time_s", body.peak_tilt_time_s)
+            .key("final_rotation_rad", body.final_tilt_x_rad)
+            .key("uplift_m", body.uplift_m)
+            .key("first_uplift_time_s", body.first_uplift_time_s)
+            .key("overturn_time_s", body.overturn_time_s)
+    };
+    let upper = body(&rocking.upper).key("peak_relative_rotation_rad", rocking.peak_relative_rotation_rad);
+    let radians = |value: f64| Some(format!("{} rad", significant(value, 4)));
+    let percent = |share: f64| Some(format!("{} % of the time", significant(100.0 * share, 3)));
+    let patterns = &rocking.patterns;
+    Facts::default()
+        .key("base", "compliant")
+        .key("model", "stack")
+        .fact("outcome", "outcome", rocking.outcome.name())
+        .fact("overturned_body", "body that falls", rocking.overturned_body.map(|part| part.name()))
+        .fact("end_time_s", "end", rocking.end_time_s)
+        .key("lower", body(&rocking.lower))
+        .line("largest rotation, lower body", radians(rocking.lower.peak_tilt_rad))
+        .line("largest rotation, upper body", radians(rocking.upper.peak_tilt_rad))
+        .line("  relative to the lower one", radians(rocking.peak_relative_rotation_rad))
+        .key("upper", upper)
+        .fact("threshold_upper_g", "uplift threshold, upper body alone", stack.threshold_upper())
+        .fact("threshold_together_g", "uplift threshold, both together", stack.threshold_together())
+        .key("patterns", facts!(patterns; rest_ratio, same_ratio, opposite_ratio, together_ratio, upper_alone_ratio))
+        .line("both rock, same sense", percent(patterns.same_ratio))
+        .line("both rock, opposite sense", percent(patterns.opposite_ratio))
+        .line("together as one body", percent(patterns.together_ratio))
+        .line("the upper body alone", percent(patterns.upper_alone_ratio))
+        .fact("energy_error_ratio", "error of the energy balance", rocking.energy.residual_ratio)
+        .and(support_facts(stack.lower.mass_kg, &stack.support, &request.options, rocking.effort))
+        .key("upper_mass_kg", stack.upper.mass_kg)
+        .key("interface_friction_ratio", stack.interface.friction_ratio)
+        .fact("notes", "note", notes(&request.edge))
+}
+
+/// The outline of the base from above, at rest \[m\].
+fn feet(shape: &Shape) -> Vec<[f64; 2]> {
+    let [x, y, _] = shape.sizes_m().map(|size| 0.5 * size);
+    match shape {
+        Shape::Cylinder { .. } => {
+            let angle = |index: usize| std::f64::consts::TAU * index as f64 / RIM_POINTS as f64;
+            (0..RIM_POINTS).map(|index| [x * angle(index).cos(), x * angle(index).sin()]).collect()
+        }
+        _ => vec![[-x, -y], [x, -y], [x, y], [-x, y]],
+    }
+}
+
+/// A history in space as CSV.
+pub fn spatial_csv(history: &[SpatialPoint]) -> String {
+    let head = "time_s,tilt_x_rad,tilt_y_rad,tilt_rad,yaw_rad,base_x_m,base_y_m,base_z_m";
+    let row = |p: &SpatialPoint| {
+        let ([x, y, tilt], [base_x, base_y, base_z]) = (p.tilts_rad, p.base_m);
+        vec![p.time_s, x, y, tilt, p.yaw_rad, base_x, base_y, base_z]
+    };
+    numbers_csv(head, history.iter().map(row))
+}
+
+/// The history of a stack as CSV.
+pub fn stack_csv(history: &[StackPoint]) -> String {
+    numbers_csv("time_s,lower_rotation_rad,upper_rotation_rad", history.iter().map(|point| point.to_vec()))
+}
+
+/// A release of an object in space: to the right, about the lower edge.
+pub fn release(rotation_rad: f64, omega_rad_s: f64) -> SpatialStart {
+    if rotation_rad == 0.0 && omega_rad_s == 0.0 {
+        return SpatialStart::Rest;
+    }
+    SpatialStart::Released { tilt_rad: rotation_rad, toward_rad: 0.0, omega_rad_s: [0.0, omega_rad_s, 0.0] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ζ = c/(2√(k m)) is kept: 0.05 below 100 kg on 4e6 N/m and between, for 16 kg on 1e6 N/m.
+    #[test]
+    fn an_interface_has_the_damping_ratio_of_the_base() {
+        let base = damped(100.0, 4e6, 0.05).unwrap();
+        let between = interface(&base, Some(1e6), 100.0, 16.0).unwrap();
+        let ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } = *between.law() else { panic!("{between:?}") };
+        assert_eq!(stiffness_n_m, 1e6);
+        assert!((damping_n_s_m - 0.1 * (1e6 * 16.0f64).sqrt()).abs() < 1e-9);
+        assert_eq!(interface(&base, None, 100.0, 16.0).unwrap(), base);
+        let plain = interface(&Cushion::linear(4e6).unwrap(), Some(1e6), 100.0, 16.0).unwrap();
+        assert_eq!(plain, Cushion::linear(1e6).unwrap());
+        let hertz = Cushion::new(ContactLaw::Power { coefficient_n_mn: 1e8, exponent: 1.5 }).unwrap();
+        assert!(interface(&hertz, Some(1e6), 100.0, 16.0).unwrap_err().hint.is_some());
+    }
+
+    #[test]
+    fn a_prism_has_a_width_and_a_cylinder_a_diameter() {
+        assert!(shape(ShapeName::Prism, 2.0, 0.5, None).is_err());
+        assert!(shape(ShapeName::Cylinder, 2.0, 0.5, Some(0.6)).is_err());
+        let round = Shape::Cylinder { diameter_m: 0.5, height_m: 2.0 };
+        assert_eq!(shape(ShapeName::Cylinder, 2.0, 0.5, None), Ok(round));
+        assert_eq!(shape(ShapeName::Cylinder, 2.0, 0.5, Some(0.5)), Ok(round));
+        let prism = Shape::Prism { thickness_m: 0.5, width_m: 0.7, height_m: 2.0 };
+        assert_eq!(shape(ShapeName::Prism, 2.0, 0.5, Some(0.7)), Ok(prism));
+    }
+
+    /// Turned anticlockwise by 90°, the object meets the first motion along its width, from the
+    /// right as seen along it: along the width a₁ cos 90° … = −a₁ sin 90°.
+    #[test]
+    fn a_turned_object_meets_turned_motions() {
+        let motion = |scale: f64| Motion::new(0.01, vec![0.0, scale, 2.0 * scale]).unwrap();
+        let edge = EdgeCushion { cushion: Cushion::linear(4e6).unwrap(), pad_thickness_m: None, notes: Vec::new() };
+        let request = |orientation_rad: f64| SpatialRequest {
+            object: SpatialObject {
+                shape: Shape::Cylinder { diameter_m: 0.5, height_m: 1.8 },
+                mass_kg: 200.0,
+                support: Support::new(edge.cushion.clone()),
+                walls: Vec::new(),
+            },
+            edge: edge.clone(),
+            motions: [Some(motion(1.0)), Some(motion(0.5))],
+            vertical: None,
+            orientation_rad,
+            options: SpatialOptions::default(),
+        };
+        let last =
+            |orientation_rad: f64| turned(&request(orientation_rad)).unwrap().map(|m| m.unwrap().accel_m_s2()[2]);
+        assert_eq!(last(0.0), [2.0, 1.0]);
+        let [x, y] = last(std::f64::consts::FRAC_PI_2);
+        assert!((x - 1.0).abs() < 1e-12 && (y + 2.0).abs() < 1e-12, "{x} {y}");
+        let [x, y] = last(0.3);
+        assert!((x.hypot(y) - 5f64.sqrt()).abs() < 1e-12);
+    }
+}

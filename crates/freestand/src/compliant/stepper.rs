@@ -1,0 +1,192 @@
+//! The length of steps, and the search for the event that ends one: for any equation of motion.
+
+use super::step::Step;
+use super::{CompliantEffort, CompliantError};
+use crate::motion::Motion;
+
+/// Longest step, as an angle of the vibration on the cushions: no contact can begin and end within
+/// one.
+const LONGEST_RAD: f64 = 0.5;
+/// A step ends at most this long after an event, as an angle of that vibration; no step is shorter.
+const EVENT_RAD: f64 = 1e-12;
+const SHORTEST_RAD: f64 = 1e-10;
+/// A step shorter than this angle does not gain accuracy; it is lost in rounding.
+const LOST_RAD: f64 = 1e-13;
+/// Trial steps to locate one event; false position usually takes five.
+const EVENT_TRIALS: usize = 80;
+
+/// A straight segment of the accelerations of the base \[m/s²\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Line<const D: usize> {
+    pub(crate) start: [f64; D],
+    /// Change per second.
+    pub(crate) slope: [f64; D],
+    pub(crate) start_s: f64,
+}
+
+impl<const D: usize> Line<D> {
+    pub(crate) const STILL: Self = Self { start: [0.0; D], slope: [0.0; D], start_s: 0.0 };
+
+    pub(crate) fn at(&self, time_s: f64) -> [f64; D] {
+        let since = time_s - self.start_s;
+        std::array::from_fn(|axis| self.start[axis] + self.slope[axis] * since)
+    }
+
+    pub(crate) fn is_still(&self) -> bool {
+        self.start == [0.0; D] && self.slope == [0.0; D]
+    }
+
+    /// The segment of the base's motion that begins at sample `index`, and its end; after the last
+    /// sample the base comes to rest within one time step.
+    pub(crate) fn of(motions: [Option<&Motion>; D], index: usize, end_s: f64) -> (Self, f64) {
+        let Some(given) = motions.into_iter().flatten().next() else { return (Self::STILL, end_s) };
+        let (dt_s, samples) = (given.dt_s(), given.accel_m_s2().len());
+        if index >= samples {
+            return (Self { start_s: index as f64 * dt_s, ..Self::STILL }, end_s);
+        }
+        let at = |index: usize| {
+            motions.map(|motion| motion.and_then(|motion| motion.accel_m_s2().get(index)).copied().unwrap_or(0.0))
+        };
+        let (start, end) = (at(index), at(index + 1));
+        let slope = std::array::from_fn(|axis| (end[axis] - start[axis]) / dt_s);
+        (Self { start, slope, start_s: index as f64 * dt_s }, ((index + 1) as f64 * dt_s).min(end_s))
+    }
+
+    /// Whether two of the motions differ in time step or length.
+    pub(crate) fn mismatch(motions: [Option<&Motion>; D]) -> bool {
+        let mut given = motions.into_iter().flatten();
+        let Some(first) = given.next() else { return false };
+        given.any(|other| other.dt_s() != first.dt_s() || other.accel_m_s2().len() != first.accel_m_s2().len())
+    }
+}
+
+/// A step from `start_s` that is accurate enough and no longer than `rest_s`, and the length to try
+/// next. `unit_s` is 1/ω of the vibration on the cushions.
+pub(crate) fn accurate<const N: usize>(
+    (start_s, try_s, rest_s): (f64, f64, f64),
+    unit_s: f64,
+    take: impl Fn(f64) -> Step<N>,
+    effort: &mut CompliantEffort,
+) -> Result<(Step<N>, f64), CompliantError> {
+    let mut length_s = try_s.min(LONGEST_RAD * unit_s);
+    if length_s >= rest_s {
+        length_s = rest_s;
+    } else if 2.0 * length_s > rest_s {
+        length_s = 0.5 * rest_s;
+    }
+    loop {
+        let step = take(length_s);
+        effort.evaluations += 6;
+        if step.error_ratio <= 1.0 {
+            let growth = (0.9 * step.error_ratio.powf(-0.2)).clamp(0.5, 4.0);
+            return Ok((step, growth * length_s));
+        }
+        effort.rejected += 1;
+        // NaN where a trial went past the end of a bottoming cushion.
+        let shrink = if step.error_ratio.is_finite() { 0.9 * step.error_ratio.powf(-0.2) } else { 0.1 };
+        length_s *= shrink.clamp(0.1, 0.9);
+        if length_s < LOST_RAD * unit_s {
+            return Err(CompliantError::StepTooSmall { time_s: start_s, step_s: length_s });
+        }
+    }
+}
+
+/// A share of the step by which an event has passed, if there is one; `margin` is negative past an
+/// event.
+pub(crate) fn first_event<const N: usize>(step: &Step<N>, margin: impl Fn(f64, &[f64; N]) -> f64) -> Option<f64> {
+    [0.5, 1.0].into_iter().find(|&share| {
+        let y = if share == 1.0 { step.end } else { step.state(share) };
+        let margin = margin(step.start_s + share * step.length_s, &y);
+        margin < 0.0
+    })
+}
+
+/// A share of the step just past the first event before `share`, by false position on the
+/// interpolating polynomial: a close bracket for [`shortened`], without new steps. `close` is about
+/// the error of the polynomial.
+pub(crate) fn nearer<const N: usize>(
+    step: &Step<N>,
+    share: f64,
+    close: f64,
+    margin: impl Fn(f64, &[f64; N]) -> f64,
+) -> f64 {
+    let at = |share: f64| margin(step.start_s + share * step.length_s, &step.state(share));
+    let (mut low, mut low_margin) = (0.0, margin(step.start_s, &step.start));
+    let (mut high, mut high_margin) = (share, at(share));
+    let mut last_side = 0;
+    for _ in 0..EVENT_TRIALS {
+        if !(low_margin > 0.0 && high_margin < 0.0) || high_margin > -close || high - low < close {
+            break;
+        }
+        let middle = low + (high - low) * (low_margin / (low_margin - high_margin)).clamp(1e-6, 1.0 - 1e-6);
+        let margin = at(middle);
+        if margin < 0.0 {
+            (high, high_margin) = (middle, margin);
+            if last_side == 1 {
+                low_margin *= 0.5;
+            }
+            last_side = 1;
+        } else {
+            (low, low_margin) = (middle, margin);
+            if last_side == -1 {
+                high_margin *= 0.5;
+            }
+            last_side = -1;
+        }
+    }
+    // Past the error of the polynomial, so that the event is inside.
+    (high + close).min(share)
+}
+
+/// The step that ends just past the first event within `length_s`, located by false position with
+/// new steps, so that nothing after the event affects it; `low_margin` is the margin at its start,
+/// and a margin of −`close` is near enough.
+pub(crate) fn shortened<const N: usize>(
+    length_s: f64,
+    mut low_margin: f64,
+    (unit_s, close): (f64, f64),
+    take: impl Fn(f64) -> Step<N>,
+    margin: impl Fn(f64, &[f64; N]) -> f64,
+    effort: &mut CompliantEffort,
+) -> Step<N> {
+    let shortest_s = SHORTEST_RAD * unit_s;
+    let margin_after = |step: &Step<N>| margin(step.start_s + step.length_s, &step.end);
+    let mut take = |length_s: f64| {
+        effort.evaluations += 6;
+        take(length_s)
+    };
+    let mut beyond = take(length_s);
+    let mut low = 0.0;
+    let (mut high, mut high_margin) = (length_s, margin_after(&beyond));
+    let mut last_side = 0;
+    for _ in 0..EVENT_TRIALS {
+        if high_margin >= -close || high - low <= EVENT_RAD * unit_s || high <= shortest_s {
+            break;
+        }
+        let ratio = low_margin / (low_margin - high_margin);
+        let share = if low_margin > 0.0 && ratio.is_finite() { ratio.clamp(1e-6, 1.0 - 1e-6) } else { 0.5 };
+        let middle = low + share * (high - low);
+        if low_margin <= 0.0 && middle < shortest_s {
+            break;
+        }
+        let trial = take(middle);
+        let margin = margin_after(&trial);
+        if margin < 0.0 {
+            (high, high_margin, beyond) = (middle, margin, trial);
+            if last_side == 1 {
+                low_margin *= 0.5;
+            }
+            last_side = 1;
+            if margin > -1e-13 {
+                break;
+            }
+        } else {
+            (low, low_margin) = (middle, margin);
+            if last_side == -1 {
+                high_margin *= 0.5;
+            }
+            last_side = -1;
+        }
+    }
+    if beyond.length_s < shortest_s { take(shortest_s.min(length_s)) } else { beyond }
+}

@@ -1,0 +1,472 @@
+//! The equations of motion of rigid bodies in space on contact elements.
+
+use super::vector::{
+    Shift, Turn, UPRIGHT, Vector, cross, difference, dot, moved, moved_back, shift, sum, turned, turned_back, turning,
+};
+use crate::compliant::Energies;
+use crate::compliant::pad::Pad;
+
+/// The largest number of bodies, and of elements that may slip.
+pub(super) const MAX_BODIES: usize = 2;
+const MAX_SLIPS: usize = 48;
+
+// Indices into the state of one body: displacement of the centre of gravity relative to the base
+// and to its position upright above unloaded cushions, velocity, rotation, angular velocity in body
+// axes.
+pub(super) const PLACE: usize = 0;
+pub(super) const VELOCITY: usize = 3;
+pub(super) const TURN: usize = 6;
+pub(super) const SPIN: usize = 10;
+/// Entries of one body.
+pub(super) const BODY: usize = 13;
+// Behind the bodies: the work of the base, what dashpots and slip dissipate, and the direction of
+// the stretch of each element that may slip.
+const WORK: usize = 0;
+const DASHPOT: usize = 1;
+pub(super) const SLIP: usize = 2;
+const DIRECTION: usize = 3;
+
+/// One body with a rim of elements that slip, or two bodies.
+pub(super) const LEN: usize = BODY + DIRECTION + MAX_SLIPS;
+
+pub(super) type State = [f64; LEN];
+
+/// Accelerations of the base: to the right, back, upward.
+pub(super) type Line = crate::compliant::stepper::Line<3>;
+
+/// The direction of a slipping spring follows the velocity at most at this rate, in units of the
+/// vibration on the cushions: where the spring is short compared with the way that it slides, both
+/// agree but for the fiftieth part of a vibration, and the equations would be stiff.
+const TURNING: f64 = 50.0;
+
+/// A rigid body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rigid {
+    pub(super) mass: f64,
+    /// About the principal axes through the centre of gravity.
+    pub(super) inertia: Vector,
+    /// The centre of gravity when the body is upright above unloaded cushions.
+    pub(super) home: Vector,
+    /// From the centre of gravity to the base.
+    pub(super) cg_height: f64,
+}
+
+/// A body, or the base (`None`).
+pub(super) type Owner = Option<usize>;
+
+/// A point that is pressed against a face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Element<'a> {
+    /// The body with the point; its place from the centre of gravity, or on the base.
+    pub(super) point_of: Owner,
+    pub(super) point: Vector,
+    /// The body with the face; the axis (0 to 2) of that body that is normal to it, and +1 where
+    /// the face looks along the axis.
+    pub(super) face_of: Owner,
+    pub(super) normal: usize,
+    pub(super) sign: f64,
+    /// Distance of the point from the face when all bodies are upright above unloaded cushions.
+    pub(super) gap: f64,
+    /// The face ends at this distance from the centre of gravity along this axis.
+    pub(super) end: Option<(usize, f64)>,
+    pub(super) pad: Pad<'a>,
+    /// 0: a smooth face.
+    pub(super) tangential_stiffness: f64,
+    /// `None`: no slip.
+    pub(super) friction: Option<f64>,
+    /// Index of the direction of its stretch; meaningless without friction.
+    pub(super) slot: usize,
+    /// Units of its compression and force.
+    pub(super) unit_m: f64,
+    pub(super) weight_n: f64,
+    pub(super) role: Role,
+}
+
+/// What an element is part of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    /// A cushion on the floor.
+    Base,
+    /// Between two bodies.
+    Interface,
+    /// A wall.
+    Wall,
+}
+
+/// The state of an element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Grip {
+    /// No contact; its surface recovers from `compression_m`, at which a damped cushion was left at
+    /// `since_s`.
+    Open { since_s: f64, compression_m: f64 },
+    /// In contact; its spring is anchored at this place on the face.
+    Stick { anchor: [f64; 2] },
+    /// In contact; its foot slides. The direction of its spring is part of the state.
+    Slip,
+    /// The point has left the face past its end, and does not return.
+    Gone,
+}
+
+impl Grip {
+    pub(super) const UNTOUCHED: Self = Self::Open { since_s: 0.0, compression_m: 0.0 };
+
+    pub(super) fn carries(self) -> bool {
+        matches!(self, Self::Stick { .. } | Self::Slip)
+    }
+}
+
+/// The position and velocity of a body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pose {
+    pub(super) place: Vector,
+    pub(super) velocity: Vector,
+    turn: Turn,
+    /// Q − I.
+    shift: Shift,
+    /// Angular velocity in floor axes.
+    pub(super) omega: Vector,
+}
+
+impl Pose {
+    const STILL: Self =
+        Self { place: [0.0; 3], velocity: [0.0; 3], turn: UPRIGHT, shift: [[0.0; 3]; 3], omega: [0.0; 3] };
+
+    fn at(y: &[f64]) -> Self {
+        let turn = [y[TURN], y[TURN + 1], y[TURN + 2], y[TURN + 3]];
+        let shift = shift(&turn);
+        Self {
+            place: vector(y, PLACE),
+            velocity: vector(y, VELOCITY),
+            turn,
+            shift,
+            omega: turned(&shift, &vector(y, SPIN)),
+        }
+    }
+
+    /// Displacement and velocity of a point of the body.
+    pub(super) fn point(&self, from_cg: &Vector) -> (Vector, Vector) {
+        let by_turn = moved(&self.shift, from_cg);
+        let arm = sum(from_cg, &by_turn);
+        (sum(&self.place, &by_turn), sum(&self.velocity, &cross(&self.omega, &arm)))
+    }
+
+    /// The axis of the body that is vertical at rest, and its rate.
+    pub(super) fn axis(&self) -> (Vector, Vector) {
+        let [x, y, z] = self.shift;
+        let axis = [x[2], y[2], 1.0 + z[2]];
+        (axis, cross(&self.omega, &axis))
+    }
+}
+
+pub(super) fn vector(y: &[f64], at: usize) -> Vector {
+    [y[at], y[at + 1], y[at + 2]]
+}
+
+/// The poses of all bodies.
+pub(super) type Poses = [Pose; MAX_BODIES];
+
+/// The kinematics of an element.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Foot {
+    /// From the centre of gravity of each body to the point, in floor axes.
+    point_arm: Vector,
+    face_arm: Vector,
+    pub(super) compression: f64,
+    pub(super) compression_rate: f64,
+    /// Place of the point on the face, from that at rest, and its velocity.
+    pub(super) on_face: [f64; 2],
+    pub(super) sliding: [f64; 2],
+    /// Distance to the end of the face.
+    pub(super) to_end: f64,
+}
+
+/// Forces of an element, along the axes of the face.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Load {
+    pub(super) normal: f64,
+    pub(super) tangential: [f64; 2],
+}
+
+/// The bodies and everything that they touch.
+#[derive(Debug, Clone)]
+pub(super) struct World<'a> {
+    pub(super) bodies: Vec<Rigid>,
+    pub(super) elements: Vec<Element<'a>>,
+    pub(super) gravity: f64,
+    /// Number of elements that may slip.
+    pub(super) slots: usize,
+    /// The bodies move in the plane of x and z, exactly: two elements do not hold a body in the
+    /// third direction, where rounding would grow.
+    pub(super) is_planar: bool,
+    /// 1/ω of the fastest vibration on the cushions.
+    pub(super) unit_s: f64,
+}
+
+/// The two axes of a face.
+fn along(normal: usize) -> [usize; 2] {
+    match normal {
+        0 => [1, 2],
+        1 => [2, 0],
+        _ => [0, 1],
+    }
+}
+
+impl<'a> World<'a> {
+    pub(super) fn new(bodies: Vec<Rigid>, elements: Vec<Element<'a>>, gravity: f64, is_planar: bool) -> Self {
+        let units = elements.iter().map(|element| (element.unit_m / gravity).sqrt());
+        let unit_s = units.fold(f64::INFINITY, f64::min);
+        let slots = elements.iter().filter(|element| element.friction.is_some()).map(|element| element.slot + 1);
+        let slots = slots.fold(0, usize::max);
+        Self { bodies, elements, gravity, slots, is_planar, unit_s }
+    }
+
+    /// Number of entries of the state in use.
+    pub(super) fn len(&self) -> usize {
+        self.behind() + DIRECTION + self.slots
+    }
+
+    /// Index of the first entry behind the bodies.
+    pub(super) fn behind(&self) -> usize {
+        BODY * self.bodies.len()
+    }
+
+    /// Index of the direction of an element's stretch.
+    pub(super) fn direction(&self, element: &Element) -> usize {
+        self.behind() + DIRECTION + element.slot
+    }
+
+    /// The state upright above unloaded cushions.
+    pub(super) fn upright(&self) -> State {
+        let mut y = [0.0; LEN];
+        for body in 0..self.bodies.len() {
+            y[BODY * body + TURN] = 1.0;
+        }
+        y
+    }
+
+    pub(super) fn poses(&self, y: &State) -> Poses {
+        let mut poses = [Pose::STILL; MAX_BODIES];
+        for (pose, y) in poses.iter_mut().zip(y.chunks_exact(BODY)).take(self.bodies.len()) {
+            *pose = Pose::at(y);
+        }
+        poses
+    }
+
+    pub(super) fn foot(&self, element: &Element, poses: &Poses) -> Foot {
+        let (shift, velocity, point_arm) = match element.point_of {
+            Some(body) => {
+                let pose = &poses[body];
+                let by_turn = moved(&pose.shift, &element.point);
+                let arm = sum(&element.point, &by_turn);
+                (sum(&pose.place, &by_turn), sum(&pose.velocity, &cross(&pose.omega, &arm)), arm)
+            }
+            None => ([0.0; 3], [0.0; 3], [0.0; 3]),
+        };
+        let (place, rate, face_arm, from_cg) = match element.face_of {
+            None => (shift, velocity, [0.0; 3], [0.0; 3]),
+            Some(body) => {
+                let home = element.point_of.map_or([0.0; 3], |body| self.bodies[body].home);
+                let start = sum(&home, &element.point);
+                let pose = &poses[body];
+                let from_cg = difference(&start, &self.bodies[body].home);
+                let shift = difference(&shift, &pose.place);
+                let arm = sum(&from_cg, &shift);
+                let velocity = difference(&difference(&velocity, &pose.velocity), &cross(&pose.omega, &arm));
+                let place = sum(&shift, &moved_back(&pose.shift, &arm));
+                (place, turned_back(&pose.shift, &velocity), arm, from_cg)
+            }
+        };
+        let [a, b] = along(element.normal);
+        Foot {
+            point_arm,
+            face_arm,
+            compression: -(element.gap + element.sign * place[element.normal]),
+            compression_rate: -element.sign * rate[element.normal],
+            on_face: [place[a], place[b]],
+            sliding: [rate[a], rate[b]],
+            to_end: element.end.map_or(f64::INFINITY, |(axis, end)| end - (from_cg[axis] + place[axis]).abs()),
+        }
+    }
+
+    /// The compression of an element alone.
+    pub(super) fn compression(&self, element: &Element, poses: &Poses) -> f64 {
+        match (element.point_of, element.face_of) {
+            (Some(body), None) => {
+                let (pose, axis) = (&poses[body], element.normal);
+                -(element.gap + element.sign * (pose.place[axis] + dot(&pose.shift[axis], &element.point)))
+            }
+            _ => self.foot(element, poses).compression,
+        }
+    }
+
+    pub(super) fn load(&self, element: &Element, grip: Grip, foot: &Foot, y: &State) -> Load {
+        if !grip.carries() {
+            return Load::default();
+        }
+        let normal = element.pad.push(foot.compression, foot.compression_rate);
+        let tangential = match grip {
+            Grip::Slip => {
+                let (sin, cos) = y[self.direction(element)].sin_cos();
+                let force = element.friction.unwrap_or(0.0) * normal;
+                [-force * cos, -force * sin]
+            }
+            Grip::Stick { anchor } => {
+                let k = element.tangential_stiffness;
+                [-k * (foot.on_face[0] - anchor[0]), -k * (foot.on_face[1] - anchor[1])]
+            }
+            Grip::Open { .. } | Grip::Gone => [0.0; 2],
+        };
+        Load { normal, tangential }
+    }
+
+    /// The time derivative of the state.
+    pub(super) fn rates(&self, grips: &[Grip], line: &Line, time_s: f64, y: &State) -> State {
+        let mut rates = [0.0; LEN];
+        let poses = self.poses(y);
+        let (mut forces, mut torques) = ([[0.0; 3]; MAX_BODIES], [[0.0; 3]; MAX_BODIES]);
+        let behind = self.behind();
+        for (element, &grip) in self.elements.iter().zip(grips).filter(|(_, grip)| grip.carries()) {
+            let foot = self.foot(element, &poses);
+            let load = self.load(element, grip, &foot, y);
+            let force = self.force_on_point(element, &load, &poses);
+            if let Some(body) = element.point_of {
+                forces[body] = sum(&forces[body], &force);
+                torques[body] = sum(&torques[body], &cross(&foot.point_arm, &force));
+            }
+            if let Some(body) = element.face_of {
+                forces[body] = difference(&forces[body], &force);
+                torques[body] = difference(&torques[body], &cross(&foot.face_arm, &force));
+            }
+            if element.pad.is_damped() {
+                rates[behind + DASHPOT] +=
+                    (load.normal - element.pad.elastic(foot.compression)) * foot.compression_rate;
+            }
+            if grip == Grip::Slip {
+                let [t, s] = [load.tangential, foot.sliding];
+                rates[behind + SLIP] -= t[0] * s[0] + t[1] * s[1];
+                let direction = self.direction(element);
+                rates[direction] = self.veering(element, &foot, &load, y[direction]);
+            }
+        }
+        let [x, back_, up] = line.at(time_s);
+        let shaking = [x, back_, self.gravity + up];
+        for (index, body) in self.bodies.iter().enumerate() {
+            let (at, pose) = (BODY * index, &poses[index]);
+            if self.is_planar {
+                forces[index][1] = 0.0;
+                (torques[index][0], torques[index][2]) = (0.0, 0.0);
+            }
+            let spin = vector(y, at + SPIN);
+            let torque = turned_back(&pose.shift, &torques[index]);
+            let momentum = [0, 1, 2].map(|axis| body.inertia[axis] * spin[axis]);
+            let gyroscopic = cross(&spin, &momentum);
+            for axis in 0..3 {
+                rates[at + PLACE + axis] = pose.velocity[axis];
+                rates[at + VELOCITY + axis] = forces[index][axis] / body.mass - shaking[axis];
+                rates[at + SPIN + axis] = (torque[axis] - gyroscopic[axis]) / body.inertia[axis];
+            }
+            rates[at + TURN..at + TURN + 4].copy_from_slice(&turning(&pose.turn, &spin));
+            rates[behind + WORK] -= body.mass * dot(&[x, back_, up], &pose.velocity);
+        }
+        rates
+    }
+
+    /// The force on the body with the point, in floor axes.
+    fn force_on_point(&self, element: &Element, load: &Load, poses: &Poses) -> Vector {
+        let [a, b] = along(element.normal);
+        let mut force = [0.0; 3];
+        (force[a], force[b]) = (load.tangential[0], load.tangential[1]);
+        force[element.normal] = element.sign * load.normal;
+        match element.face_of {
+            None => force,
+            Some(body) => turned(&poses[body].shift, &force),
+        }
+    }
+
+    /// Rate at which the stretch of a sliding spring turns: σ̇ = v − λσ̂ turns σ, whose length is
+    /// μN/k_t, with the velocity across it.
+    fn veering(&self, element: &Element, foot: &Foot, load: &Load, direction: f64) -> f64 {
+        let (sin, cos) = direction.sin_cos();
+        let across = cos * foot.sliding[1] - sin * foot.sliding[0];
+        let friction = element.friction.unwrap_or(0.0);
+        if across == 0.0 || friction == 0.0 {
+            return 0.0;
+        }
+        let length = friction * load.normal.abs() / element.tangential_stiffness;
+        let [a, b] = foot.sliding;
+        let length = length.max((a * a + b * b).sqrt() * self.unit_s / TURNING);
+        across / length
+    }
+
+    /// λ: the velocity at which the foot of a sliding spring slides along its stretch. The spring
+    /// sticks when it is negative. A damped law needs the rates of the state.
+    pub(super) fn slipping(&self, element: &Element, poses: &Poses, (y, rates): (&State, Option<&State>)) -> f64 {
+        let foot = self.foot(element, poses);
+        let (sin, cos) = y[self.direction(element)].sin_cos();
+        let along = cos * foot.sliding[0] + sin * foot.sliding[1];
+        let pressing = rates.map_or(0.0, |rates| self.pressing(element, &foot, poses, rates));
+        let normal_rate = element.pad.push_rate(foot.compression, foot.compression_rate, pressing);
+        along - element.friction.unwrap_or(0.0) * normal_rate / element.tangential_stiffness
+    }
+
+    /// The second derivative of the compression of an element.
+    fn pressing(&self, element: &Element, foot: &Foot, poses: &Poses, rates: &State) -> f64 {
+        // Acceleration of a body's point at an arm from its centre of gravity.
+        let linear = |body: usize| vector(rates, BODY * body + VELOCITY);
+        let angular = |body: usize| turned(&poses[body].shift, &vector(rates, BODY * body + SPIN));
+        let point = element.point_of.map_or([0.0; 3], |body| {
+            let omega = &poses[body].omega;
+            let inward = cross(omega, &cross(omega, &foot.point_arm));
+            sum(&linear(body), &sum(&cross(&angular(body), &foot.point_arm), &inward))
+        });
+        let Some(body) = element.face_of else { return -element.sign * point[element.normal] };
+        let (pose, arm) = (&poses[body], &foot.face_arm);
+        let velocity = element
+            .point_of
+            .map_or([0.0; 3], |other| sum(&poses[other].velocity, &cross(&poses[other].omega, &foot.point_arm)));
+        let nearing = difference(&velocity, &pose.velocity);
+        let slow = difference(&nearing, &cross(&pose.omega, arm));
+        let relative = difference(&difference(&point, &linear(body)), &cross(&angular(body), arm));
+        let relative = difference(&relative, &cross(&pose.omega, &nearing));
+        // The axes of the face turn as well.
+        let relative = difference(&relative, &cross(&pose.omega, &slow));
+        -element.sign * turned_back(&pose.shift, &relative)[element.normal]
+    }
+
+    /// Where the energy is.
+    pub(super) fn energies(&self, grips: &[Grip], y: &State) -> Energies {
+        let (mut kinetic_j, mut potential_j) = (0.0, 0.0);
+        for (body, y) in self.bodies.iter().zip(y.chunks_exact(BODY)) {
+            let (velocity, spin) = (vector(y, VELOCITY), vector(y, SPIN));
+            kinetic_j += 0.5 * body.mass * dot(&velocity, &velocity);
+            kinetic_j += 0.5 * (0..3).map(|axis| body.inertia[axis] * spin[axis] * spin[axis]).sum::<f64>();
+            potential_j += body.mass * self.gravity * y[PLACE + 2];
+        }
+        let poses = self.poses(y);
+        let stored = |(element, &grip): (&Element, &Grip)| match grip {
+            Grip::Open { .. } | Grip::Gone => 0.0,
+            // The energy of a slipping spring is counted with the slip.
+            Grip::Slip => element.pad.pressed_j(self.compression(element, &poses)),
+            Grip::Stick { .. } => {
+                let foot = self.foot(element, &poses);
+                element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
+            }
+        };
+        let behind = self.behind();
+        Energies {
+            kinetic_j,
+            potential_j,
+            stored_j: self.elements.iter().zip(grips).map(stored).sum(),
+            base_work_j: y[behind + WORK],
+            cushion_dissipation_j: y[behind + DASHPOT],
+            tangential_dissipation_j: 0.0,
+            friction_j: y[behind + SLIP],
+        }
+    }
+
+    /// Energy in the tangential spring of an element.
+    pub(super) fn sheared_j(&self, element: &Element, grip: Grip, foot: &Foot, y: &State) -> f64 {
+        let [a, b] = self.load(element, grip, foot, y).tangential;
+        if element.tangential_stiffness > 0.0 { 0.5 * (a * a + b * b) / element.tangential_stiffness } else { 0.0 }
+    }
+}

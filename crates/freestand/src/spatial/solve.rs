@@ -1,0 +1,381 @@
+//! The solver: it follows the bodies from step to step and from event to event.
+
+use super::equation::{BODY, Foot, Grip, LEN, Line, PLACE, Poses, Role, SLIP, SPIN, State, TURN, VELOCITY, World};
+use super::track::{BodyMotion, Seen, Track};
+use super::{Fallen, SpatialOptions, SpatialPiece};
+use crate::compliant::pad::between_kinks;
+use crate::compliant::step::{Scales, Step};
+use crate::compliant::stepper::{accurate, first_event, nearer, shortened};
+use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, Ledger, MAX_STEPS, TOUCHING};
+use crate::motion::Motion;
+
+/// The error of a step is a mean over the entries of the state; many of them hardly move. With this
+/// share of the tolerance the energy balance closes as in the plane.
+const SHARE: f64 = 0.5;
+
+/// How near to an event the interpolating polynomial is searched, and how far past it a step may
+/// end, as a margin of the order of 1 and a multiple of the tolerance. A contact that begins or ends
+/// ε of the static compression late misses ε² of its energy.
+const NEAR: f64 = 2.0;
+const PAST: f64 = 10.0;
+
+/// What every history of bodies in space ends with.
+pub(super) struct Ended {
+    pub(super) end_time_s: f64,
+    pub(super) bodies: Vec<BodyMotion>,
+    pub(super) track: Track,
+    pub(super) fallen: Option<Fallen>,
+    pub(super) energy: EnergyAudit,
+    pub(super) effort: CompliantEffort,
+}
+
+struct Solver<'a, 'b, F> {
+    world: &'a World<'b>,
+    grips: Vec<Grip>,
+    /// For each element, the two kinks of its law that enclose its compression.
+    lines: Vec<(f64, f64)>,
+    kinks_m: Vec<Vec<f64>>,
+    y: State,
+    rates: State,
+    time_s: f64,
+    try_s: f64,
+    unit_s: f64,
+    sizes: State,
+    tolerance: f64,
+    is_resting: bool,
+    fallen: Option<Fallen>,
+    track: Track,
+    ledger: Ledger,
+    effort: CompliantEffort,
+    observe: F,
+}
+
+/// Calculates the motion of the bodies from `start`; `is_at_rest`: nothing moves before the base
+/// does.
+pub(super) fn follow(
+    world: &World<'_>,
+    motions: [Option<&Motion>; 3],
+    options: &SpatialOptions,
+    (start, is_at_rest): (&State, bool),
+    observe: &mut dyn FnMut(&SpatialPiece<'_, '_>),
+) -> Result<Ended, CompliantError> {
+    if Line::mismatch(motions) {
+        return Err(CompliantError::VerticalMismatch);
+    }
+    let given = motions.into_iter().flatten().next();
+    let end_s = options.duration_s.or(given.map(Motion::duration_s)).unwrap_or(0.0);
+    if !(end_s > 0.0 && end_s.is_finite()) {
+        return Err(CompliantError::Duration { duration_s: end_s });
+    }
+    let mut solver = Solver::new(world, options, start, observe);
+    let mut index = 0;
+    while solver.time_s < end_s && solver.fallen.is_none() {
+        let (line, until_s) = Line::of(motions, index, end_s);
+        if line.is_still() && solver.is_resting && is_at_rest {
+            solver.time_s = until_s;
+        } else {
+            solver.is_resting = false;
+            solver.pass(&line, until_s)?;
+        }
+        index += 1;
+    }
+    Ok(solver.finish())
+}
+
+impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
+    fn new(world: &'a World<'b>, options: &SpatialOptions, start: &State, observe: F) -> Self {
+        let unit_s = world.unit_s;
+        let mut grips = vec![Grip::UNTOUCHED; world.elements.len()];
+        let poses = world.poses(start);
+        for (grip, element) in grips.iter_mut().zip(&world.elements) {
+            let foot = world.foot(element, &poses);
+            // Contacts at the start carry load without stretch.
+            if foot.compression > 0.0 {
+                *grip = Grip::Stick { anchor: foot.on_face };
+            }
+        }
+        let rest_j = world.elements.iter().filter(|element| element.role != Role::Wall);
+        let rest_j = rest_j.map(|element| 0.5 * element.weight_n * element.unit_m).fold(0.0, f64::max);
+        let mut solver = Self {
+            world,
+            lines: vec![(f64::NEG_INFINITY, f64::INFINITY); grips.len()],
+            kinks_m: world.elements.iter().map(|element| element.pad.cushion.law().kinks_m()).collect(),
+            y: *start,
+            rates: *start,
+            time_s: 0.0,
+            try_s: 0.1 * unit_s,
+            unit_s,
+            sizes: sizes(world, unit_s),
+            tolerance: SHARE * options.accuracy.tolerance(),
+            is_resting: true,
+            fallen: None,
+            track: Track::new(world, start),
+            ledger: Ledger::open(2.0 * rest_j, &world.energies(&grips, start)),
+            effort: CompliantEffort::default(),
+            grips,
+            observe,
+        };
+        (0..solver.grips.len()).for_each(|index| solver.place_between_kinks(index));
+        solver
+    }
+
+    /// Calculates one straight segment of the motion.
+    fn pass(&mut self, line: &Line, until_s: f64) -> Result<(), CompliantError> {
+        self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
+        while self.time_s < until_s && self.fallen.is_none() {
+            let rest_s = until_s - self.time_s;
+            if rest_s <= 4.0 * f64::EPSILON * until_s {
+                break;
+            }
+            let (step, grow, has_event) = self.next(line, rest_s)?;
+            let is_last = step.length_s == rest_s;
+            self.try_s = if is_last { grow.max(self.try_s) } else { grow };
+            self.accept(line, &step, has_event)?;
+            if is_last {
+                self.time_s = until_s;
+            }
+            if self.effort.steps > MAX_STEPS {
+                return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MAX_STEPS });
+            }
+        }
+        if self.fallen.is_none() {
+            self.time_s = until_s;
+        }
+        Ok(())
+    }
+
+    /// The step of this length from the present state.
+    fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
+        let scales = Scales { len: self.world.len(), sizes: &self.sizes, tolerance: self.tolerance };
+        let rates = |time_s: f64, y: &State| self.world.rates(&self.grips, line, time_s, y);
+        Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
+    }
+
+    /// A step that is accurate and ends no later than its first event, the length to try next, and
+    /// whether there is an event.
+    fn next(&mut self, line: &Line, rest_s: f64) -> Result<(Step<LEN>, f64, bool), CompliantError> {
+        let mut effort = self.effort;
+        let take = |length_s: f64| self.take(line, length_s);
+        let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
+        let (mut step, grow) = accurate((self.time_s, self.try_s, rest_s), self.unit_s, take, &mut effort)?;
+        let event = first_event(&step, margin);
+        if let Some(share) = event {
+            let share = nearer(&step, share, NEAR * self.tolerance, margin);
+            let now = margin(self.time_s, &self.y);
+            let close = (self.unit_s, PAST * self.tolerance);
+            step = shortened(share * step.length_s, now, close, take, margin, &mut effort);
+        }
+        self.effort = effort;
+        Ok((step, grow, event.is_some()))
+    }
+
+    fn accept(&mut self, line: &Line, step: &Step<LEN>, has_event: bool) -> Result<(), CompliantError> {
+        self.effort.steps += 1;
+        let seen = Seen { world: self.world, grips: &self.grips, step };
+        self.track.read(&seen);
+        (self.observe)(&SpatialPiece { seen });
+        (self.y, self.rates) = (step.end, step.end_rates);
+        self.time_s = step.start_s + step.length_s;
+        for body in 0..self.world.bodies.len() {
+            let turn = &mut self.y[BODY * body + TURN..BODY * body + SPIN];
+            let length = turn.iter().map(|part| part * part).sum::<f64>().sqrt();
+            turn.iter_mut().for_each(|part| *part /= length);
+        }
+        let poses = self.world.poses(&self.y);
+        if !poses[0].place[2].is_finite() {
+            return Err(CompliantError::NotFinite { time_s: self.time_s });
+        }
+        if has_event {
+            let mut changed = false;
+            let rates = self.rates_of_slip(line, self.time_s, &self.y);
+            for index in 0..self.grips.len() {
+                if self.margin(index, self.time_s, &poses, (&self.y, rates.as_ref())) < 0.0 {
+                    self.change(index, &poses);
+                    changed = true;
+                }
+            }
+            if changed {
+                self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
+            }
+            if let Some(body) = (0..self.world.bodies.len()).find(|&body| poses[body].axis().0[2] <= 0.0) {
+                self.fallen = Some(Fallen { body, time_s: self.time_s, slid_off: false });
+            }
+        }
+        self.ledger.enter(&self.world.energies(&self.grips, &self.y));
+        Ok(())
+    }
+
+    /// How far an element is from its next event, of the order of 1; negative past it.
+    fn margin(&self, index: usize, time_s: f64, poses: &Poses, (y, rates): (&State, Option<&State>)) -> f64 {
+        let (element, grip) = (&self.world.elements[index], self.grips[index]);
+        if grip == Grip::Gone {
+            return 1.0;
+        }
+        if let Grip::Open { since_s, compression_m } = grip {
+            let surface_m = element.pad.surface(since_s, compression_m, time_s);
+            return (surface_m - self.world.compression(element, poses)) / element.unit_m;
+        }
+        let foot = self.world.foot(element, poses);
+        let load = self.world.load(element, grip, &foot, y);
+        let pushes = element.pad.pushes(foot.compression, load.normal, (element.unit_m, element.weight_n));
+        let (low, high) = self.lines[index];
+        let between = (foot.compression - low).min(high - foot.compression).min(foot.to_end) / element.unit_m;
+        let margin = pushes.min(between);
+        let Some(friction) = element.friction else { return margin };
+        if grip == Grip::Slip {
+            let slipping = self.world.slipping(element, poses, (y, rates));
+            margin.min(slipping * self.unit_s / element.unit_m)
+        } else {
+            margin.min((friction * load.normal - length(load.tangential)) / element.weight_n)
+        }
+    }
+
+    /// The rates that the margins of slipping elements need, if any does.
+    fn rates_of_slip(&self, line: &Line, time_s: f64, y: &State) -> Option<State> {
+        let mut both = self.world.elements.iter().zip(&self.grips);
+        let is_needed = both.any(|(element, grip)| *grip == Grip::Slip && element.pad.is_damped());
+        is_needed.then(|| self.world.rates(&self.grips, line, time_s, y))
+    }
+
+    /// The smallest of all margins; overturning counts as one of them.
+    fn least_margin(&self, line: &Line, time_s: f64, y: &State) -> f64 {
+        let poses = self.world.poses(y);
+        let rates = self.rates_of_slip(line, time_s, y);
+        let elements = (0..self.grips.len()).map(|index| self.margin(index, time_s, &poses, (y, rates.as_ref())));
+        let bodies = poses.iter().take(self.world.bodies.len()).map(|pose| pose.axis().0[2]);
+        elements.chain(bodies).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Changes an element that is past its event.
+    fn change(&mut self, index: usize, poses: &Poses) {
+        self.effort.events += 1;
+        let (element, grip) = (&self.world.elements[index], self.grips[index]);
+        let foot = self.world.foot(element, poses);
+        if let Grip::Open { .. } = grip {
+            if foot.to_end < 0.0 {
+                self.lose(index);
+            } else {
+                self.touch(index, &foot);
+            }
+            return;
+        }
+        let normal_n = element.pad.push(foot.compression, foot.compression_rate);
+        let (low, high) = self.lines[index];
+        if element.pad.is_over(foot.compression, normal_n) {
+            self.leave(index, &foot);
+        } else if foot.to_end < 0.0 {
+            self.leave(index, &foot);
+            self.lose(index);
+        } else if foot.compression < low || foot.compression > high {
+            self.place_between_kinks(index);
+        } else {
+            self.turn(index, &foot);
+        }
+    }
+
+    /// Begins a contact; the energy that its cushion holds is taken back from the losses.
+    fn touch(&mut self, index: usize, foot: &Foot) {
+        let element = &self.world.elements[index];
+        self.ledger.lose(-element.pad.pressed_j(foot.compression));
+        self.grips[index] = Grip::Stick { anchor: foot.on_face };
+        self.place_between_kinks(index);
+        self.track.touch(element.role);
+        let Some(friction) = element.friction else { return };
+        let normal_n = element.pad.push(foot.compression, foot.compression_rate);
+        // The spring is not stretched yet. At the first contact without dashpots both forces are
+        // zero, and their rates decide.
+        if normal_n <= TOUCHING * element.weight_n {
+            let rate = element.pad.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
+            let speed = length(foot.sliding);
+            if element.tangential_stiffness * speed > friction * rate {
+                self.grips[index] = Grip::Slip;
+                self.y[self.world.direction(element)] = foot.sliding[1].atan2(foot.sliding[0]);
+            }
+        }
+    }
+
+    /// Ends a contact; the energy in its springs is lost to the bodies.
+    fn leave(&mut self, index: usize, foot: &Foot) {
+        let element = &self.world.elements[index];
+        let sheared_j = self.world.sheared_j(element, self.grips[index], foot, &self.y);
+        if self.grips[index] == Grip::Slip {
+            self.y[self.world.behind() + SLIP] -= sheared_j;
+        }
+        self.ledger.lose(element.pad.pressed_j(foot.compression) + sheared_j);
+        self.grips[index] = Grip::Open { since_s: self.time_s, compression_m: foot.compression.max(0.0) };
+    }
+
+    /// The point of an element has passed the end of the face; a body without any other support
+    /// falls.
+    fn lose(&mut self, index: usize) {
+        self.grips[index] = Grip::Gone;
+        let role = self.world.elements[index].role;
+        let same = self.world.elements.iter().zip(&self.grips).filter(|(element, _)| element.role == role);
+        if role == Role::Interface && same.into_iter().all(|(_, grip)| *grip == Grip::Gone) {
+            let body = self.world.bodies.len() - 1;
+            self.fallen = Some(Fallen { body, time_s: self.time_s, slid_off: true });
+        }
+    }
+
+    /// Begins or ends a slip. The energy of the spring is counted with the slip in between.
+    fn turn(&mut self, index: usize, foot: &Foot) {
+        let element = &self.world.elements[index];
+        let (grip, slip) = (self.grips[index], self.world.behind() + SLIP);
+        let sheared_j = self.world.sheared_j(element, grip, foot, &self.y);
+        let [a, b] = self.world.load(element, grip, foot, &self.y).tangential;
+        if grip == Grip::Slip {
+            self.y[slip] -= sheared_j;
+            let k = element.tangential_stiffness;
+            self.grips[index] = Grip::Stick { anchor: [foot.on_face[0] + a / k, foot.on_face[1] + b / k] };
+        } else {
+            self.y[slip] += sheared_j;
+            self.y[self.world.direction(element)] = (-b).atan2(-a);
+            self.grips[index] = Grip::Slip;
+        }
+    }
+
+    fn place_between_kinks(&mut self, index: usize) {
+        let foot = self.world.foot(&self.world.elements[index], &self.world.poses(&self.y));
+        self.lines[index] = between_kinks(&self.kinks_m[index], foot.compression);
+    }
+
+    fn finish(self) -> Ended {
+        Ended {
+            end_time_s: self.time_s,
+            bodies: self.track.finish(self.world, &self.y, self.fallen),
+            track: self.track,
+            fallen: self.fallen,
+            energy: self.ledger.close(),
+            effort: self.effort,
+        }
+    }
+}
+
+fn length([a, b]: [f64; 2]) -> f64 {
+    (a * a + b * b).sqrt()
+}
+
+/// The size of each entry of the state: what the weight alone does on the cushions.
+fn sizes(world: &World<'_>, unit_s: f64) -> State {
+    // A direction counts as much as the weight.
+    let mut sizes = [1.0; LEN];
+    let (mut most_j, behind) = (0.0f64, world.behind());
+    for (index, body) in world.bodies.iter().enumerate() {
+        let own = |element: &&super::equation::Element<'_>| {
+            element.role != Role::Wall && [element.point_of, element.face_of].contains(&Some(index))
+        };
+        let elements = || world.elements.iter().filter(own);
+        let unit_m = elements().map(|element| element.unit_m).fold(f64::INFINITY, f64::min);
+        let reach = elements().flat_map(|element| [element.point[0].abs(), element.point[1].abs()]).fold(0.0, f64::max);
+        let width = 2.0 * reach;
+        most_j = most_j.max(body.mass * world.gravity * unit_m);
+        for axis in 0..3 {
+            sizes[BODY * index + PLACE + axis] = unit_m;
+            sizes[BODY * index + VELOCITY + axis] = unit_m / unit_s;
+            sizes[BODY * index + SPIN + axis] = unit_m / width / unit_s;
+        }
+        sizes[BODY * index + TURN..BODY * index + SPIN].fill(0.5 * unit_m / width);
+    }
+    sizes[behind..behind + SLIP + 1].fill(most_j);
+    sizes
+}

@@ -1,0 +1,304 @@
+//! The quantities that a history in space reports, collected step by step.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::Fallen;
+use super::equation::{BODY, Grip, LEN, Pose, Role, State, TURN, World};
+use crate::compliant::step::Step;
+use crate::rocking::Outcome;
+use crate::search::bisect;
+
+/// A maximum inside a step exceeds its ends by at most this much: steps are short compared with the
+/// vibration on the cushions.
+const HEADROOM: f64 = 0.8;
+
+/// What one body did. Tilts are angles of its axis to the vertical; `tilt_x` and `tilt_y` are those
+/// of the projections of the axis, positive to the right and to the back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyMotion {
+    /// How the history ended for this body; `NoUplift` if no point of its base rose above its
+    /// unloaded cushion.
+    pub outcome: Outcome,
+    /// Largest tilt \[rad\]; π/2 when overturned.
+    pub peak_tilt_rad: f64,
+    /// Its time \[s\].
+    pub peak_tilt_time_s: f64,
+    /// The largest `tilt_x` by magnitude, with its sign \[rad\].
+    pub peak_tilt_x_rad: f64,
+    /// The largest `tilt_y` by magnitude, with its sign \[rad\].
+    pub peak_tilt_y_rad: f64,
+    /// `tilt_x` at the end \[rad\].
+    pub final_tilt_x_rad: f64,
+    /// `tilt_y` at the end \[rad\].
+    pub final_tilt_y_rad: f64,
+    /// Yaw at the end: the twist of the swing-twist decomposition, 2 atan2(q_z, q_w) \[rad\].
+    pub yaw_rad: f64,
+    /// Largest horizontal displacement of the centre of the base \[m\].
+    pub base_slide_peak_m: f64,
+    /// The same at the end \[m\].
+    pub base_slide_final_m: f64,
+    /// Largest height of a point of the base above its unloaded cushion \[m\].
+    pub uplift_m: f64,
+    /// Time at which a point of the base was first above its unloaded cushion \[s\].
+    pub first_uplift_time_s: Option<f64>,
+    /// Time at which the tilt reached π/2, or at which the body slid off its support \[s\].
+    pub overturn_time_s: Option<f64>,
+}
+
+/// How long a stack moved in each of its patterns, as shares of the time (Psycharis 1990): they add
+/// up to 1.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Patterns {
+    /// Neither body has an edge off its support.
+    pub rest_ratio: f64,
+    /// Both rock, about edges on the same side.
+    pub same_ratio: f64,
+    /// Both rock, about edges on opposite sides.
+    pub opposite_ratio: f64,
+    /// The lower body rocks and carries the upper one along: one body.
+    pub together_ratio: f64,
+    /// The upper body rocks alone.
+    pub upper_alone_ratio: f64,
+}
+
+/// A step with everything needed to evaluate it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Seen<'a, 'b> {
+    pub(super) world: &'a World<'b>,
+    pub(super) grips: &'a [Grip],
+    pub(super) step: &'a Step<LEN>,
+}
+
+impl Seen<'_, '_> {
+    fn time_s(&self, share: f64) -> f64 {
+        self.step.start_s + share * self.step.length_s
+    }
+
+    pub(super) fn state(&self, share: f64) -> State {
+        if share == 0.0 {
+            self.step.start
+        } else if share == 1.0 {
+            self.step.end
+        } else {
+            self.step.state(share)
+        }
+    }
+
+    /// The share of the step at which a value is largest, if it may exceed `best`: at an end, or
+    /// where its rate falls through zero. `of` gives the value and its rate.
+    fn crest(&self, best: f64, of: impl Fn(&State) -> (f64, f64)) -> Option<(f64, f64)> {
+        let (from, to) = (of(&self.step.start), of(&self.step.end));
+        let ends = from.0.max(to.0);
+        if ends <= 0.0 || ends < HEADROOM * best {
+            return None;
+        }
+        let mut most = if from.0 > to.0 { (0.0, from.0) } else { (1.0, to.0) };
+        if from.1 > 0.0 && to.1 <= 0.0 {
+            let share = bisect(0.0, 1.0, |share| of(&self.step.state(share)).1 <= 0.0);
+            let top = of(&self.step.state(share)).0;
+            if top > most.1 {
+                most = (share, top);
+            }
+        }
+        (most.1 > best).then_some(most)
+    }
+}
+
+/// `tilt_x` and `tilt_y` of an axis; a history ends where it is horizontal, within rounding.
+pub(super) fn tilts(axis: &[f64; 3]) -> [f64; 2] {
+    let up = axis[2].max(0.0);
+    [axis[0].atan2(up), axis[1].atan2(up)]
+}
+
+pub(super) fn yaw(turn: &[f64]) -> f64 {
+    2.0 * turn[3].atan2(turn[0])
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+struct Peaks {
+    tilt: (f64, f64),
+    /// Signed.
+    tilts: [f64; 2],
+    slide: f64,
+    uplift: f64,
+    first_uplift: Option<f64>,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Track {
+    peaks: Vec<Peaks>,
+    /// Largest |θ_upper − θ_lower|.
+    pub(super) relative: f64,
+    /// Time in each pattern.
+    times: Patterns,
+    pub(super) base_contacts: usize,
+    pub(super) wall_contacts: usize,
+}
+
+/// The pose of one body.
+fn pose(world: &World<'_>, y: &State, body: usize) -> Pose {
+    world.poses(y)[body]
+}
+
+/// The centre of the base: its horizontal displacement squared, and the rate of that.
+fn slide(world: &World<'_>, y: &State, body: usize) -> (f64, f64) {
+    let ([x, y, _], [rate_x, rate_y, _]) = pose(world, y, body).point(&[0.0, 0.0, -world.bodies[body].cg_height]);
+    (x * x + y * y, 2.0 * (x * rate_x + y * rate_y))
+}
+
+impl Track {
+    pub(super) fn new(world: &World<'_>, start: &State) -> Self {
+        let mut peaks = vec![Peaks::default(); world.bodies.len()];
+        for (body, peaks) in peaks.iter_mut().enumerate() {
+            peaks.tilts = tilts(&pose(world, start, body).axis().0);
+        }
+        Self { peaks, relative: 0.0, times: Patterns::default(), base_contacts: 0, wall_contacts: 0 }
+    }
+
+    /// Evaluates a step.
+    pub(super) fn read(&mut self, seen: &Seen<'_, '_>) {
+        for body in 0..seen.world.bodies.len() {
+            self.tilts(seen, body);
+            let reached = self.peaks[body].slide.powi(2);
+            if let Some((_, square)) = seen.crest(reached, |y| slide(seen.world, y, body)) {
+                self.peaks[body].slide = square.sqrt();
+            }
+        }
+        self.uplifts(seen);
+        if seen.world.bodies.len() == 2 {
+            self.stack(seen);
+        }
+    }
+
+    fn tilts(&mut self, seen: &Seen<'_, '_>, body: usize) {
+        let peaks = &mut self.peaks[body];
+        let axis = |y: &State| pose(seen.world, y, body).axis();
+        // sin²: rises with the tilt up to π/2.
+        let square = |y: &State| {
+            let (axis, rate) = axis(y);
+            (axis[0].powi(2) + axis[1].powi(2), 2.0 * (axis[0] * rate[0] + axis[1] * rate[1]))
+        };
+        if let Some((share, _)) = seen.crest(peaks.tilt.0.sin().powi(2), square) {
+            let [x, y, z] = axis(&seen.state(share)).0;
+            peaks.tilt = (x.hypot(y).atan2(z), seen.time_s(share));
+        }
+        for side in 0..2 {
+            let size = |y: &State| {
+                let (axis, rate) = axis(y);
+                let tilt = tilts(&axis)[side];
+                (tilt.abs(), tilt.signum() * (rate[side] * axis[2] - axis[side] * rate[2]))
+            };
+            if let Some((share, _)) = seen.crest(peaks.tilts[side].abs(), size) {
+                peaks.tilts[side] = tilts(&axis(&seen.state(share)).0)[side];
+            }
+        }
+    }
+
+    fn uplifts(&mut self, seen: &Seen<'_, '_>) {
+        let ends = [seen.world.poses(&seen.step.start), seen.world.poses(&seen.step.end)];
+        for element in &seen.world.elements {
+            let body = match element.role {
+                Role::Base => 0,
+                Role::Interface => seen.world.bodies.len() - 1,
+                Role::Wall => continue,
+            };
+            let peaks = &mut self.peaks[body];
+            let [from, to] = ends.map(|poses| -seen.world.compression(element, &poses));
+            if from.max(to) <= HEADROOM * peaks.uplift {
+                continue;
+            }
+            let height = |y: &State| {
+                let foot = seen.world.foot(element, &seen.world.poses(y));
+                (-foot.compression, -foot.compression_rate)
+            };
+            if let Some((_, height_m)) = seen.crest(peaks.uplift, height) {
+                peaks.uplift = height_m;
+            }
+            if peaks.first_uplift.is_none() {
+                let is_up = |share: f64| height(&seen.state(share)).0 > 0.0;
+                let share = if is_up(0.0) { 0.0 } else { bisect(0.0, 1.0, is_up) };
+                peaks.first_uplift = Some(seen.time_s(share));
+            }
+        }
+    }
+
+    /// The patterns and the relative rotation of two bodies.
+    fn stack(&mut self, seen: &Seen<'_, '_>) {
+        let relative = |y: &State| {
+            let poses = seen.world.poses(y);
+            let [lower, upper] = [poses[0], poses[1]].map(|pose| (tilts(&pose.axis().0)[0], pose.omega[1]));
+            let angle = upper.0 - lower.0;
+            (angle.abs(), angle.signum() * (upper.1 - lower.1))
+        };
+        if let Some((_, angle)) = seen.crest(self.relative, relative) {
+            self.relative = angle;
+        }
+        let is_open = |role: Role| {
+            seen.world.elements.iter().zip(seen.grips).any(|(element, grip)| element.role == role && !grip.carries())
+        };
+        let middle = seen.world.poses(&seen.state(0.5));
+        let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
+        let times = &mut self.times;
+        let time = match (is_open(Role::Base), is_open(Role::Interface)) {
+            (false, false) => &mut times.rest_ratio,
+            (true, false) => &mut times.together_ratio,
+            (false, true) => &mut times.upper_alone_ratio,
+            (true, true) if lower * (upper - lower) >= 0.0 => &mut times.same_ratio,
+            (true, true) => &mut times.opposite_ratio,
+        };
+        *time += seen.step.length_s;
+    }
+
+    /// The shares of a history of this length; what is skipped at rest is rest.
+    pub(super) fn patterns(&self, end_s: f64) -> Patterns {
+        let t = &self.times;
+        let moving_s = t.same_ratio + t.opposite_ratio + t.together_ratio + t.upper_alone_ratio;
+        Patterns {
+            rest_ratio: (1.0 - moving_s / end_s).max(0.0),
+            same_ratio: t.same_ratio / end_s,
+            opposite_ratio: t.opposite_ratio / end_s,
+            together_ratio: t.together_ratio / end_s,
+            upper_alone_ratio: t.upper_alone_ratio / end_s,
+        }
+    }
+
+    /// A contact begins.
+    pub(super) fn touch(&mut self, role: Role) {
+        match role {
+            Role::Base => self.base_contacts += 1,
+            Role::Wall => self.wall_contacts += 1,
+            Role::Interface => {}
+        }
+    }
+
+    pub(super) fn finish(&self, world: &World<'_>, y: &State, fallen: Option<Fallen>) -> Vec<BodyMotion> {
+        let motion = |(body, peaks): (usize, &Peaks)| {
+            let [final_tilt_x_rad, final_tilt_y_rad] = tilts(&pose(world, y, body).axis().0);
+            let fallen = fallen.filter(|fallen| fallen.body == body);
+            let is_over = fallen.is_some_and(|fallen| !fallen.slid_off);
+            let outcome = if fallen.is_some() {
+                Outcome::Overturned
+            } else if peaks.uplift > 0.0 {
+                Outcome::Rocked
+            } else {
+                Outcome::NoUplift
+            };
+            BodyMotion {
+                outcome,
+                peak_tilt_rad: if is_over { FRAC_PI_2 } else { peaks.tilt.0 },
+                peak_tilt_time_s: fallen.filter(|_| is_over).map_or(peaks.tilt.1, |fallen| fallen.time_s),
+                peak_tilt_x_rad: peaks.tilts[0],
+                peak_tilt_y_rad: peaks.tilts[1],
+                final_tilt_x_rad,
+                final_tilt_y_rad,
+                yaw_rad: yaw(&y[BODY * body + TURN..]),
+                base_slide_peak_m: peaks.slide,
+                base_slide_final_m: slide(world, y, body).0.sqrt(),
+                uplift_m: peaks.uplift,
+                first_uplift_time_s: peaks.first_uplift,
+                overturn_time_s: fallen.map(|fallen| fallen.time_s),
+            }
+        };
+        self.peaks.iter().enumerate().map(motion).collect()
+    }
+}
