@@ -70,7 +70,7 @@ kinds! {
     OutOfRange Error "out-of-range" "is not possible"
         "check the number and its unit";
     FloorUnknown Error "floor-unknown" "is not a floor that is known"
-        "name it under [floors] of a mapping file, or in `floors` under [building] of the study";
+        "name it under [floors] of a mapping file, or among the floors under [building] of the study";
     Formula Error "formula" "is a formula without a value"
         "open the workbook in a spreadsheet program, correct the formula and save it again";
     DimensionOrder Doubt "dimension-order" "does not say which size is which; the largest was taken as the height"
@@ -82,7 +82,7 @@ kinds! {
     DuplicateId Doubt "duplicate-id" "occurs more than once; a number was added to the later ones"
         "give every row its own id";
     FloorNumbering Doubt "floor-numbering" "does not say whether floor 1 is the ground; it was taken as the one above"
-        "give `first_floor = \"ground\"` or \"above\" under [building] of the study or [floors] of a mapping file";
+        "give first_floor = \"ground\" or \"above\" under [building] of the study or [floors] of a mapping file";
     FloorFromSection Doubt "floor-from-section" "was taken from the heading of the section"
         "add a column with the floor";
     Density Doubt "density" "does not fit the size: the density is outside 20 to 3000 kg/m³"
