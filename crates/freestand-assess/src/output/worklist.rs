@@ -244,6 +244,11 @@ fn field(text: &str) -> Result<Vec<u8>, Problem> {
     Ok(written)
 }
 
+/// A number for people: four digits. `objects.csv` has all of them.
+fn to_read(value: f64) -> f64 {
+    number(value, 4).parse().unwrap_or(value)
+}
+
 /// The line of a task, without its floor: how that is called is known at the end.
 fn line(task: &Task) -> Result<Vec<u8>, Problem> {
     row([
@@ -253,8 +258,8 @@ fn line(task: &Task) -> Result<Vec<u8>, Problem> {
         Cell::Count(task.quantity.into()),
         Cell::text(task.action.name()),
         Cell::text(&task.how),
-        Cell::number(task.force_n),
-        Cell::number(task.anchor_tension_n),
+        Cell::number(task.force_n.map(to_read)),
+        Cell::number(task.anchor_tension_n.map(to_read)),
         Cell::text(&task.why),
         Cell::Missing,
     ])

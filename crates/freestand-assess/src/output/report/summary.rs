@@ -9,7 +9,7 @@ use crate::output::words::{HOW_TO_READ, advice, label, ranked, sign};
 use crate::output::worklist::{Task, sort_floors};
 use crate::rank::RULE;
 use crate::result::{Criterion, Decision};
-use freestand_input::words::{counted, fixed, number};
+use freestand_input::words::{counted, fixed, number, significant};
 use freestand_output::html::{
     Cell, figure, heading, list, markup, paragraph, properties, section, table, words as text,
 };
@@ -119,7 +119,7 @@ fn number_cell(label: &str, text: &str) -> String {
 
 /// A force as a table shows it.
 pub(super) fn kilonewtons(force_n: f64) -> String {
-    format!("{} kN", number(1e-3 * force_n, 3))
+    format!("{} kN", significant(1e-3 * force_n, 3))
 }
 
 fn force_words(force_n: Option<f64>) -> String {
