@@ -165,6 +165,44 @@ pub struct ModelAnswers {
     pub exceed: Option<Probability>,
 }
 
+/// The model of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ObjectModel {
+    /// It stands freely on a rigid base.
+    Rock,
+    /// It stands on a rigid base beside a wall or neighbours.
+    RockWall,
+    /// It stands freely, on a rigid base and on its pads.
+    Compliant,
+}
+
+impl ObjectModel {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rock => "rock",
+            Self::RockWall => "rock-wall",
+            Self::Compliant => "compliant",
+        }
+    }
+}
+
+/// What a wall or neighbours do to an object.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct AtWall {
+    /// Share of the worlds at whose end it leans on the wall, past its balance point. They count as
+    /// falls.
+    pub lean_share: f64,
+    /// Share of the worlds in which it strikes the wall.
+    pub strike_share: f64,
+    /// Largest speed at the wall, median world; 0 where it does not strike it \[m/s\].
+    pub speed_m_s_median: f64,
+    /// Largest shock at the wall, median world; `None`: its mass or the stiffness of the wall is not
+    /// known \[g\].
+    pub acceleration_g_median: Option<f64>,
+}
+
 /// An object on its pads.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct OnPads {
@@ -358,6 +396,10 @@ pub struct Assessment {
     pub tier: u8,
     /// The answers; `None`: geometry, level or motions are missing.
     pub answers: Option<Answers>,
+    /// Its model; `None`: geometry, level or motions are missing.
+    pub model: Option<ObjectModel>,
+    /// At its wall; `None`: nothing is within reach, or it does not count.
+    pub at_wall: Option<AtWall>,
     /// On its pads; `None`: the compliant base was not asked.
     pub on_pads: Option<OnPads>,
     /// What the answer depends on, where that was calculated.

@@ -3,7 +3,7 @@
 use crate::inventory::{Inventory, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
-use freestand_study::study::assessment::Settings;
+use freestand_study::study::assessment::{Settings, WallUse};
 use freestand_study::study::{Ground, Study};
 use freestand_study::target::Target;
 
@@ -54,8 +54,8 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
         place: place(study, inventory),
         one_line: one_line(study),
         facts,
-        most_important: most_important(study),
-        assumptions: assumptions(study),
+        most_important: most_important(study, inventory),
+        assumptions: assumptions(study, inventory),
         problems: console_lines(&inventory.findings),
         warnings: study.warnings.iter().chain(&inventory.warnings).cloned().collect(),
         is_elastic: study.building.is_some(),
@@ -148,7 +148,25 @@ fn ratings_words(ratios: [f64; 3]) -> String {
     format!("{high}, {medium}, {low} %")
 }
 
-fn most_important(study: &Study) -> Vec<String> {
+/// How many objects are assessed as free-standing, and what that means.
+fn free_standing(study: &Study, inventory: &Inventory) -> String {
+    let all = inventory.items.len();
+    let without = inventory.items.iter().filter(|item| item.surroundings.wall_gap_m.is_none()).count();
+    match study.assessment.walls {
+        WallUse::Ignore => {
+            "Every object is assessed as free-standing: the study ignores the walls and neighbours of the list."
+                .to_owned()
+        }
+        WallUse::AsListed if without == 0 => "Every object has a wall_gap and is assessed beside its wall.".to_owned(),
+        WallUse::AsListed => format!(
+            "{without} of {} have no wall_gap: they are assessed as free-standing. At a wall an object may fall much \
+             less often or, on strong floors, no less.",
+            counted(all, "object")
+        ),
+    }
+}
+
+fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
     let Settings { accepted, .. } = &study.assessment;
     let building = match &study.building {
         Some(building) => format!(
@@ -170,16 +188,22 @@ fn most_important(study: &Study) -> Vec<String> {
             percent_significant(accepted.small_item_ratio, 3)
         ),
         building,
-        "Every object stands freely on a level floor. Vertical shaking, walls and neighbours, and sliding while it rocks \
-         are not calculated."
-            .to_owned(),
+        format!(
+            "{} The floor is level. {} not calculated.",
+            free_standing(study, inventory),
+            if study.ground.has_vertical() {
+                "Sliding while it rocks is"
+            } else {
+                "Vertical shaking and sliding while it rocks are"
+            }
+        ),
         "The forces follow the clause that each page names. An engineer has to check them and to design the anchors and \
          what they are fixed to."
             .to_owned(),
     ]
 }
 
-fn assumptions(study: &Study) -> Vec<String> {
+fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     let Settings {
         accepted,
         spread,
@@ -230,8 +254,8 @@ fn assumptions(study: &Study) -> Vec<String> {
             spread.restitution
         ),
         format!(
-            "{} Not in the worlds: the soil, damage to the building (it stays elastic), sliding while rocking, walls \
-             and neighbours, rotation about a vertical axis.",
+            "{} Not in the worlds: the soil, damage to the building (it stays elastic), sliding while \
+             rocking, rotation about a vertical axis.",
             if study.ground.has_vertical() {
                 format!(
                     "Vertical motion: {}; floors above the ground have {} times that of the ground.",
@@ -254,8 +278,13 @@ fn assumptions(study: &Study) -> Vec<String> {
             percent(pad_damping_ratio.0),
             percent(pad_damping_ratio.1)
         ),
-        "Every object is free-standing on a level, rigid floor and moves in one plane at a time. The objects do not \
-         affect the motion of the floor."
+        format!(
+            "{} A wall moves with the floor; its restitution is between 0 and 0.5 where the list does not give it, and \
+             the floor moves towards it or away from it with the same chance.",
+            free_standing(study, inventory)
+        ),
+        "Every object stands on a level, rigid floor and moves in one plane at a time. The objects do not affect the \
+         motion of the floor."
             .to_owned(),
     ]
 }

@@ -8,18 +8,21 @@ use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
 use crate::result::{
-    Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions, FloorFacts,
-    ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
+    Answers, Assessment, AtWall, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions,
+    FloorFacts, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict,
+    Softening,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
+use freestand_input::words::counted;
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding};
 use super::object::{Body, Hit, hit};
 use super::response::{
-    AxisMotion, Lived, PadMotion, demand_capacity, governing, lifts, options, overturned, pads_demand_capacity, ranked,
+    AxisMotion, Lived, PadMotion, Strike, demand_capacity, governing, leans, lifts, options, overturned,
+    pads_demand_capacity, ranked,
 };
 use super::softer::beyond_pads;
 use super::trial::{Model, Question, Trial};
@@ -111,7 +114,17 @@ pub(super) fn assessment(
     if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some() {
         assessed.why.push_str(" Its stiffness is a range from the cushion library, not a measurement.");
     }
+    assessed.at_wall = at_wall(trial);
+    if let Some(at_wall) = &assessed.at_wall {
+        assessed.why.push_str(&beside_words(context, trial, at_wall));
+        assessed.notes.extend(unknown_wall_shock(trial, at_wall));
+    }
     note_failures(trial, &mut assessed.notes);
+    assessed.model = Some(match (assessed.at_wall.is_some(), answers.compliant.is_some()) {
+        (true, _) => ObjectModel::RockWall,
+        (false, true) => ObjectModel::Compliant,
+        (false, false) => ObjectModel::Rock,
+    });
     assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
         (false, _) => 0,
         (true, false) => 2,
@@ -147,6 +160,48 @@ pub(super) fn assessment(
     assessed.context = context.comparisons(trial, &floor);
     assessed.answers = Some(answers);
     Ok(assessed)
+}
+
+/// What happens at its wall; `None`: there is none, or every history failed.
+fn at_wall(trial: &Trial) -> Option<AtWall> {
+    trial.subject.walls?;
+    followed(trial).next()?;
+    let strikes = |number: fn(&Strike) -> f64| {
+        let most =
+            |axes: &[AxisMotion]| axes.iter().filter_map(|one| one.strike.as_ref().map(number)).fold(0.0, f64::max);
+        quantile(followed(trial).map(|(_, axes)| most(axes)), 0.5)
+    };
+    let is_known = trial.subject.mass_kg.is_some() && trial.subject.walls?.stiffness_n_m.is_some();
+    Some(AtWall {
+        lean_share: share(followed(trial).map(|(_, axes)| leans(axes))),
+        strike_share: share(followed(trial).map(|(_, axes)| axes.iter().any(|one| one.strike.is_some()))),
+        speed_m_s_median: strikes(|strike| strike.speed_m_s),
+        acceleration_g_median: is_known
+            .then(|| strikes(|strike| strike.acceleration_m_s2.map_or(0.0, |shock| shock / G0_M_S2))),
+    })
+}
+
+/// What a wall changes about an answer.
+fn beside_words(context: &Context, trial: &Trial, at_wall: &AtWall) -> String {
+    let mut words = String::new();
+    if at_wall.lean_share > 0.0 {
+        let leaning = followed(trial).filter(|(_, axes)| leans(axes)).count();
+        words.push_str(&format!(
+            " It ends leaning on its wall in {leaning} of {}, which count as falls.",
+            counted(followed(trial).count(), "world")
+        ));
+    }
+    if context.study.assessment.compliant && trial.subject.body.is_some() {
+        words.push_str(" Beside a wall its pads are not followed: the rigid base alone answers.");
+    }
+    words
+}
+
+/// Said where a shock is asked and that at the wall cannot be calculated.
+fn unknown_wall_shock(trial: &Trial, at_wall: &AtWall) -> Option<String> {
+    let is_asked = trial.subject.capacity.is_some() && at_wall.strike_share > 0.0;
+    (is_asked && at_wall.acceleration_g_median.is_none())
+        .then(|| "The shock at its wall is not compared with its tolerance: give wall_stiffness and mass.".to_owned())
 }
 
 fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
@@ -302,7 +357,7 @@ fn axis_response(trial: &Trial, axis: usize) -> AxisResponse {
         half_diagonal_m: pivot.half_diagonal_m,
         uplift_threshold_g: pivot.slenderness_angle_rad.tan(),
         uplift_share: share(worlds().map(|one| one.rocking.outcome != RockingOutcome::NoUplift)),
-        overturn_share: share(worlds().map(|one| one.rocking.outcome == RockingOutcome::Overturned)),
+        overturn_share: share(worlds().map(|one| one.rocking.outcome.has_fallen())),
         edge_acceleration_g: trial.subject.body.as_ref().map(|_| quantiles(worlds().map(shock))),
         ceiling_g: trial.subject.body.as_ref().map(|body| ceiling_g(trial, axis, body)),
     }
@@ -398,7 +453,8 @@ fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize
         shock.edge_acceleration_m_s2 > peak_m_s2
     };
     let base = at.base(lived.draw.is_along_x(axis));
-    let history = rock(&block, base, &options(restitution)).ok()?;
+    let walls = lived.draw.walls(&trial.subject, axis);
+    let history = rock(&block, base, &options(restitution, walls)).ok()?;
     Some(history.impacts.iter().filter(|impact| above(impact)).count())
 }
 
@@ -408,7 +464,8 @@ fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) ->
     let lived = trial.lived.get(world)?;
     let (axis, _) = governing(lived.rigid.as_ref().ok()?)?;
     let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
-    let most = friction_needed_ratio(&block, at.base(lived.draw.is_along_x(axis)), restitution)?;
+    let options = options(restitution, lived.draw.walls(&trial.subject, axis));
+    let most = friction_needed_ratio(&block, at.base(lived.draw.is_along_x(axis)), &options)?;
     let ratio = restitution.ratios(&block).ok()?[0];
     Some(slides(context, trial, most.max(impact_friction_needed_ratio(&block, ratio))))
 }

@@ -177,6 +177,8 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
         why: String::new(),
         tier: 0,
         answers: None,
+        model: None,
+        at_wall: None,
         on_pads: None,
         shares: None,
         per_year: None,

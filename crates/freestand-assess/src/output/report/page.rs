@@ -6,7 +6,9 @@ use std::fmt::Write;
 use crate::inventory::{Inventory, Item};
 use crate::output::overview::place;
 use crate::output::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
-use crate::result::{Assessment, AxisResponse, ModelAnswers, Ranked, RestraintForce, RestraintKind, Shares};
+use crate::result::{
+    Assessment, AxisResponse, ModelAnswers, ObjectModel, Ranked, RestraintForce, RestraintKind, Shares,
+};
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, table, words as text};
 use freestand_study::cushion::cushion_words;
@@ -77,6 +79,7 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
         ("Demand/capacity", margin(found)),
         ("Median shock", shock),
         ("These two are", known(found.answers.is_some() && found.shock.is_some(), model.to_owned())),
+        ("Model", model_words(found)),
         ("Calculated with", decided),
     ];
     match (&found.capacity, &item.tolerance) {
@@ -91,6 +94,17 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
         (None, None) => rows.push(("Tolerance", "not given".to_owned())),
     }
     rows
+}
+
+/// The model of the object, and why it is this one.
+fn model_words(found: &Assessment) -> String {
+    let why = match found.model {
+        None => return String::new(),
+        Some(ObjectModel::Rock) => "it stands freely; mass or pads are not given, or the study does not follow them",
+        Some(ObjectModel::RockWall) => "it stands beside a wall or neighbours",
+        Some(ObjectModel::Compliant) => "it stands freely, and mass and pads are given",
+    };
+    format!("{}: {why}", found.model.map_or("", ObjectModel::name))
 }
 
 /// What the object is, and where it is.
@@ -192,6 +206,18 @@ fn in_brief(found: &Assessment) -> String {
         let (low, high) = (number(low, 3), number(high, 3));
         let verdict = sliding.verdict.name();
         said.push(format!("Sliding: {verdict} (coefficient of friction {low} to {high}, {origin})."));
+    }
+    if let Some(at_wall) = &found.at_wall {
+        let shock = at_wall.acceleration_g_median.map_or_else(
+            || "its shock there is not known".to_owned(),
+            |shock_g| format!("shock there, apart from that on the floor, {} g", number(shock_g, 3)),
+        );
+        said.push(format!(
+            "Its wall: struck in {} of the worlds; median world: speed {} m/s, {shock}. It ends leaning on it in {}.",
+            percent(at_wall.strike_share, 0),
+            number(at_wall.speed_m_s_median, 3),
+            percent(at_wall.lean_share, 1)
+        ));
     }
     if let Some(clearance_m) = found.clearance_m {
         said.push(format!("Clearance needed on every side: {} mm.", number((1e3 * clearance_m).ceil(), 6)));
