@@ -1,4 +1,4 @@
-//! Walls and neighbours of a list, against the solvers on the same motion.
+//! Walls, neighbours and free casters of a list, against the solvers on the same motion.
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests may stop")]
 
@@ -9,6 +9,7 @@ use std::path::Path;
 use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Base, RockingOptions, Until, rock};
+use freestand::sliding::{Clearance, Friction, SlidingOptions, slide, trip_speed_m_s};
 use freestand::wall::{Wall, Walls};
 use freestand_assess::job::{Job, ListRequest, assess_into, inventory_of};
 use freestand_study::resolve::resolve;
@@ -30,7 +31,7 @@ fn pulse() -> Motion {
 }
 
 /// Every world has the same floor and the same object; only the side of the wall is drawn.
-fn assess(folder: &Path, settings: &str, rows: &str) {
+fn assess(folder: &Path, settings: &str, header: &str, rows: &str) {
     let motion = pulse();
     let lines: String =
         motion.accel_m_s2().iter().enumerate().map(|(i, a)| format!("{},{a}\n", i as f64 * motion.dt_s())).collect();
@@ -44,7 +45,7 @@ fn assess(folder: &Path, settings: &str, rows: &str) {
     );
     let study = resolve(&text, None, folder).unwrap();
     let list = folder.join("list.csv");
-    fs::write(&list, format!("{HEADER}{rows}")).unwrap();
+    fs::write(&list, format!("{header}{rows}")).unwrap();
     let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
     assert!(!inventory.has_errors(), "{:?}", inventory.findings);
     let job = Job { outcomes: true, ..Job::default() };
@@ -74,7 +75,7 @@ fn with_wall(block: &Block, walls: Walls) -> (f64, f64) {
 fn every_world_is_a_history_beside_its_wall() {
     for gap_m in [0.0, 0.02] {
         let folder = tempfile::tempdir().unwrap();
-        assess(folder.path(), "", &format!("a,0,1800,600,,100,4000,5,{},,0.3,2000\n", 1e3 * gap_m));
+        assess(folder.path(), "", HEADER, &format!("a,0,1800,600,,100,4000,5,{},,0.3,2000\n", 1e3 * gap_m));
         let block = Block::uniform(1.8, 0.6).unwrap();
         let wall = Some(Wall { restitution_ratio: 0.3, ..Wall::at(gap_m) });
         let left = with_wall(&block, Walls { left: wall, right: None });
@@ -106,7 +107,7 @@ fn every_world_is_a_history_beside_its_wall() {
 fn a_wall_out_of_reach_is_no_wall() {
     let objects = |settings: &str, walls: &str| {
         let folder = tempfile::tempdir().unwrap();
-        assess(folder.path(), settings, &format!("a,0,1800,300,700,100,4000,5,{walls}\n"));
+        assess(folder.path(), settings, HEADER, &format!("a,0,1800,300,700,100,4000,5,{walls}\n"));
         let files = ["objects.csv", "outcomes.csv"].map(|name| fs::read(folder.path().join("out").join(name)).unwrap());
         (files, table(folder.path(), "objects.csv")[0]["model"].clone())
     };
@@ -123,7 +124,7 @@ fn a_wall_out_of_reach_is_no_wall() {
 fn bounds_of_a_touching_wall_and_of_one_to_lean_on() {
     let folder = tempfile::tempdir().unwrap();
     let rows = "held,0,1800,900,200,,,,,0,,\nalone,0,1800,900,200,,,,,,,\nleans,0,1800,900,120,,,,,150,0,\n";
-    assess(folder.path(), "", rows);
+    assess(folder.path(), "", HEADER, rows);
     let found: HashMap<String, HashMap<String, String>> =
         table(folder.path(), "objects.csv").into_iter().map(|row| (row["id"].clone(), row)).collect();
     let number = |id: &str, name: &str| found[id][name].parse::<f64>().unwrap();
@@ -136,4 +137,51 @@ fn bounds_of_a_touching_wall_and_of_one_to_lean_on() {
     let said = format!("leaning on its wall in {worlds} of {worlds} worlds");
     assert!(found["leans"]["why"].contains(&said), "{}", found["leans"]["why"]);
     assert_eq!(found["alone"]["p_lean"], "");
+}
+
+/// The travel is that of the solver for sliding, and a stop overturns what reaches it faster than its
+/// trip speed; without a stop nothing overturns.
+#[test]
+fn what_rolls_travels_as_the_sliding_block() {
+    const G0_M_S2: f64 = 9.80665;
+    let header = "id,level_ratio,height [mm],thickness [mm],mass [kg],tolerance [g],casters,rolling_resistance,clearance \
+                  [mm],wall_stiffness [N/mm]\n";
+    let rows = "free,0,1800,300,,,free,,,\nstopped,0,1800,300,,,free,0.03,100,\nwide,0,1000,950,,,free,0.03,100,\nfar,0,1800,\
+                300,80,5,free,0.03,9000,\nsoft,0,1000,950,80,5,free,0.03,100,20\n";
+    let folder = tempfile::tempdir().unwrap();
+    assess(folder.path(), "", header, rows);
+    let found: HashMap<String, HashMap<String, String>> =
+        table(folder.path(), "objects.csv").into_iter().map(|row| (row["id"].clone(), row)).collect();
+    let number = |id: &str, name: &str| found[id][name].parse::<f64>().unwrap();
+    let motion = pulse();
+    let slid = |ratio: f64, clearance_m: Option<f64>| {
+        let clearance = Clearance { left_m: clearance_m, right_m: clearance_m };
+        let until = Until::Settled { at_most_s: 120.0 };
+        let options = SlidingOptions { clearance, until, ..SlidingOptions::new(Friction::uniform(ratio).unwrap()) };
+        slide(Base { horizontal: Some(&motion), vertical: None }, &options).unwrap()
+    };
+    // The table has at least nine digits.
+    let is = |got: f64, expected: f64| (got - expected).abs() <= 1e-8 * expected;
+    let free = slid(0.02, None);
+    for name in ["slide_m_median", "slide_m_p84"] {
+        assert!(is(number("free", name), free.peak_m.abs()), "{name} {}", free.peak_m);
+    }
+    assert_eq!((number("free", "p_overturn"), found["free"]["trip_margin"].as_str()), (0.0, ""));
+    assert!(found["free"]["why"].starts_with("It rolls: up to "), "{}", found["free"]["why"]);
+    let (_, speed_m_s) = slid(0.03, Some(0.1)).contact.unwrap();
+    let mut fallen = 0;
+    for (id, height_m, thickness_m) in [("stopped", 1.8, 0.3), ("wide", 1.0, 0.95)] {
+        let trip_m_s = trip_speed_m_s(&Block::uniform(height_m, thickness_m).unwrap(), G0_M_S2);
+        assert!(is(number(id, "trip_margin"), trip_m_s / speed_m_s.abs()), "{id}: {trip_m_s} {speed_m_s}");
+        let falls = speed_m_s.abs() >= trip_m_s;
+        assert_eq!(number(id, "p_overturn"), f64::from(u8::from(falls)), "{id}");
+        fallen += u32::from(falls);
+    }
+    assert_eq!(fallen, 1, "one is to fall and one to stand");
+    assert!(found.values().all(|row| row["model"] == "roll" && row["sliding"] == "yes"));
+    // No more than 0.03 g reaches what nothing stops; the other has v √(k/m).
+    assert_eq!(number("far", "p_exceed"), 0.0);
+    let shock_g = speed_m_s.abs() * (2e4f64 / 80.0).sqrt() / G0_M_S2;
+    assert_eq!(number("soft", "p_exceed"), f64::from(u8::from(shock_g > 5.0)), "{shock_g}");
+    assert!(is(number("soft", "demand_capacity_ratio"), shock_g / 5.0), "{shock_g}");
 }

@@ -14,7 +14,7 @@ use crate::library::{Confidence, Tolerance};
 use crate::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain, Criterion, Decision,
     FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, Probability, Response, RestraintForce, RestraintKind,
-    Shares, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
+    Rolled, Shares, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_output::folder::OutputFolder;
@@ -239,6 +239,14 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             speed_m_s_median: 0.31,
             acceleration_g_median: Some(2.4),
         }),
+        rolled: (index % 4 == 2).then_some(Rolled {
+            travel_m_median: 0.21,
+            travel_m_p84: 0.35,
+            clearance_m: Some(0.3),
+            stop_share: 0.25,
+            stop_speed_m_s_p84: Some(0.4),
+            trip_speed_m_s: 0.9,
+        }),
         on_pads: (index % 4 == 3).then_some(OnPads {
             rocking_frequency_hz: Some(4.1),
             pad_uplift_threshold_g: Some(0.21),
@@ -353,6 +361,7 @@ pub(super) fn unknown(item: &Item) -> Assessment {
         answers: None,
         model: None,
         at_wall: None,
+        rolled: None,
         on_pads: None,
         shares: None,
         per_year: None,

@@ -4,24 +4,25 @@ use freestand::G0_M_S2;
 use freestand::compliant::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
 use freestand::rocking::{Outcome as RockingOutcome, RockingImpact, rock};
+use freestand::sliding::trip_speed_m_s;
 use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AtWall, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions,
-    FloorFacts, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict,
-    Softening,
+    FloorFacts, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer, Sliding,
+    SlidingVerdict, Softening,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
-use freestand_input::words::counted;
+use freestand_input::words::{counted, number};
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
 use super::comparisons::friction_needed_ratio;
-use super::decision::{Case, decide, deciding};
-use super::object::{Body, Hit, hit};
+use super::decision::{Case, decide, deciding, percent};
+use super::object::{Body, Hit, Rolling, Subject, hit};
 use super::response::{
-    AxisMotion, Lived, PadMotion, Strike, demand_capacity, governing, leans, lifts, options, overturned,
+    AxisMotion, Lived, PadMotion, Roll, Strike, demand_capacity, governing, leans, lifts, options, overturned,
     pads_demand_capacity, ranked,
 };
 use super::softer::beyond_pads;
@@ -120,10 +121,16 @@ pub(super) fn assessment(
         assessed.notes.extend(unknown_wall_shock(trial, at_wall));
     }
     note_failures(trial, &mut assessed.notes);
-    assessed.model = Some(match (assessed.at_wall.is_some(), answers.compliant.is_some()) {
-        (true, _) => ObjectModel::RockWall,
-        (false, true) => ObjectModel::Compliant,
-        (false, false) => ObjectModel::Rock,
+    assessed.rolled = rolled(trial);
+    if let Some(rolled) = &assessed.rolled {
+        assessed.why = format!("{} {}", roll_words(rolled), assessed.why);
+    }
+    let Subject { rolls, walls, .. } = &trial.subject;
+    assessed.model = Some(match (rolls.is_some(), walls.is_some(), answers.compliant.is_some()) {
+        (true, ..) => ObjectModel::Roll,
+        (_, true, _) => ObjectModel::RockWall,
+        (_, _, true) => ObjectModel::Compliant,
+        (false, false, false) => ObjectModel::Rock,
     });
     assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
         (false, _) => 0,
@@ -136,7 +143,7 @@ pub(super) fn assessment(
     assessed.on_pads = on_pads(context, trial);
     assessed.capacity = capacity_check(trial, &floor, governs);
     assessed.softening = softening;
-    assessed.clearance_m = clearance(trial);
+    assessed.clearance_m = clearance(trial).filter(|_| trial.subject.rolls.is_none());
     assessed.chain = world.and_then(|world| chain(context, trial, world));
     assessed.shock = shock(trial);
     let hardest = order.iter().rev().copied();
@@ -179,6 +186,46 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
         acceleration_g_median: is_known
             .then(|| strikes(|strike| strike.acceleration_m_s2.map_or(0.0, |shock| shock / G0_M_S2))),
     })
+}
+
+/// How it rolls; `None`: it does not, or every history failed.
+fn rolled(trial: &Trial) -> Option<Rolled> {
+    let rolling = trial.subject.rolls.as_ref()?;
+    followed(trial).next()?;
+    let rolls = |axes: &[AxisMotion], number: fn(&Roll) -> Option<f64>| {
+        axes.iter().filter_map(|one| number(one.roll.as_ref()?)).fold(0.0, f64::max)
+    };
+    let of =
+        |number: fn(&Roll) -> Option<f64>, q: f64| quantile(followed(trial).map(|(_, axes)| rolls(axes, number)), q);
+    let travel = |roll: &Roll| Some(roll.travel_m);
+    let is_stopped =
+        |axes: &[AxisMotion]| axes.iter().any(|one| one.roll.is_some_and(|roll| roll.stop_speed_m_s.is_some()));
+    let trip_speeds = trial.subject.axes.iter().map(|axis| trip_speed_m_s(&axis.block, G0_M_S2));
+    Some(Rolled {
+        travel_m_median: of(travel, QUANTILES[1]),
+        travel_m_p84: of(travel, QUANTILES[2]),
+        clearance_m: rolling.clearance_m,
+        stop_share: share(followed(trial).map(|(_, axes)| is_stopped(axes))),
+        stop_speed_m_s_p84: Some(of(|roll| roll.stop_speed_m_s, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
+        trip_speed_m_s: trip_speeds.fold(f64::INFINITY, f64::min),
+    })
+}
+
+/// How far it rolls, and what a stop does.
+fn roll_words(rolled: &Rolled) -> String {
+    let travel = format!("It rolls: up to {} mm in 84 % of worlds", number((1e3 * rolled.travel_m_p84).ceil(), 6));
+    let Some(clearance_m) = rolled.clearance_m else {
+        return format!("{travel}; nothing in the list stops it.");
+    };
+    let trip = number(rolled.trip_speed_m_s, 3);
+    let speed = rolled
+        .stop_speed_m_s_p84
+        .map_or_else(String::new, |speed_m_s| format!(" (up to {} m/s there in 84 %)", number(speed_m_s, 3)));
+    format!(
+        "{travel}. It reaches its clearance of {} mm in {} of them{speed}; a stop there overturns it from {trip} m/s.",
+        number(1e3 * clearance_m, 6),
+        percent(rolled.stop_share)
+    )
 }
 
 /// What a wall changes about an answer.
@@ -232,8 +279,10 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
 
 fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
-    let is_known =
-        trial.subject.capacity.as_ref().is_some_and(|capacity| trial.subject.body.is_some() || !capacity.needs_shock());
+    let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.rolls {
+        Some(_) => stop_is_known(trial),
+        None => trial.subject.body.is_some() || !capacity.needs_shock(),
+    });
     let model = |model| ModelAnswers {
         overturn: trial.probability(context, Question::Falls, model),
         exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
@@ -373,7 +422,8 @@ fn ceiling_g(trial: &Trial, axis: usize, body: &Body) -> f64 {
 }
 
 fn shock(trial: &Trial) -> Option<Shock> {
-    let body = trial.subject.body.as_ref()?;
+    // What rolls does not land.
+    let body = trial.subject.body.as_ref().filter(|_| trial.subject.rolls.is_none())?;
     followed(trial).next()?;
     let of = |number: fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
     let survived = followed(trial).filter(|(_, axes)| !overturned(axes) && lifts(axes));
@@ -401,8 +451,23 @@ fn pulse_duration_s(trial: &Trial, axis: usize, body: &Body) -> f64 {
     landing.impact(body.mass_kg, &body.cushion, rise_m, G0_M_S2).pulse_duration_s
 }
 
+/// Whether the demand of every world is known: that of a stop needs its stiffness and the mass.
+fn stop_is_known(trial: &Trial) -> bool {
+    followed(trial).all(|(_, axes)| axes.iter().all(|one| one.terms.is_some()))
+}
+
 fn missing(trial: &Trial) -> Vec<&'static str> {
     let item = trial.member.item;
+    if trial.subject.rolls.is_some() {
+        let has_tolerance = item.tolerance.is_some() && trial.subject.capacity.is_some();
+        let is_known = !has_tolerance || stop_is_known(trial);
+        let known = [
+            (has_tolerance, "tolerance"),
+            (is_known || item.mass_kg.is_some(), "mass"),
+            (is_known || item.surroundings.wall_stiffness_n_m.is_some(), "wall_stiffness"),
+        ];
+        return known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect();
+    }
     let known = [
         (item.tolerance.is_some() && trial.subject.capacity.is_some(), "tolerance"),
         (item.mass_kg.is_some(), "mass"),
@@ -471,6 +536,10 @@ fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) ->
 }
 
 fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
+    if let Some(Rolling { resistance, is_stated, .. }) = trial.subject.rolls {
+        let ratio = resistance.static_ratio();
+        return Sliding { verdict: SlidingVerdict::Yes, friction_ratio: (ratio, ratio), is_stated };
+    }
     let stated = trial.member.item.friction_ratio;
     let (low, high) = stated.unwrap_or(context.study.assessment.friction_ratio);
     let verdict = if low >= needed_ratio {

@@ -6,13 +6,15 @@ use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::ImpactModel;
 use freestand::rocking::{Restitution, RockingSummary};
+use freestand::sliding::Friction;
 use freestand::spectra::{BEYOND_ALL_G, landings};
 use freestand::worlds::WallDraw;
 
 use freestand::wall::{Wall, Walls};
+use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::WallUse;
 
-use crate::inventory::{Item, Surroundings};
+use crate::inventory::{Casters, Item, Surroundings};
 use crate::result::Axis;
 
 use super::capacity::Capacity;
@@ -30,6 +32,8 @@ pub(crate) struct Subject {
     pub(super) capacity: Option<Capacity>,
     /// `None`: it has no wall and no neighbour within reach.
     pub(super) walls: Option<Beside>,
+    /// `None`: it does not roll.
+    pub(super) rolls: Option<Rolling>,
 }
 
 /// What a shock depends on besides the motion of the block.
@@ -134,7 +138,42 @@ impl Beside {
     }
 }
 
+/// How an object rolls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rolling {
+    /// μ_r.
+    pub(super) resistance: Friction,
+    /// Whether the list gives μ_r.
+    pub(super) is_stated: bool,
+    /// The way to a stop, on each side; `None`: nothing stops it \[m\].
+    pub(super) clearance_m: Option<f64>,
+    /// k_s of the stop \[N/m\].
+    pub(super) stop_stiffness_n_m: Option<f64>,
+}
+
+impl Rolling {
+    /// `None`: it has no free casters, or they resist so much that it would rock.
+    fn new(of: &Surroundings, axes: &[AxisGeometry]) -> Option<Self> {
+        if of.casters != Some(Casters::Free) {
+            return None;
+        }
+        let ratio = of.rolling_resistance_ratio.unwrap_or(DEFAULT_ROLLING_RESISTANCE);
+        let resistance = Friction::uniform(ratio).ok()?;
+        axes.iter().all(|axis| resistance.is_below_uplift(&axis.block)).then_some(Self {
+            resistance,
+            is_stated: of.rolling_resistance_ratio.is_some(),
+            clearance_m: of.clearance_m,
+            stop_stiffness_n_m: of.wall_stiffness_n_m,
+        })
+    }
+}
+
 impl Subject {
+    /// Whether nothing is beside it and it does not roll.
+    pub(super) fn stands_freely(&self) -> bool {
+        self.walls.is_none() && self.rolls.is_none()
+    }
+
     /// The object, or the names of what is missing.
     pub(crate) fn new(item: &Item, walls: WallUse) -> Result<Self, Vec<&'static str>> {
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
@@ -162,7 +201,10 @@ impl Subject {
             damping_ratio: own_damping_ratio(&edge.cushion, mass_kg),
         });
         let capacity = item.tolerance.as_ref().and_then(Capacity::new);
+        let rolls = Rolling::new(&item.surroundings, &axes);
         let beside = match walls {
+            // A wall ends a rotation, and what rolls does not rotate.
+            _ if rolls.is_some() => None,
             WallUse::AsListed => Some(Beside::new(&item.surroundings)).filter(|beside| beside.is_within_reach(&axes)),
             WallUse::Ignore => None,
         };
@@ -174,6 +216,7 @@ impl Subject {
             body,
             capacity,
             walls: beside,
+            rolls,
         })
     }
 }

@@ -22,8 +22,19 @@ pub(super) struct AxisMotion {
     pub(super) hit: Option<Hit>,
     /// The hardest impact on a wall; `None`: there was none.
     pub(super) strike: Option<Strike>,
+    /// `None`: it has no free casters.
+    pub(super) roll: Option<Roll>,
     /// `None`: demand or capacity is not known.
     pub(super) terms: Option<Terms>,
+}
+
+/// What an object on casters does in the plane of one axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Roll {
+    /// The largest |x|, as if nothing were in the way \[m\].
+    pub(super) travel_m: f64,
+    /// Speed at which it reaches its stop; `None`: it does not \[m/s\].
+    pub(super) stop_speed_m_s: Option<f64>,
 }
 
 /// The hardest impact on a wall.
@@ -145,10 +156,10 @@ pub(super) fn axis_motion(
         let wall = wall.and_then(|demand| terms(capacity, Some(demand), false, rocking.uplift_m, floor_m_s2));
         Some(wall.filter(|wall| wall.ratio() > edge.ratio()).unwrap_or(edge))
     });
-    AxisMotion { rocking, hit: found, strike, terms }
+    AxisMotion { rocking, hit: found, strike, roll: None, terms }
 }
 
-fn terms(
+pub(super) fn terms(
     capacity: &Capacity,
     demand: Option<Demand>,
     is_at_rest: bool,

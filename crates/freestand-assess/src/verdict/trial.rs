@@ -25,6 +25,7 @@ use super::response::{
     Lived, PadResponse, RigidResponse, TOPPLED, axis_motion, demand_capacity, options, overturned, pad_motion,
     pad_motion_of, pads_demand_capacity,
 };
+use super::roll::rolled;
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
@@ -93,9 +94,9 @@ impl<'a> Trial<'a> {
     pub(super) fn asks(&self, context: &Context, model: Model) -> bool {
         match model {
             Model::Rigid => true,
-            // Beside a wall its pads are not followed.
+            // Beside a wall and on casters its pads are not followed.
             Model::Pads => {
-                context.study.assessment.compliant && self.subject.body.is_some() && self.subject.walls.is_none()
+                context.study.assessment.compliant && self.subject.body.is_some() && self.subject.stands_freely()
             }
         }
     }
@@ -184,7 +185,8 @@ pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model
     let ratio = ratio.filter(|ratio| *ratio > 1.0 || compression_m <= thickness_m);
     // Where the shock is not known, the floor alone may exceed the tolerance: a shock only adds to it.
     let floor_alone = || {
-        let peak_m_s2 = subject.capacity.as_ref()?.peak_m_s2?;
+        // Casters keep most of it from the object.
+        let peak_m_s2 = subject.capacity.as_ref().filter(|_| subject.rolls.is_none())?.peak_m_s2?;
         (lived.pfa_m_s2 > peak_m_s2).then_some(true)
     };
     Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
@@ -316,7 +318,8 @@ fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &
     for is_x in [true, false] {
         let mut places = Vec::new();
         let mut blocks = Vec::new();
-        for (place, (trial, draw)) in trials.iter().zip(draws).enumerate() {
+        let rocking = trials.iter().zip(draws).enumerate().filter(|(_, (trial, _))| trial.subject.rolls.is_none());
+        for (place, (trial, draw)) in rocking {
             for axis in (0..trial.subject.axes.len()).filter(|&axis| draw.is_along_x(axis) == is_x) {
                 if let Some((block, restitution)) = draw.block(&trial.subject, axis) {
                     places.push((place, axis));
@@ -332,6 +335,9 @@ fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &
         }
     }
     let of_trial = |((trial, draw), found): ((&&Trial, &Draw), Vec<Option<_>>)| -> RigidResponse {
+        if let Some(rolling) = &trial.subject.rolls {
+            return rolled(&trial.subject, rolling, draw, floor);
+        }
         let body = draw.body(&trial.subject);
         let known = found.into_iter().enumerate().filter_map(|(axis, one)| Some((axis, one?)));
         let axes = known.map(|(axis, (block, rocked)): (usize, (_, Result<_, _>))| {

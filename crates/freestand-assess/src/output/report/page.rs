@@ -66,7 +66,12 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
     let worlds = found.answers.as_ref().map_or_else(String::new, |answers| {
         format!("{} of at most {}", counted(answers.worlds as usize, "world"), answers.worlds_cap)
     });
-    let decided = match tier(found.tier) {
+    let by = match (found.model, found.tier) {
+        (Some(ObjectModel::Roll), _) => "the model on casters",
+        (Some(ObjectModel::RockWall), 0) => "the model on a rigid base: it does not rock",
+        (_, by) => tier(by),
+    };
+    let decided = match by {
         "" => worlds,
         by if worlds.is_empty() => by.to_owned(),
         by => format!("{by}; {worlds}"),
@@ -102,6 +107,7 @@ fn model_words(found: &Assessment) -> String {
         None => return String::new(),
         Some(ObjectModel::Rock) => "it stands freely; mass or pads are not given, or the study does not follow them",
         Some(ObjectModel::RockWall) => "it stands beside a wall or neighbours",
+        Some(ObjectModel::Roll) => "its casters are free, so it does not rock",
         Some(ObjectModel::Compliant) => "it stands freely, and mass and pads are given",
     };
     format!("{}: {why}", found.model.map_or("", ObjectModel::name))
@@ -206,6 +212,20 @@ fn in_brief(found: &Assessment) -> String {
         let (low, high) = (number(low, 3), number(high, 3));
         let verdict = sliding.verdict.name();
         said.push(format!("Sliding: {verdict} (coefficient of friction {low} to {high}, {origin})."));
+    }
+    if let Some(rolled) = &found.rolled {
+        let margin = rolled.trip_margin().map_or_else(String::new, |margin| {
+            format!(
+                " The speed that overturns it at its stop is {} times that of 84 % of the worlds.",
+                number(margin, 3)
+            )
+        });
+        said.push(format!(
+            "Travel on its casters to one side: median {} mm, {} mm in 84 % of the worlds. Nothing overturns it without a \
+             stop.{margin}",
+            number(1e3 * rolled.travel_m_median, 3),
+            number(1e3 * rolled.travel_m_p84, 3)
+        ));
     }
     if let Some(at_wall) = &found.at_wall {
         let shock = at_wall.acceleration_g_median.map_or_else(
