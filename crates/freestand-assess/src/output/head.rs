@@ -1,8 +1,9 @@
 //! The head of every output: the inputs in words, and all assumptions.
 
-use crate::inventory::{Inventory, console_lines};
+use crate::inventory::{Casters, Inventory, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
+use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Settings, WallUse};
 use freestand_study::study::{Ground, Study};
 use freestand_study::target::Target;
@@ -166,6 +167,19 @@ fn free_standing(study: &Study, inventory: &Inventory) -> String {
     }
 }
 
+/// How many objects roll, and what that means; nothing where none does.
+fn rolling(inventory: &Inventory) -> Option<String> {
+    let count = inventory.items.iter().filter(|item| item.surroundings.casters == Some(Casters::Free)).count();
+    (count > 0).then(|| {
+        format!(
+            "On free casters: {}. What rolls does not rock: its verdict is its travel, and the speed at its stop where the \
+             list gives a clearance. The resistance of casters is {DEFAULT_ROLLING_RESISTANCE} of the weight where the \
+             list does not give it.",
+            counted(count, "object")
+        )
+    })
+}
+
 fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
     let Settings { accepted, .. } = &study.assessment;
     let building = match &study.building {
@@ -216,7 +230,7 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     } = &study.assessment;
     let percent = |share: f64| percent_significant(share, 3);
     let looks = worlds.looks;
-    vec![
+    let mut assumed = vec![
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
         format!(
             "Accepted probability of overturning or damage, rated high, medium, low: life safety {}; function {}; \
@@ -286,5 +300,7 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
         "Every object stands on a level, rigid floor and moves in one plane at a time. The objects do not affect the \
          motion of the floor."
             .to_owned(),
-    ]
+    ];
+    assumed.extend(rolling(inventory));
+    assumed
 }
