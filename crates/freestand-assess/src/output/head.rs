@@ -1,6 +1,6 @@
 //! The head of every output: the inputs in words, and all assumptions.
 
-use crate::inventory::{Casters, Inventory, console_lines};
+use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
@@ -152,15 +152,18 @@ fn ratings_words(ratios: [f64; 3]) -> String {
 /// How many objects are assessed as free-standing, and what that means.
 fn free_standing(study: &Study, inventory: &Inventory) -> String {
     let all = inventory.items.len();
-    let without = inventory.items.iter().filter(|item| item.surroundings.wall_gap_m.is_none()).count();
+    let is_free = |around: &Surroundings| {
+        around.wall_gap_m.is_none() && around.neighbour_gap_m.is_none() && around.casters != Some(Casters::Free)
+    };
+    let without = inventory.items.iter().filter(|item| is_free(&item.surroundings)).count();
     match study.assessment.walls {
         WallUse::Ignore => {
             "Every object is assessed as free-standing: the study ignores the walls and neighbours of the list."
                 .to_owned()
         }
-        WallUse::AsListed if without == 0 => "Every object has a wall_gap and is assessed beside its wall.".to_owned(),
+        WallUse::AsListed if without == 0 => "No object is assessed as free-standing.".to_owned(),
         WallUse::AsListed => format!(
-            "{without} of {} have no wall_gap: they are assessed as free-standing. At a wall an object may fall much \
+            "{without} of {} have no wall_gap and no neighbour_gap: they are assessed as free-standing. At a wall an object may fall much \
              less often or, on strong floors, no less.",
             counted(all, "object")
         ),

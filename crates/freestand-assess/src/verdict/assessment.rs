@@ -485,6 +485,8 @@ fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
     let worst = rigid.chain(pads).reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
     match worst {
         Some(worst) => Some(worst.governing(capacity)),
+        // Casters keep most of it from the object.
+        None if trial.subject.rolls.is_some() => None,
         None => capacity.peak_m_s2.map(|_| Criterion::FloorAcceleration),
     }
 }

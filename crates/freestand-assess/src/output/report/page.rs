@@ -157,7 +157,8 @@ fn response(found: &Assessment) -> String {
         [figure(crate::output::words::probability(model.overturn)), figure(exceed)]
     };
     let shocks = found.shock.as_ref().map(|shock| shock.edge_acceleration_g);
-    let mut rigid = vec![text("rigid base, Eq. (5)")];
+    let base = if found.rolled.is_some() { "on its casters" } else { "rigid base, Eq. (5)" };
+    let mut rigid = vec![text(base)];
     rigid.extend(chance(&answers.rigid));
     rigid.push(figure(percent(response.uplift_share, 0)));
     rigid.push(figure(quantiles(response.uplift_m, |lift| ranked_milli(lift, "mm"))));
@@ -206,7 +207,8 @@ fn in_brief(found: &Assessment) -> String {
         let reason = response.failure.as_deref().unwrap_or("the reason is not known");
         said.push(format!("The histories in {} failed: {reason}.", counted(response.failed, "further world")));
     }
-    if let Some(sliding) = &found.sliding {
+    // What rolls is told by its travel.
+    if let Some(sliding) = found.sliding.as_ref().filter(|_| found.rolled.is_none()) {
         let (low, high) = sliding.friction_ratio;
         let origin = if sliding.is_stated { "stated" } else { "assumed" };
         let (low, high) = (number(low, 3), number(high, 3));
