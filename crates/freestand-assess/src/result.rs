@@ -165,6 +165,71 @@ pub struct ModelAnswers {
     pub exceed: Option<Probability>,
 }
 
+/// The model of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ObjectModel {
+    /// It stands freely on a rigid base.
+    Rock,
+    /// It stands on a rigid base beside a wall or neighbours.
+    RockWall,
+    /// It stands freely, on a rigid base and on its pads.
+    Compliant,
+    /// It rolls on free casters.
+    Roll,
+}
+
+impl ObjectModel {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rock => "rock",
+            Self::RockWall => "rock-wall",
+            Self::Compliant => "compliant",
+            Self::Roll => "roll",
+        }
+    }
+}
+
+/// What a wall or neighbours do to an object.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct AtWall {
+    /// Share of the worlds at whose end it leans on the wall, past its balance point. They count as
+    /// falls.
+    pub lean_share: f64,
+    /// Share of the worlds in which it strikes the wall.
+    pub strike_share: f64,
+    /// Largest speed at the wall, median world; 0 where it does not strike it \[m/s\].
+    pub speed_m_s_median: f64,
+    /// Largest shock at the wall, median world; `None`: its mass or the stiffness of the wall is not
+    /// known \[g\].
+    pub acceleration_g_median: Option<f64>,
+}
+
+/// How far an object rolls, and what a stop does to it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Rolled {
+    /// Travel to one side as if nothing were in the way, median world \[m\].
+    pub travel_m_median: f64,
+    /// Travel that 84 % of the worlds do not exceed \[m\].
+    pub travel_m_p84: f64,
+    /// The way to its stop; `None`: nothing stops it \[m\].
+    pub clearance_m: Option<f64>,
+    /// Share of the worlds in which it reaches its stop.
+    pub stop_share: f64,
+    /// Speed at the stop that 84 % of the worlds do not exceed; `None`: it does not reach it \[m/s\].
+    pub stop_speed_m_s_p84: Option<f64>,
+    /// The speed at which the stop overturns it, about the axis where it is smaller \[m/s\].
+    pub trip_speed_m_s: f64,
+}
+
+impl Rolled {
+    /// Trip speed over the speed at the stop; above 1 the stop does not overturn it.
+    pub fn trip_margin(&self) -> Option<f64> {
+        Some(self.trip_speed_m_s / self.stop_speed_m_s_p84?)
+    }
+}
+
 /// An object on its pads.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct OnPads {
@@ -358,6 +423,12 @@ pub struct Assessment {
     pub tier: u8,
     /// The answers; `None`: geometry, level or motions are missing.
     pub answers: Option<Answers>,
+    /// Its model; `None`: geometry, level or motions are missing.
+    pub model: Option<ObjectModel>,
+    /// At its wall; `None`: nothing is within reach, or it does not count.
+    pub at_wall: Option<AtWall>,
+    /// On its casters; `None`: it does not roll.
+    pub rolled: Option<Rolled>,
     /// On its pads; `None`: the compliant base was not asked.
     pub on_pads: Option<OnPads>,
     /// What the answer depends on, where that was calculated.

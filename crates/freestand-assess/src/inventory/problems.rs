@@ -103,7 +103,7 @@ kinds! {
         "correct one of the columns, or set it to \"ignore\" in a mapping file";
     Merged Doubt "merged" "is merged over several objects; only the first has the value"
         "unmerge the cells and put the value into each row";
-    Casters Doubt "casters" "names wheels: taken as free to roll, which the model does not follow"
+    Casters Doubt "casters" "names wheels: taken as free to roll, so it does not rock"
         "say in the cell if they are braked or locked";
     PadsMissing Doubt "pads-missing" "is the stiffness of one pad without pads_per_edge; no shock is computed"
         "add a column pads_per_edge";

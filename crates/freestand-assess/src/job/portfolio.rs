@@ -159,13 +159,13 @@ fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>
         let nothing = |why| Some(Assessment { why, ..blank(item, settings) });
         if item.anchored == Some(true) {
             // The force to check them for: by the code alone, because nothing is simulated.
-            let restraint =
-                Subject::new(item).map_or_else(|_| Vec::new(), |held| restraint_of(context.study, item, &held, None));
+            let restraint = Subject::new(item, settings.walls)
+                .map_or_else(|_| Vec::new(), |held| restraint_of(context.study, item, &held, None));
             let why = "Reported as anchored; its anchors were not checked.".to_owned();
             found[place] = Some(Assessment { why, restraint, ..blank(item, settings) });
             continue;
         }
-        match Subject::new(item) {
+        match Subject::new(item, settings.walls) {
             Ok(subject) if context.worlds.has_floor(subject.level_ratio) => {
                 places.push(place);
                 members.push(Member::new(item, subject, settings));

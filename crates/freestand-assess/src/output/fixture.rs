@@ -12,9 +12,9 @@ use freestand::rocking::Restitution;
 use crate::inventory::{Consequences, Inventory, Item, Rating};
 use crate::library::{Confidence, Tolerance};
 use crate::result::{
-    AcceptedFor, Answers, Assessment, Axis, AxisResponse, CapacityCheck, Cause, Chain, Criterion, Decision,
-    FallsAnswer, FloorFacts, ModelAnswers, OnPads, Probability, Response, RestraintForce, RestraintKind, Shares, Shock,
-    ShockAnswer, Sliding, SlidingVerdict, Softening,
+    AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain, Criterion, Decision,
+    FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, Probability, Response, RestraintForce, RestraintKind,
+    Rolled, Shares, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_output::folder::OutputFolder;
@@ -232,6 +232,21 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         p_exceed: capacity.is_some().then_some(Probability { value: 0.42, low: 0.31, high: 0.53 }),
         capacity,
         answers: Some(answers(falls, item.tolerance.is_some(), index)),
+        model: Some(if index % 4 == 3 { ObjectModel::Compliant } else { ObjectModel::RockWall }),
+        at_wall: (index % 4 != 3).then_some(AtWall {
+            lean_share: 0.05,
+            strike_share: 0.7,
+            speed_m_s_median: 0.31,
+            acceleration_g_median: Some(2.4),
+        }),
+        rolled: (index % 4 == 2).then_some(Rolled {
+            travel_m_median: 0.21,
+            travel_m_p84: 0.35,
+            clearance_m: Some(0.3),
+            stop_share: 0.25,
+            stop_speed_m_s_p84: Some(0.4),
+            trip_speed_m_s: 0.9,
+        }),
         on_pads: (index % 4 == 3).then_some(OnPads {
             rocking_frequency_hz: Some(4.1),
             pad_uplift_threshold_g: Some(0.21),
@@ -344,6 +359,9 @@ pub(super) fn unknown(item: &Item) -> Assessment {
         p_overturn: None,
         p_exceed: None,
         answers: None,
+        model: None,
+        at_wall: None,
+        rolled: None,
         on_pads: None,
         shares: None,
         per_year: None,

@@ -1,9 +1,10 @@
 //! The head of every output: the inputs in words, and all assumptions.
 
-use crate::inventory::{Inventory, console_lines};
+use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
-use freestand_study::study::assessment::Settings;
+use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
+use freestand_study::study::assessment::{Settings, WallUse};
 use freestand_study::study::{Ground, Study};
 use freestand_study::target::Target;
 
@@ -54,8 +55,8 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
         place: place(study, inventory),
         one_line: one_line(study),
         facts,
-        most_important: most_important(study),
-        assumptions: assumptions(study),
+        most_important: most_important(study, inventory),
+        assumptions: assumptions(study, inventory),
         problems: console_lines(&inventory.findings),
         warnings: study.warnings.iter().chain(&inventory.warnings).cloned().collect(),
         is_elastic: study.building.is_some(),
@@ -148,7 +149,41 @@ fn ratings_words(ratios: [f64; 3]) -> String {
     format!("{high}, {medium}, {low} %")
 }
 
-fn most_important(study: &Study) -> Vec<String> {
+/// How many objects are assessed as free-standing, and what that means.
+fn free_standing(study: &Study, inventory: &Inventory) -> String {
+    let all = inventory.items.len();
+    let is_free = |around: &Surroundings| {
+        around.wall_gap_m.is_none() && around.neighbour_gap_m.is_none() && around.casters != Some(Casters::Free)
+    };
+    let without = inventory.items.iter().filter(|item| is_free(&item.surroundings)).count();
+    match study.assessment.walls {
+        WallUse::Ignore => {
+            "Every object is assessed as free-standing: the study ignores the walls and neighbours of the list."
+                .to_owned()
+        }
+        WallUse::AsListed if without == 0 => "No object is assessed as free-standing.".to_owned(),
+        WallUse::AsListed => format!(
+            "{without} of {} have no wall_gap and no neighbour_gap: they are assessed as free-standing. At a wall an object may fall much \
+             less often or, on strong floors, no less.",
+            counted(all, "object")
+        ),
+    }
+}
+
+/// How many objects roll, and what that means; nothing where none does.
+fn rolling(inventory: &Inventory) -> Option<String> {
+    let count = inventory.items.iter().filter(|item| item.surroundings.casters == Some(Casters::Free)).count();
+    (count > 0).then(|| {
+        format!(
+            "On free casters: {}. What rolls does not rock: its verdict is its travel, and the speed at its stop where the \
+             list gives a clearance. The resistance of casters is {DEFAULT_ROLLING_RESISTANCE} of the weight where the \
+             list does not give it.",
+            counted(count, "object")
+        )
+    })
+}
+
+fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
     let Settings { accepted, .. } = &study.assessment;
     let building = match &study.building {
         Some(building) => format!(
@@ -170,16 +205,22 @@ fn most_important(study: &Study) -> Vec<String> {
             percent_significant(accepted.small_item_ratio, 3)
         ),
         building,
-        "Every object stands freely on a level floor. Vertical shaking, walls and neighbours, and sliding while it rocks \
-         are not calculated."
-            .to_owned(),
+        format!(
+            "{} The floor is level. {} not calculated.",
+            free_standing(study, inventory),
+            if study.ground.has_vertical() {
+                "Sliding while it rocks is"
+            } else {
+                "Vertical shaking and sliding while it rocks are"
+            }
+        ),
         "The forces follow the clause that each page names. An engineer has to check them and to design the anchors and \
          what they are fixed to."
             .to_owned(),
     ]
 }
 
-fn assumptions(study: &Study) -> Vec<String> {
+fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     let Settings {
         accepted,
         spread,
@@ -192,7 +233,7 @@ fn assumptions(study: &Study) -> Vec<String> {
     } = &study.assessment;
     let percent = |share: f64| percent_significant(share, 3);
     let looks = worlds.looks;
-    vec![
+    let mut assumed = vec![
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
         format!(
             "Accepted probability of overturning or damage, rated high, medium, low: life safety {}; function {}; \
@@ -230,8 +271,8 @@ fn assumptions(study: &Study) -> Vec<String> {
             spread.restitution
         ),
         format!(
-            "{} Not in the worlds: the soil, damage to the building (it stays elastic), sliding while rocking, walls \
-             and neighbours, rotation about a vertical axis.",
+            "{} Not in the worlds: the soil, damage to the building (it stays elastic), sliding while \
+             rocking, rotation about a vertical axis.",
             if study.ground.has_vertical() {
                 format!(
                     "Vertical motion: {}; floors above the ground have {} times that of the ground.",
@@ -254,8 +295,15 @@ fn assumptions(study: &Study) -> Vec<String> {
             percent(pad_damping_ratio.0),
             percent(pad_damping_ratio.1)
         ),
-        "Every object is free-standing on a level, rigid floor and moves in one plane at a time. The objects do not \
-         affect the motion of the floor."
+        format!(
+            "{} A wall moves with the floor; its restitution is between 0 and 0.5 where the list does not give it, and \
+             the floor moves towards it or away from it with the same chance.",
+            free_standing(study, inventory)
+        ),
+        "Every object stands on a level, rigid floor and moves in one plane at a time. The objects do not affect the \
+         motion of the floor."
             .to_owned(),
-    ]
+    ];
+    assumed.extend(rolling(inventory));
+    assumed
 }

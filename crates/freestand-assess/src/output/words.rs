@@ -128,6 +128,9 @@ pub fn margin(found: &Assessment) -> String {
     match found.demand_capacity_median() {
         None => "not known: no tolerance was given".to_owned(),
         Some(Ranked::Overturned) => "at least half of the worlds overturn it".to_owned(),
+        Some(Ranked::NoData) if found.rolled.is_some() => {
+            "not known: its mass or the stiffness of its stop (wall_stiffness) was not given".to_owned()
+        }
         Some(Ranked::NoData) => "not known: its mass or its cushion was not given".to_owned(),
         Some(Ranked::Value(ratio)) => number(ratio, 3),
     }

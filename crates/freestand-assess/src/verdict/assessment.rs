@@ -4,22 +4,26 @@ use freestand::G0_M_S2;
 use freestand::compliant::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
 use freestand::rocking::{Outcome as RockingOutcome, RockingImpact, rock};
+use freestand::sliding::trip_speed_m_s;
 use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
 use crate::result::{
-    Answers, Assessment, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions, FloorFacts,
-    ModelAnswers, OnPads, Ranked, Response, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
+    Answers, Assessment, AtWall, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions,
+    FloorFacts, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer, Sliding,
+    SlidingVerdict, Softening,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
+use freestand_input::words::{counted, number};
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
 use super::comparisons::friction_needed_ratio;
-use super::decision::{Case, decide, deciding};
-use super::object::{Body, Hit, hit};
+use super::decision::{Case, decide, deciding, percent};
+use super::object::{Body, Hit, Rolling, Subject, hit};
 use super::response::{
-    AxisMotion, Lived, PadMotion, demand_capacity, governing, lifts, options, overturned, pads_demand_capacity, ranked,
+    AxisMotion, Lived, PadMotion, Roll, Strike, demand_capacity, governing, leans, lifts, options, overturned,
+    pads_demand_capacity, ranked,
 };
 use super::softer::beyond_pads;
 use super::trial::{Model, Question, Trial};
@@ -111,7 +115,23 @@ pub(super) fn assessment(
     if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some() {
         assessed.why.push_str(" Its stiffness is a range from the cushion library, not a measurement.");
     }
+    assessed.at_wall = at_wall(trial);
+    if let Some(at_wall) = &assessed.at_wall {
+        assessed.why.push_str(&beside_words(context, trial, at_wall));
+        assessed.notes.extend(unknown_wall_shock(trial, at_wall));
+    }
     note_failures(trial, &mut assessed.notes);
+    assessed.rolled = rolled(trial);
+    if let Some(rolled) = &assessed.rolled {
+        assessed.why = format!("{} {}", roll_words(rolled), assessed.why);
+    }
+    let Subject { rolls, walls, .. } = &trial.subject;
+    assessed.model = Some(match (rolls.is_some(), walls.is_some(), answers.compliant.is_some()) {
+        (true, ..) => ObjectModel::Roll,
+        (_, true, _) => ObjectModel::RockWall,
+        (_, _, true) => ObjectModel::Compliant,
+        (false, false, false) => ObjectModel::Rock,
+    });
     assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
         (false, _) => 0,
         (true, false) => 2,
@@ -123,7 +143,7 @@ pub(super) fn assessment(
     assessed.on_pads = on_pads(context, trial);
     assessed.capacity = capacity_check(trial, &floor, governs);
     assessed.softening = softening;
-    assessed.clearance_m = clearance(trial);
+    assessed.clearance_m = clearance(trial).filter(|_| trial.subject.rolls.is_none());
     assessed.chain = world.and_then(|world| chain(context, trial, world));
     assessed.shock = shock(trial);
     let hardest = order.iter().rev().copied();
@@ -147,6 +167,88 @@ pub(super) fn assessment(
     assessed.context = context.comparisons(trial, &floor);
     assessed.answers = Some(answers);
     Ok(assessed)
+}
+
+/// What happens at its wall; `None`: there is none, or every history failed.
+fn at_wall(trial: &Trial) -> Option<AtWall> {
+    trial.subject.walls?;
+    followed(trial).next()?;
+    let strikes = |number: fn(&Strike) -> f64| {
+        let most =
+            |axes: &[AxisMotion]| axes.iter().filter_map(|one| one.strike.as_ref().map(number)).fold(0.0, f64::max);
+        quantile(followed(trial).map(|(_, axes)| most(axes)), 0.5)
+    };
+    let is_known = trial.subject.mass_kg.is_some() && trial.subject.walls?.stiffness_n_m.is_some();
+    Some(AtWall {
+        lean_share: share(followed(trial).map(|(_, axes)| leans(axes))),
+        strike_share: share(followed(trial).map(|(_, axes)| axes.iter().any(|one| one.strike.is_some()))),
+        speed_m_s_median: strikes(|strike| strike.speed_m_s),
+        acceleration_g_median: is_known
+            .then(|| strikes(|strike| strike.acceleration_m_s2.map_or(0.0, |shock| shock / G0_M_S2))),
+    })
+}
+
+/// How it rolls; `None`: it does not, or every history failed.
+fn rolled(trial: &Trial) -> Option<Rolled> {
+    let rolling = trial.subject.rolls.as_ref()?;
+    followed(trial).next()?;
+    let rolls = |axes: &[AxisMotion], number: fn(&Roll) -> Option<f64>| {
+        axes.iter().filter_map(|one| number(one.roll.as_ref()?)).fold(0.0, f64::max)
+    };
+    let of =
+        |number: fn(&Roll) -> Option<f64>, q: f64| quantile(followed(trial).map(|(_, axes)| rolls(axes, number)), q);
+    let travel = |roll: &Roll| Some(roll.travel_m);
+    let is_stopped =
+        |axes: &[AxisMotion]| axes.iter().any(|one| one.roll.is_some_and(|roll| roll.stop_speed_m_s.is_some()));
+    let trip_speeds = trial.subject.axes.iter().map(|axis| trip_speed_m_s(&axis.block, G0_M_S2));
+    Some(Rolled {
+        travel_m_median: of(travel, QUANTILES[1]),
+        travel_m_p84: of(travel, QUANTILES[2]),
+        clearance_m: rolling.clearance_m,
+        stop_share: share(followed(trial).map(|(_, axes)| is_stopped(axes))),
+        stop_speed_m_s_p84: Some(of(|roll| roll.stop_speed_m_s, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
+        trip_speed_m_s: trip_speeds.fold(f64::INFINITY, f64::min),
+    })
+}
+
+/// How far it rolls, and what a stop does.
+fn roll_words(rolled: &Rolled) -> String {
+    let travel = format!("It rolls: up to {} mm in 84 % of worlds", number((1e3 * rolled.travel_m_p84).ceil(), 6));
+    let Some(clearance_m) = rolled.clearance_m else {
+        return format!("{travel}; nothing in the list stops it.");
+    };
+    let trip = number(rolled.trip_speed_m_s, 3);
+    let speed = rolled
+        .stop_speed_m_s_p84
+        .map_or_else(String::new, |speed_m_s| format!(" (up to {} m/s there in 84 %)", number(speed_m_s, 3)));
+    format!(
+        "{travel}. It reaches its clearance of {} mm in {} of them{speed}; a stop there overturns it from {trip} m/s.",
+        number(1e3 * clearance_m, 6),
+        percent(rolled.stop_share)
+    )
+}
+
+/// What a wall changes about an answer.
+fn beside_words(context: &Context, trial: &Trial, at_wall: &AtWall) -> String {
+    let mut words = String::new();
+    if at_wall.lean_share > 0.0 {
+        let leaning = followed(trial).filter(|(_, axes)| leans(axes)).count();
+        words.push_str(&format!(
+            " It ends leaning on its wall in {leaning} of {}, which count as falls.",
+            counted(followed(trial).count(), "world")
+        ));
+    }
+    if context.study.assessment.compliant && trial.subject.body.is_some() {
+        words.push_str(" Beside a wall its pads are not followed: the rigid base alone answers.");
+    }
+    words
+}
+
+/// Said where a shock is asked and that at the wall cannot be calculated.
+fn unknown_wall_shock(trial: &Trial, at_wall: &AtWall) -> Option<String> {
+    let is_asked = trial.subject.capacity.is_some() && at_wall.strike_share > 0.0;
+    (is_asked && at_wall.acceleration_g_median.is_none())
+        .then(|| "The shock at its wall is not compared with its tolerance: give wall_stiffness and mass.".to_owned())
 }
 
 fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
@@ -177,8 +279,10 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
 
 fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
-    let is_known =
-        trial.subject.capacity.as_ref().is_some_and(|capacity| trial.subject.body.is_some() || !capacity.needs_shock());
+    let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.rolls {
+        Some(_) => stop_is_known(trial),
+        None => trial.subject.body.is_some() || !capacity.needs_shock(),
+    });
     let model = |model| ModelAnswers {
         overturn: trial.probability(context, Question::Falls, model),
         exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
@@ -302,7 +406,7 @@ fn axis_response(trial: &Trial, axis: usize) -> AxisResponse {
         half_diagonal_m: pivot.half_diagonal_m,
         uplift_threshold_g: pivot.slenderness_angle_rad.tan(),
         uplift_share: share(worlds().map(|one| one.rocking.outcome != RockingOutcome::NoUplift)),
-        overturn_share: share(worlds().map(|one| one.rocking.outcome == RockingOutcome::Overturned)),
+        overturn_share: share(worlds().map(|one| one.rocking.outcome.has_fallen())),
         edge_acceleration_g: trial.subject.body.as_ref().map(|_| quantiles(worlds().map(shock))),
         ceiling_g: trial.subject.body.as_ref().map(|body| ceiling_g(trial, axis, body)),
     }
@@ -318,7 +422,8 @@ fn ceiling_g(trial: &Trial, axis: usize, body: &Body) -> f64 {
 }
 
 fn shock(trial: &Trial) -> Option<Shock> {
-    let body = trial.subject.body.as_ref()?;
+    // What rolls does not land.
+    let body = trial.subject.body.as_ref().filter(|_| trial.subject.rolls.is_none())?;
     followed(trial).next()?;
     let of = |number: fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
     let survived = followed(trial).filter(|(_, axes)| !overturned(axes) && lifts(axes));
@@ -346,8 +451,23 @@ fn pulse_duration_s(trial: &Trial, axis: usize, body: &Body) -> f64 {
     landing.impact(body.mass_kg, &body.cushion, rise_m, G0_M_S2).pulse_duration_s
 }
 
+/// Whether the demand of every world is known: that of a stop needs its stiffness and the mass.
+fn stop_is_known(trial: &Trial) -> bool {
+    followed(trial).all(|(_, axes)| axes.iter().all(|one| one.terms.is_some()))
+}
+
 fn missing(trial: &Trial) -> Vec<&'static str> {
     let item = trial.member.item;
+    if trial.subject.rolls.is_some() {
+        let has_tolerance = item.tolerance.is_some() && trial.subject.capacity.is_some();
+        let is_known = !has_tolerance || stop_is_known(trial);
+        let known = [
+            (has_tolerance, "tolerance"),
+            (is_known || item.mass_kg.is_some(), "mass"),
+            (is_known || item.surroundings.wall_stiffness_n_m.is_some(), "wall_stiffness"),
+        ];
+        return known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect();
+    }
     let known = [
         (item.tolerance.is_some() && trial.subject.capacity.is_some(), "tolerance"),
         (item.mass_kg.is_some(), "mass"),
@@ -365,6 +485,8 @@ fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
     let worst = rigid.chain(pads).reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
     match worst {
         Some(worst) => Some(worst.governing(capacity)),
+        // Casters keep most of it from the object.
+        None if trial.subject.rolls.is_some() => None,
         None => capacity.peak_m_s2.map(|_| Criterion::FloorAcceleration),
     }
 }
@@ -398,7 +520,8 @@ fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize
         shock.edge_acceleration_m_s2 > peak_m_s2
     };
     let base = at.base(lived.draw.is_along_x(axis));
-    let history = rock(&block, base, &options(restitution)).ok()?;
+    let walls = lived.draw.walls(&trial.subject, axis);
+    let history = rock(&block, base, &options(restitution, walls)).ok()?;
     Some(history.impacts.iter().filter(|impact| above(impact)).count())
 }
 
@@ -408,12 +531,17 @@ fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) ->
     let lived = trial.lived.get(world)?;
     let (axis, _) = governing(lived.rigid.as_ref().ok()?)?;
     let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
-    let most = friction_needed_ratio(&block, at.base(lived.draw.is_along_x(axis)), restitution)?;
+    let options = options(restitution, lived.draw.walls(&trial.subject, axis));
+    let most = friction_needed_ratio(&block, at.base(lived.draw.is_along_x(axis)), &options)?;
     let ratio = restitution.ratios(&block).ok()?[0];
     Some(slides(context, trial, most.max(impact_friction_needed_ratio(&block, ratio))))
 }
 
 fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
+    if let Some(Rolling { resistance, is_stated, .. }) = trial.subject.rolls {
+        let ratio = resistance.static_ratio();
+        return Sliding { verdict: SlidingVerdict::Yes, friction_ratio: (ratio, ratio), is_stated };
+    }
     let stated = trial.member.item.friction_ratio;
     let (low, high) = stated.unwrap_or(context.study.assessment.friction_ratio);
     let verdict = if low >= needed_ratio {

@@ -5,7 +5,7 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
-use freestand::rocking::{Base, Restitution, rock_observed};
+use freestand::rocking::{Base, RockingOptions, rock_observed};
 
 use crate::inventory::{Item, Rating};
 use crate::restraint::{HeldObject, RestraintQuestion, restraint_forces};
@@ -17,7 +17,7 @@ use super::Context;
 use super::assessment::quantile;
 use super::decision::percent;
 use super::object::Subject;
-use super::response::{lifts, options};
+use super::response::lifts;
 use super::trial::Trial;
 
 /// Dispersion of the FEMA P-58 fragilities of slender unanchored contents.
@@ -28,9 +28,9 @@ const P58_BETA: f64 = 0.5;
 const P58_SHARE: f64 = 0.8;
 
 /// Largest friction that the rocking needs; `None` where the history fails.
-pub(super) fn friction_needed_ratio(block: &Block, base: Base, restitution: Restitution) -> Option<f64> {
+pub(super) fn friction_needed_ratio(block: &Block, base: Base, options: &RockingOptions) -> Option<f64> {
     let mut largest = 0.0f64;
-    let done = rock_observed(block, base, &options(restitution), |segment| {
+    let done = rock_observed(block, base, options, |segment| {
         largest = largest.max(segment.friction_needed_ratio());
     });
     done.ok().map(|_| largest)

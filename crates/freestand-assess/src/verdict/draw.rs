@@ -4,7 +4,11 @@ use freestand::block::Block;
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::fragility::{log_uniform_draw, lognormal_draw, lognormal_probability};
 use freestand::rocking::Restitution;
-use freestand::worlds::{Group, is_first_side_along_x, object_stream, restitution_at, restitution_draw};
+use freestand::wall::Walls;
+use freestand::worlds::{
+    Group, WallDraw, is_first_side_along_x, object_stream, restitution_at, restitution_draw, wall_draw,
+    wall_restitution_at,
+};
 use sha2::{Digest, Sha256};
 
 use freestand_study::study::assessment::{Settings, Spread};
@@ -30,6 +34,8 @@ pub(super) struct Draw {
     pub(super) model: f64,
     /// The factor on peak accelerations on the compliant base.
     pub(super) compliant: f64,
+    /// `None`: it has no wall within reach.
+    wall: Option<WallDraw>,
 }
 
 /// A number that depends on a text alone: random numbers belong to the names of objects, not to
@@ -127,6 +133,20 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
         pad_damping_ratio,
         model,
         compliant,
+        wall: subject.walls.map(|_| wall(settings, object, world, change)),
+    }
+}
+
+/// Restitution at the wall is one of the restitutions: what an answer depends on counts both
+/// together.
+fn wall(settings: &Settings, object: u64, world: u32, change: Change) -> WallDraw {
+    let drawn = wall_draw(settings.seed, world, object, change.repetition(Group::Restitution));
+    match change.normal(Group::Restitution) {
+        Some(normal) => {
+            let restitution_ratio = wall_restitution_at(lognormal_probability(normal.exp(), 1.0, 1.0));
+            WallDraw { restitution_ratio, ..drawn }
+        }
+        None => drawn,
     }
 }
 
@@ -144,9 +164,20 @@ impl Draw {
         Some((block, Restitution::Value(self.restitution.get(axis).copied().unwrap_or(0.0).min(1.0))))
     }
 
+    /// What stands beside the object in the plane of an axis.
+    pub(super) fn walls(&self, subject: &Subject, axis: usize) -> Walls {
+        let beside = subject.walls.as_ref().zip(self.wall.as_ref()).zip(subject.axes.get(axis));
+        beside.map_or(Walls::NONE, |((beside, drawn), geometry)| beside.walls(geometry.axis, drawn))
+    }
+
     /// Whether an axis moves under the component along x.
     pub(super) fn is_along_x(&self, axis: usize) -> bool {
         (axis == 0) == self.is_thickness_along_x
+    }
+
+    /// Mass, where it is known \[kg\].
+    pub(super) fn mass_kg(&self, subject: &Subject) -> Option<f64> {
+        Some(subject.mass_kg? * self.mass)
     }
 
     /// Mass \[kg\] and cushion under one edge; `None` where they are not known.

@@ -16,6 +16,7 @@ mod object;
 mod outcomes;
 mod per_year;
 mod response;
+mod roll;
 mod shares;
 mod softer;
 mod tally;
@@ -177,6 +178,9 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
         why: String::new(),
         tier: 0,
         answers: None,
+        model: None,
+        at_wall: None,
+        rolled: None,
         on_pads: None,
         shares: None,
         per_year: None,

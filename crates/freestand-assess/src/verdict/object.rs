@@ -6,9 +6,15 @@ use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::impact::ImpactModel;
 use freestand::rocking::{Restitution, RockingSummary};
+use freestand::sliding::Friction;
 use freestand::spectra::{BEYOND_ALL_G, landings};
+use freestand::worlds::WallDraw;
 
-use crate::inventory::Item;
+use freestand::wall::{Wall, Walls};
+use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
+use freestand_study::study::assessment::WallUse;
+
+use crate::inventory::{Casters, Item, Surroundings};
 use crate::result::Axis;
 
 use super::capacity::Capacity;
@@ -21,8 +27,13 @@ pub(crate) struct Subject {
     /// The thickness comes first.
     pub(super) axes: Vec<AxisGeometry>,
     pub(super) restitution: Restitution,
+    pub(super) mass_kg: Option<f64>,
     pub(super) body: Option<Body>,
     pub(super) capacity: Option<Capacity>,
+    /// `None`: it has no wall and no neighbour within reach.
+    pub(super) walls: Option<Beside>,
+    /// `None`: it does not roll.
+    pub(super) rolls: Option<Rolling>,
 }
 
 /// What a shock depends on besides the motion of the block.
@@ -75,9 +86,96 @@ impl AxisGeometry {
     }
 }
 
+/// What stands beside an object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Beside {
+    /// Behind it, in the direction of the thickness \[m\].
+    wall_gap_m: Option<f64>,
+    /// On both sides of it, in the direction of the width \[m\].
+    neighbour_gap_m: Option<f64>,
+    height_m: Option<f64>,
+    /// `None`: drawn in each world.
+    restitution_ratio: Option<f64>,
+    /// k_w \[N/m\].
+    pub(super) stiffness_n_m: Option<f64>,
+}
+
+impl Beside {
+    fn new(of: &Surroundings) -> Self {
+        Self {
+            wall_gap_m: of.wall_gap_m,
+            neighbour_gap_m: of.neighbour_gap_m,
+            height_m: of.wall_height_m,
+            restitution_ratio: of.wall_restitution,
+            stiffness_n_m: of.wall_stiffness_n_m,
+        }
+    }
+
+    /// The walls in the plane of an axis, with the values of a world.
+    pub(super) fn walls(&self, axis: Axis, drawn: &WallDraw) -> Walls {
+        let restitution_ratio = self.restitution_ratio.unwrap_or(drawn.restitution_ratio);
+        let wall = |gap_m: f64| Wall { gap_m, height_m: self.height_m, restitution_ratio };
+        match axis {
+            Axis::Thickness => {
+                let behind = Walls { left: self.wall_gap_m.map(wall), right: None };
+                if drawn.is_on_left { behind } else { behind.mirrored() }
+            }
+            Axis::Width => {
+                let beside = self.neighbour_gap_m.map(wall);
+                Walls { left: beside, right: beside }
+            }
+        }
+    }
+
+    /// Whether the object can touch any of it.
+    fn is_within_reach(&self, axes: &[AxisGeometry]) -> bool {
+        let any = WallDraw { is_on_left: true, restitution_ratio: 0.0 };
+        axes.iter().any(|one| {
+            let contacts = self.walls(one.axis, &any).contacts(&one.block);
+            // What cannot be used is for the solver to refuse.
+            contacts.map_or(true, |contacts| contacts.iter().any(Option::is_some))
+        })
+    }
+}
+
+/// How an object rolls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rolling {
+    /// μ_r.
+    pub(super) resistance: Friction,
+    /// Whether the list gives μ_r.
+    pub(super) is_stated: bool,
+    /// The way to a stop, on each side; `None`: nothing stops it \[m\].
+    pub(super) clearance_m: Option<f64>,
+    /// k_s of the stop \[N/m\].
+    pub(super) stop_stiffness_n_m: Option<f64>,
+}
+
+impl Rolling {
+    /// `None`: it has no free casters, or they resist so much that it would rock.
+    fn new(of: &Surroundings, axes: &[AxisGeometry]) -> Option<Self> {
+        if of.casters != Some(Casters::Free) {
+            return None;
+        }
+        let ratio = of.rolling_resistance_ratio.unwrap_or(DEFAULT_ROLLING_RESISTANCE);
+        let resistance = Friction::uniform(ratio).ok()?;
+        axes.iter().all(|axis| resistance.is_below_uplift(&axis.block)).then_some(Self {
+            resistance,
+            is_stated: of.rolling_resistance_ratio.is_some(),
+            clearance_m: of.clearance_m,
+            stop_stiffness_n_m: of.wall_stiffness_n_m,
+        })
+    }
+}
+
 impl Subject {
+    /// Whether nothing is beside it and it does not roll.
+    pub(super) fn stands_freely(&self) -> bool {
+        self.walls.is_none() && self.rolls.is_none()
+    }
+
     /// The object, or the names of what is missing.
-    pub(crate) fn new(item: &Item) -> Result<Self, Vec<&'static str>> {
+    pub(crate) fn new(item: &Item, walls: WallUse) -> Result<Self, Vec<&'static str>> {
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
             (item.level_ratio, item.height_m, item.thickness_m)
         else {
@@ -103,7 +201,23 @@ impl Subject {
             damping_ratio: own_damping_ratio(&edge.cushion, mass_kg),
         });
         let capacity = item.tolerance.as_ref().and_then(Capacity::new);
-        Ok(Self { level_ratio, axes, restitution: item.restitution, body, capacity })
+        let rolls = Rolling::new(&item.surroundings, &axes);
+        let beside = match walls {
+            // A wall ends a rotation, and what rolls does not rotate.
+            _ if rolls.is_some() => None,
+            WallUse::AsListed => Some(Beside::new(&item.surroundings)).filter(|beside| beside.is_within_reach(&axes)),
+            WallUse::Ignore => None,
+        };
+        Ok(Self {
+            level_ratio,
+            axes,
+            restitution: item.restitution,
+            mass_kg: item.mass_kg,
+            body,
+            capacity,
+            walls: beside,
+            rolls,
+        })
     }
 }
 

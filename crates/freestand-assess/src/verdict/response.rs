@@ -4,7 +4,9 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::{CompliantRocking, CompliantSummary, PadOutcome};
 use freestand::cushion::Cushion;
-use freestand::rocking::{Outcome, Restitution, RockingOptions, RockingSummary, Until};
+use freestand::rocking::{Outcome, Restitution, RockingOptions, RockingSummary, SideExtremes, Until};
+use freestand::wall::Walls;
+use freestand::wall_shock::{WallShock, largest};
 
 use freestand_study::run::LONGEST_TAIL_S;
 
@@ -18,8 +20,60 @@ pub(super) struct AxisMotion {
     pub(super) rocking: RockingSummary,
     /// `None`: overturned, or mass or cushion is not known.
     pub(super) hit: Option<Hit>,
+    /// The hardest impact on a wall; `None`: there was none.
+    pub(super) strike: Option<Strike>,
+    /// `None`: it has no free casters.
+    pub(super) roll: Option<Roll>,
     /// `None`: demand or capacity is not known.
     pub(super) terms: Option<Terms>,
+}
+
+/// What an object on casters does in the plane of one axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Roll {
+    /// The largest |x|, as if nothing were in the way \[m\].
+    pub(super) travel_m: f64,
+    /// Speed at which it reaches its stop; `None`: it does not \[m/s\].
+    pub(super) stop_speed_m_s: Option<f64>,
+}
+
+/// The hardest impact on a wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Strike {
+    /// v_w \[m/s\].
+    pub(super) speed_m_s: f64,
+    /// a_w; `None`: the mass of the object or the stiffness of the wall is not known \[m/s²\].
+    pub(super) acceleration_m_s2: Option<f64>,
+    restitution_ratio: f64,
+}
+
+impl Strike {
+    fn new(subject: &Subject, draw: &Draw, axis: usize, block: &Block, sides: [SideExtremes; 2]) -> Option<Self> {
+        subject.walls?;
+        // The solver has refused what it refuses.
+        let contacts = draw.walls(subject, axis).contacts(block).ok()?;
+        let shocks = WallShock::of_sides(block, contacts);
+        let stiff = draw.mass_kg(subject).zip(subject.walls.and_then(|walls| walls.stiffness_n_m));
+        let acceleration = |(mass_kg, stiffness_n_m)| {
+            largest(shocks, sides, |shock, omega| shock.acceleration_m_s2(omega, mass_kg, stiffness_n_m))
+        };
+        Some(Self {
+            speed_m_s: largest(shocks, sides, WallShock::speed_m_s)?,
+            acceleration_m_s2: stiff.and_then(acceleration),
+            // Both sides have the same.
+            restitution_ratio: contacts.iter().flatten().next()?.restitution_ratio,
+        })
+    }
+
+    /// As the demand of a shock: a half-sine of π v_w/a_w.
+    fn demand(&self) -> Option<Demand> {
+        let edge_m_s2 = self.acceleration_m_s2.filter(|acceleration| *acceleration > 0.0)?;
+        Some(Demand {
+            edge_m_s2,
+            velocity_change_m_s: (1.0 + self.restitution_ratio) * self.speed_m_s,
+            duration_s: std::f64::consts::PI * self.speed_m_s / edge_m_s2,
+        })
+    }
 }
 
 /// One axis on its pads.
@@ -58,29 +112,36 @@ pub(super) struct Lived {
 }
 
 /// The options of every history on a rigid base, the same as in `run`.
-pub(super) fn options(restitution: Restitution) -> RockingOptions {
-    RockingOptions { restitution, until: Until::Settled { at_most_s: LONGEST_TAIL_S }, ..RockingOptions::default() }
+pub(super) fn options(restitution: Restitution, walls: Walls) -> RockingOptions {
+    RockingOptions {
+        restitution,
+        walls,
+        until: Until::Settled { at_most_s: LONGEST_TAIL_S },
+        ..RockingOptions::default()
+    }
 }
 
 /// Shock and demand of a history with the values of its world.
 pub(super) fn axis_motion(
     subject: &Subject,
     draw: &Draw,
+    axis: usize,
     block: &Block,
     rocking: RockingSummary,
     body: Option<&(f64, Cushion)>,
     floor_m_s2: f64,
 ) -> AxisMotion {
-    let has_overturned = rocking.outcome == Outcome::Overturned;
+    let has_fallen = rocking.outcome.has_fallen();
+    let strike = Strike::new(subject, draw, axis, block, rocking.sides);
     // Where a cushion bottoms, no shock is known.
-    let found = body.filter(|_| !has_overturned).and_then(|(mass_kg, cushion)| {
+    let found = body.filter(|_| !has_fallen).and_then(|(mass_kg, cushion)| {
         let mut hit = hit(block, &rocking, *mass_kg, cushion)?;
         // The formula of an undamped cushion is 2 v.
         hit.velocity_change_m_s *= 0.5 * (1.0 + draw.rebound_restitution());
         Some(hit)
     });
     let terms = subject.capacity.as_ref().and_then(|capacity| {
-        if has_overturned {
+        if has_fallen {
             return Some(Terms::OVERTURNED);
         }
         let demand = found.as_ref().map(|hit| Demand {
@@ -89,12 +150,16 @@ pub(super) fn axis_motion(
             duration_s: hit.duration_s,
         });
         let is_at_rest = rocking.outcome == Outcome::NoUplift;
-        terms(capacity, demand, is_at_rest, rocking.uplift_m, floor_m_s2)
+        let edge = terms(capacity, demand, is_at_rest, rocking.uplift_m, floor_m_s2)?;
+        // The shock at the wall counts where it is the harder one.
+        let wall = strike.as_ref().and_then(Strike::demand);
+        let wall = wall.and_then(|demand| terms(capacity, Some(demand), false, rocking.uplift_m, floor_m_s2));
+        Some(wall.filter(|wall| wall.ratio() > edge.ratio()).unwrap_or(edge))
     });
-    AxisMotion { rocking, hit: found, terms }
+    AxisMotion { rocking, hit: found, strike, roll: None, terms }
 }
 
-fn terms(
+pub(super) fn terms(
     capacity: &Capacity,
     demand: Option<Demand>,
     is_at_rest: bool,
@@ -168,9 +233,15 @@ pub(super) const TOPPLED: PadMotion = PadMotion {
     terms: Some(Terms::OVERTURNED),
 };
 
-/// Whether any axis overturns.
+/// Whether it falls about any axis, onto the floor or against a wall.
 pub(super) fn overturned(axes: &[AxisMotion]) -> bool {
-    axes.iter().any(|one| one.rocking.outcome == Outcome::Overturned)
+    axes.iter().any(|one| one.rocking.outcome.has_fallen())
+}
+
+/// Whether it ends leaning on a wall, and does not fall onto the floor.
+pub(super) fn leans(axes: &[AxisMotion]) -> bool {
+    let ends = |outcome: Outcome| axes.iter().any(|one| one.rocking.outcome == outcome);
+    ends(Outcome::Leaned) && !ends(Outcome::Overturned)
 }
 
 /// Whether there is uplift about any axis.
@@ -184,7 +255,7 @@ pub(super) fn governing(axes: &[AxisMotion]) -> Option<(usize, &AxisMotion)> {
     let rank = |one: &AxisMotion| {
         let shock_g = one.hit.as_ref().map_or(0.0, Hit::larger_g);
         let ratio = one.terms.map_or(0.0, |terms| terms.ratio());
-        (one.rocking.outcome == Outcome::Overturned, ratio, shock_g, one.rocking.cg_rise_m)
+        (one.rocking.outcome.has_fallen(), ratio, shock_g, one.rocking.cg_rise_m)
     };
     axes.iter().enumerate().reduce(|most, next| if rank(next.1) > rank(most.1) { next } else { most })
 }

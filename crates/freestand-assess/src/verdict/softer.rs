@@ -64,6 +64,7 @@ pub(super) fn softer(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
 fn is_wanted(context: &Context, trial: &Trial) -> bool {
     let Some(capacity) = &trial.subject.capacity else { return false };
     trial.member.asks_shock
+        && trial.subject.rolls.is_none()
         && capacity.decides
         && capacity.needs_shock()
         && trial.subject.body.as_ref().is_some_and(|body| body.cushion.linear_stiffness_n_m().is_some())
@@ -163,6 +164,9 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
 /// Why no softer pad was looked for.
 pub(super) fn beyond_pads(trial: &Trial) -> &'static str {
     let Some(capacity) = &trial.subject.capacity else { return "no tolerance was given" };
+    if trial.subject.rolls.is_some() {
+        return "it rolls on its casters";
+    }
     let Some(body) = &trial.subject.body else { return "its pads were not given" };
     if !capacity.needs_shock() {
         return "its uplift on a rigid base does not depend on the stiffness";

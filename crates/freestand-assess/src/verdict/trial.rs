@@ -9,7 +9,8 @@ use freestand::compliant::{
     rock_compliant_many,
 };
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
-use freestand::rocking::rock_each;
+use freestand::rocking::{Restitution, rock_between};
+use freestand::wall::Walls;
 use freestand::worlds::Group;
 use rayon::prelude::*;
 
@@ -24,6 +25,7 @@ use super::response::{
     Lived, PadResponse, RigidResponse, TOPPLED, axis_motion, demand_capacity, options, overturned, pad_motion,
     pad_motion_of, pads_demand_capacity,
 };
+use super::roll::rolled;
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
@@ -92,7 +94,10 @@ impl<'a> Trial<'a> {
     pub(super) fn asks(&self, context: &Context, model: Model) -> bool {
         match model {
             Model::Rigid => true,
-            Model::Pads => context.study.assessment.compliant && self.subject.body.is_some(),
+            // Beside a wall and on casters its pads are not followed.
+            Model::Pads => {
+                context.study.assessment.compliant && self.subject.body.is_some() && self.subject.stands_freely()
+            }
         }
     }
 
@@ -180,7 +185,8 @@ pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model
     let ratio = ratio.filter(|ratio| *ratio > 1.0 || compression_m <= thickness_m);
     // Where the shock is not known, the floor alone may exceed the tolerance: a shock only adds to it.
     let floor_alone = || {
-        let peak_m_s2 = subject.capacity.as_ref()?.peak_m_s2?;
+        // Casters keep most of it from the object.
+        let peak_m_s2 = subject.capacity.as_ref().filter(|_| subject.rolls.is_none())?.peak_m_s2?;
         (lived.pfa_m_s2 > peak_m_s2).then_some(true)
     };
     Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
@@ -312,26 +318,31 @@ fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &
     for is_x in [true, false] {
         let mut places = Vec::new();
         let mut blocks = Vec::new();
-        for (place, (trial, draw)) in trials.iter().zip(draws).enumerate() {
+        let rocking = trials.iter().zip(draws).enumerate().filter(|(_, (trial, _))| trial.subject.rolls.is_none());
+        for (place, (trial, draw)) in rocking {
             for axis in (0..trial.subject.axes.len()).filter(|&axis| draw.is_along_x(axis) == is_x) {
-                if let Some(block) = draw.block(&trial.subject, axis) {
+                if let Some((block, restitution)) = draw.block(&trial.subject, axis) {
                     places.push((place, axis));
-                    blocks.push(block);
+                    blocks.push((block, restitution, draw.walls(&trial.subject, axis)));
                 }
             }
         }
         let base = floor.base(is_x);
-        let rocked = rock_each(&blocks, base, &options(freestand::rocking::Restitution::Housner));
+        let rocked = rock_between(&blocks, base, &options(Restitution::Housner, Walls::NONE));
         context.count(blocks.len());
-        for (((place, axis), (block, _)), rocked) in places.into_iter().zip(blocks).zip(rocked) {
+        for (((place, axis), (block, ..)), rocked) in places.into_iter().zip(blocks).zip(rocked) {
             found[place][axis] = Some((block, rocked));
         }
     }
     let of_trial = |((trial, draw), found): ((&&Trial, &Draw), Vec<Option<_>>)| -> RigidResponse {
+        if let Some(rolling) = &trial.subject.rolls {
+            return rolled(&trial.subject, rolling, draw, floor);
+        }
         let body = draw.body(&trial.subject);
-        let axes = found.into_iter().flatten().map(|(block, rocked): (_, Result<_, _>)| {
+        let known = found.into_iter().enumerate().filter_map(|(axis, one)| Some((axis, one?)));
+        let axes = known.map(|(axis, (block, rocked)): (usize, (_, Result<_, _>))| {
             let rocking = rocked.map_err(|error: freestand::rocking::RockingError| error.to_string())?;
-            Ok(axis_motion(&trial.subject, draw, &block, rocking, body.as_ref(), floor.pfa_m_s2))
+            Ok(axis_motion(&trial.subject, draw, axis, &block, rocking, body.as_ref(), floor.pfa_m_s2))
         });
         axes.collect()
     };

@@ -10,7 +10,7 @@ use super::{Resolver, or};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 use crate::study::Ground;
 use crate::study::assessment::{
-    Accepted, Bracket, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WorldSettings,
+    Accepted, Bracket, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WallUse, WorldSettings,
 };
 use crate::target::Target;
 use freestand_input::keys::Words;
@@ -63,6 +63,7 @@ impl Resolver<'_> {
             friction_ratio: self.friction(written, defaults.friction_ratio),
             pad_strain_ratio: self.pad_strain(&written.pad_strain, defaults.pad_strain_ratio),
             compliant: or(&written.compliant, defaults.compliant),
+            walls: self.named("walls", &written.walls, &WallUse::ALL).unwrap_or(defaults.walls),
             pages: usize::try_from(or(&written.pages, defaults.pages as u64)).unwrap_or(usize::MAX),
             restraint: self.restraint(restraint, defaults.restraint),
             restraint_code: self.restraint_code(&restraint.code, ground),
@@ -327,6 +328,16 @@ mod tests {
         assert_eq!(lines, [Some(3), Some(6), Some(7)], "{problems:?}");
         let problems = study(table, "sds = \"1 g\"\n").unwrap_err().to_string();
         assert!(problems.contains("sds needs a code or a place"), "{problems}");
+    }
+
+    #[test]
+    fn walls_count_as_listed_or_not_at_all() {
+        let walls = |text: &str| resolve(text, None, "".as_ref()).map(|study| study.assessment.walls);
+        assert_eq!(walls("[assessment]\nwalls = \"as-listed\"\n").unwrap(), WallUse::AsListed);
+        assert_eq!(walls("[assessment]\nwalls = \"ignore\"\n").unwrap(), WallUse::Ignore);
+        let problems = walls("[assessment]\nwalls = \"none\"\n").unwrap_err().problems;
+        assert_eq!(problems[0].line, Some(2));
+        assert!(problems[0].to_string().contains("ignore"), "{problems:?}");
     }
 
     #[test]

@@ -42,6 +42,8 @@ pub struct Settings {
     pub pad_strain_ratio: f64,
     /// Whether objects on pads are also calculated on a compliant base.
     pub compliant: bool,
+    /// Whether the walls and neighbours of a list count.
+    pub walls: WallUse,
     /// Largest number of objects with a page in the report: the most urgent ones.
     pub pages: usize,
     /// How forces for restraints are calculated.
@@ -62,6 +64,28 @@ pub enum Questions {
 impl Questions {
     /// Every value with the name that studies and inventories use.
     pub const ALL: [(&'static str, Self); 2] = [("falls", Self::Falls), ("falls+shock", Self::FallsAndShock)];
+}
+
+/// What becomes of the walls and neighbours of a list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WallUse {
+    /// They count.
+    AsListed,
+    /// Every object is free-standing.
+    Ignore,
+}
+
+impl WallUse {
+    /// Every value with the name that studies use.
+    pub const ALL: [(&'static str, Self); 2] = [("as-listed", Self::AsListed), ("ignore", Self::Ignore)];
+
+    /// The name in studies and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::AsListed => "as-listed",
+            Self::Ignore => "ignore",
+        }
+    }
 }
 
 /// The accepted probabilities, given the study's earthquake.
@@ -250,6 +274,7 @@ impl Default for Settings {
             friction_ratio: (0.2, 0.8),
             pad_strain_ratio: 0.5,
             compliant: true,
+            walls: WallUse::AsListed,
             pages: 200,
             restraint: RestraintSettings::default(),
             restraint_code: None,

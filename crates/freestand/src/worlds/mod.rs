@@ -9,12 +9,14 @@ mod correlation;
 mod ground;
 mod restitution;
 mod streams;
+mod wall;
 
 pub use building::{BuildingDraw, BuildingSpread, is_first_side_along_x};
 pub use correlation::spectral_correlation_ratio;
 pub use ground::{Component, Deviation, GroundSpread, SpreadOptions, WorldSpectra, world_motion};
 pub use restitution::{RESTITUTION_SPREAD, restitution_at, restitution_draw};
 pub use streams::{Group, WORLD_GENERATOR, object_stream, place_among, world_stream};
+pub use wall::{WallDraw, wall_draw, wall_restitution_at};
 
 use thiserror::Error;
 

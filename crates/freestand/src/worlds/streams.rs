@@ -28,12 +28,22 @@ pub enum Group {
     Body,
     /// The error of the models.
     Model,
+    /// The side of its wall, and the restitution there.
+    Wall,
 }
 
 impl Group {
     /// All groups.
-    pub const ALL: [Self; 7] =
-        [Self::Motion, Self::Building, Self::Orientation, Self::Restitution, Self::Pad, Self::Body, Self::Model];
+    pub const ALL: [Self; 8] = [
+        Self::Motion,
+        Self::Building,
+        Self::Orientation,
+        Self::Restitution,
+        Self::Pad,
+        Self::Body,
+        Self::Model,
+        Self::Wall,
+    ];
 
     /// The name in outputs.
     pub fn name(self) -> &'static str {
@@ -45,6 +55,7 @@ impl Group {
             Self::Pad => "pad",
             Self::Body => "body",
             Self::Model => "model",
+            Self::Wall => "wall",
         }
     }
 
@@ -58,6 +69,7 @@ impl Group {
             Self::Pad => 5,
             Self::Body => 6,
             Self::Model => 7,
+            Self::Wall => 8,
         }
     }
 }

@@ -250,6 +250,22 @@ fn periods_damping_and_sides_are_drawn_as_asked() {
     assert!((along / f64::from(WORLDS) - 0.5).abs() < 4.0 * 0.5 / f64::from(WORLDS).sqrt(), "{along}");
 }
 
+/// On the left in half of the worlds, e_w uniform from 0 to 0.5: its mean 1/4 and its spread 1/(2√12),
+/// both within four standard deviations of a mean of so many.
+#[test]
+fn a_wall_has_a_side_and_a_restitution() {
+    const WORLDS: u32 = 4000;
+    let draws: Vec<WallDraw> = (0..WORLDS).map(|world| wall_draw(5, world, 77, 0)).collect();
+    let root = f64::from(WORLDS).sqrt();
+    let left = draws.iter().filter(|one| one.is_on_left).count() as f64 / f64::from(WORLDS);
+    assert!((left - 0.5).abs() < 4.0 * 0.5 / root, "{left}");
+    let ratios: Vec<f64> = draws.iter().map(|one| one.restitution_ratio).collect();
+    let spread = 0.5 / 12f64.sqrt();
+    assert!((mean(&ratios) - 0.25).abs() < 4.0 * spread / root, "{}", mean(&ratios));
+    assert!(ratios.iter().all(|ratio| (0.0..0.5).contains(ratio)));
+    assert!(draws.iter().zip(0..).all(|(one, world)| one.is_on_left == wall_draw(5, world, 77, 3).is_on_left));
+}
+
 /// Five equal storeys, T₁ = 0.65 s, 5 % damping.
 fn five_storeys() -> crate::building::Building {
     use crate::building::{Building, Damping, Storey};

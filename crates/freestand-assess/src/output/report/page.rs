@@ -6,7 +6,9 @@ use std::fmt::Write;
 use crate::inventory::{Inventory, Item};
 use crate::output::overview::place;
 use crate::output::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
-use crate::result::{Assessment, AxisResponse, ModelAnswers, Ranked, RestraintForce, RestraintKind, Shares};
+use crate::result::{
+    Assessment, AxisResponse, ModelAnswers, ObjectModel, Ranked, RestraintForce, RestraintKind, Shares,
+};
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, table, words as text};
 use freestand_study::cushion::cushion_words;
@@ -64,7 +66,12 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
     let worlds = found.answers.as_ref().map_or_else(String::new, |answers| {
         format!("{} of at most {}", counted(answers.worlds as usize, "world"), answers.worlds_cap)
     });
-    let decided = match tier(found.tier) {
+    let by = match (found.model, found.tier) {
+        (Some(ObjectModel::Roll), _) => "the model on casters",
+        (Some(ObjectModel::RockWall), 0) => "the model on a rigid base: it does not rock",
+        (_, by) => tier(by),
+    };
+    let decided = match by {
         "" => worlds,
         by if worlds.is_empty() => by.to_owned(),
         by => format!("{by}; {worlds}"),
@@ -77,6 +84,7 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
         ("Demand/capacity", margin(found)),
         ("Median shock", shock),
         ("These two are", known(found.answers.is_some() && found.shock.is_some(), model.to_owned())),
+        ("Model", model_words(found)),
         ("Calculated with", decided),
     ];
     match (&found.capacity, &item.tolerance) {
@@ -91,6 +99,18 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
         (None, None) => rows.push(("Tolerance", "not given".to_owned())),
     }
     rows
+}
+
+/// The model of the object, and why it is this one.
+fn model_words(found: &Assessment) -> String {
+    let why = match found.model {
+        None => return String::new(),
+        Some(ObjectModel::Rock) => "it stands freely; mass or pads are not given, or the study does not follow them",
+        Some(ObjectModel::RockWall) => "it stands beside a wall or neighbours",
+        Some(ObjectModel::Roll) => "its casters are free, so it does not rock",
+        Some(ObjectModel::Compliant) => "it stands freely, and mass and pads are given",
+    };
+    format!("{}: {why}", found.model.map_or("", ObjectModel::name))
 }
 
 /// What the object is, and where it is.
@@ -137,7 +157,8 @@ fn response(found: &Assessment) -> String {
         [figure(crate::output::words::probability(model.overturn)), figure(exceed)]
     };
     let shocks = found.shock.as_ref().map(|shock| shock.edge_acceleration_g);
-    let mut rigid = vec![text("rigid base, Eq. (5)")];
+    let base = if found.rolled.is_some() { "on its casters" } else { "rigid base, Eq. (5)" };
+    let mut rigid = vec![text(base)];
     rigid.extend(chance(&answers.rigid));
     rigid.push(figure(percent(response.uplift_share, 0)));
     rigid.push(figure(quantiles(response.uplift_m, |lift| ranked_milli(lift, "mm"))));
@@ -186,12 +207,39 @@ fn in_brief(found: &Assessment) -> String {
         let reason = response.failure.as_deref().unwrap_or("the reason is not known");
         said.push(format!("The histories in {} failed: {reason}.", counted(response.failed, "further world")));
     }
-    if let Some(sliding) = &found.sliding {
+    // What rolls is told by its travel.
+    if let Some(sliding) = found.sliding.as_ref().filter(|_| found.rolled.is_none()) {
         let (low, high) = sliding.friction_ratio;
         let origin = if sliding.is_stated { "stated" } else { "assumed" };
         let (low, high) = (number(low, 3), number(high, 3));
         let verdict = sliding.verdict.name();
         said.push(format!("Sliding: {verdict} (coefficient of friction {low} to {high}, {origin})."));
+    }
+    if let Some(rolled) = &found.rolled {
+        let margin = rolled.trip_margin().map_or_else(String::new, |margin| {
+            format!(
+                " The speed that overturns it at its stop is {} times that of 84 % of the worlds.",
+                number(margin, 3)
+            )
+        });
+        said.push(format!(
+            "Travel on its casters to one side: median {} mm, {} mm in 84 % of the worlds. Nothing overturns it without a \
+             stop.{margin}",
+            number(1e3 * rolled.travel_m_median, 3),
+            number(1e3 * rolled.travel_m_p84, 3)
+        ));
+    }
+    if let Some(at_wall) = &found.at_wall {
+        let shock = at_wall.acceleration_g_median.map_or_else(
+            || "its shock there is not known".to_owned(),
+            |shock_g| format!("shock there, apart from that on the floor, {} g", number(shock_g, 3)),
+        );
+        said.push(format!(
+            "Its wall: struck in {} of the worlds; median world: speed {} m/s, {shock}. It ends leaning on it in {}.",
+            percent(at_wall.strike_share, 0),
+            number(at_wall.speed_m_s_median, 3),
+            percent(at_wall.lean_share, 1)
+        ));
     }
     if let Some(clearance_m) = found.clearance_m {
         said.push(format!("Clearance needed on every side: {} mm.", number((1e3 * clearance_m).ceil(), 6)));

@@ -5,7 +5,7 @@ use freestand::rocking::Restitution;
 
 use crate::inventory::{Item, Rating};
 use crate::result::{
-    Answers, Assessment, Cause, ModelAnswers, Probability, RestraintForce, design_force, reported_force,
+    Answers, Assessment, Cause, ModelAnswers, ObjectModel, Probability, RestraintForce, design_force, reported_force,
 };
 use freestand_study::cushion::cushion_words;
 
@@ -126,6 +126,33 @@ pub(crate) const COLUMNS: &[Column] = &[
     number("p_exceed_per_year", "1", "probability per year that a criterion is exceeded or that it falls", |l| {
         of(l, |found| found.per_year.as_ref()?.exceed)
     }),
+    text("model", "its model: rock, rock-wall, compliant, roll", |l| {
+        of_text(l, |found| found.model.map(ObjectModel::name))
+    }),
+    share("p_lean", "share of the worlds at whose end it leans on its wall; they count as falls", |l| {
+        of(l, |found| Some(found.at_wall?.lean_share))
+    }),
+    number("wall_speed_m_s_median", "m/s", "largest speed at its wall, median world; 0: it does not strike it", |l| {
+        of(l, |found| Some(found.at_wall?.speed_m_s_median))
+    }),
+    number("wall_acceleration_g_median", "g", "largest shock at its wall, median world", |l| {
+        of(l, |found| found.at_wall?.acceleration_g_median)
+    }),
+    number(
+        "slide_m_median",
+        "m",
+        "travel on its casters to one side as if nothing were in the way, median world",
+        |l| of(l, |found| Some(found.rolled?.travel_m_median)),
+    ),
+    number("slide_m_p84", "m", "the same that 84 % of the worlds do not exceed", |l| {
+        of(l, |found| Some(found.rolled?.travel_m_p84))
+    }),
+    number(
+        "trip_margin",
+        "1",
+        "speed at which its stop overturns it over the speed there that 84 % of the worlds do not exceed",
+        |l| of(l, |found| found.rolled?.trip_margin()),
+    ),
     count("tier", "tier that decided: 0 it rocks in no world, 2 a rigid base, 3 a rigid base and its pads", |l| {
         Cell::count(l.assessment().map(|found| found.tier.into()))
     }),

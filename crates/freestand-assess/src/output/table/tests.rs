@@ -70,7 +70,7 @@ fn the_columns_of_the_contract_are_there() {
             "m/s" => ends("_m_s"),
             "Hz" => ends("_hz"),
             "1" => {
-                let named = ["p_", "share_", "measure_first_", "softened_p_", "confidence"];
+                let named = ["p_", "share_", "measure_first_", "softened_p_", "confidence", "trip_margin"];
                 ends("_ratio")
                     || ends("_share")
                     || ends("restitution")
