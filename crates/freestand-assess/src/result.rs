@@ -178,6 +178,8 @@ pub enum ObjectModel {
     Compliant,
     /// It rolls on free casters.
     Roll,
+    /// It slides on its base.
+    Slide,
 }
 
 impl ObjectModel {
@@ -188,6 +190,7 @@ impl ObjectModel {
             Self::RockWall => "rock-wall",
             Self::Compliant => "compliant",
             Self::Roll => "roll",
+            Self::Slide => "slide",
         }
     }
 }
@@ -207,7 +210,7 @@ pub struct AtWall {
     pub acceleration_g_median: Option<f64>,
 }
 
-/// How far an object rolls, and what a stop does to it.
+/// How far an object rolls or slides, and what a stop does to it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rolled {
     /// Travel to one side as if nothing were in the way, median world \[m\].
@@ -222,6 +225,25 @@ pub struct Rolled {
     pub stop_speed_m_s_p84: Option<f64>,
     /// The speed at which the stop overturns it, about the axis where it is smaller \[m/s\].
     pub trip_speed_m_s: f64,
+}
+
+/// Sliding while rocking: the worlds in which rocking needs more friction than the list gives.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Slipped {
+    /// How many.
+    pub worlds: u32,
+    /// Whether its pads answer there, with that friction.
+    pub on_pads: bool,
+}
+
+/// P(it falls) if a wall stood behind an object for which the list gives none, on a rigid base in the
+/// same worlds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BeforeWall {
+    /// Where it touches the wall.
+    pub touching: Probability,
+    /// With a gap of 50 mm.
+    pub at_50_mm: Probability,
 }
 
 impl Rolled {
@@ -428,8 +450,14 @@ pub struct Assessment {
     pub model: Option<ObjectModel>,
     /// At its wall; `None`: nothing is within reach, or it does not count.
     pub at_wall: Option<AtWall>,
-    /// On its casters; `None`: it does not roll.
+    /// On its casters, or sliding on its base; `None`: it does neither, or rocks as well.
     pub rolled: Option<Rolled>,
+    /// Where it slides while it rocks; `None`: nowhere.
+    #[serde(default)]
+    pub slipped: Option<Slipped>,
+    /// With a wall behind it; `None`: the list gives one, or it is not restrained.
+    #[serde(default)]
+    pub before_wall: Option<BeforeWall>,
     /// On its pads; `None`: the compliant base was not asked.
     pub on_pads: Option<OnPads>,
     /// What the answer depends on, where that was calculated.

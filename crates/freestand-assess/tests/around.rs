@@ -7,6 +7,8 @@ use std::fs;
 use std::path::Path;
 
 use freestand::block::Block;
+use freestand::compliant::{CompliantAccuracy, CompliantBase, CompliantOptions, rock_compliant};
+use freestand::cushion::{ContactLaw, Cushion};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, RockingOptions, Until, rock};
 use freestand::sliding::{Clearance, Friction, SlidingOptions, slide, trip_speed_m_s};
@@ -113,8 +115,11 @@ fn a_wall_out_of_reach_is_no_wall() {
     };
     let free = objects("", ",,,");
     assert_eq!(free.1, "compliant");
-    assert_eq!(objects("", "1900,2500,,"), free);
-    assert_eq!(objects("walls = \"ignore\"\n", "0,0,,2000"), free);
+    // Where the list says nothing of a wall, it is tried what one would change; no world is another.
+    let ignored = objects("walls = \"ignore\"\n", ",,,");
+    assert_eq!(ignored.0[1], free.0[1]);
+    assert_eq!(objects("", "1900,2500,,"), ignored);
+    assert_eq!(objects("walls = \"ignore\"\n", "0,0,,2000"), ignored);
     assert_ne!(objects("", "0,0,,2000"), free);
 }
 
@@ -184,4 +189,151 @@ fn what_rolls_travels_as_the_sliding_block() {
     let shock_g = speed_m_s.abs() * (2e4f64 / 80.0).sqrt() / G0_M_S2;
     assert_eq!(number("soft", "p_exceed"), f64::from(u8::from(shock_g > 5.0)), "{shock_g}");
     assert!(is(number("soft", "demand_capacity_ratio"), shock_g / 5.0), "{shock_g}");
+}
+
+const WITH_FRICTION: &str =
+    "id,level_ratio,height [mm],thickness [mm],mass [kg],stiffness [N/mm],tolerance [g],friction,clearance [mm]\n";
+
+fn by_id(folder: &Path) -> HashMap<String, HashMap<String, String>> {
+    table(folder, "objects.csv").into_iter().map(|row| (row["id"].clone(), row)).collect()
+}
+
+/// Up to t/h an object slides, as far as the solver says, and nothing but a stop overturns it; above
+/// t/h it does not.
+#[test]
+fn what_has_little_friction_slides() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = "free,0,1800,540,100,4000,5,0.29,\nstopped,0,1800,380,,,,0.2,20\nrange,0,1800,540,,,,0.1-0.29,\n\
+                rough,0,1800,540,,,,0.1-0.31,\n";
+    assess(folder.path(), "", WITH_FRICTION, rows);
+    let found = by_id(folder.path());
+    let number = |id: &str, name: &str| found[id][name].parse::<f64>().unwrap();
+    let motion = pulse();
+    let slid = |ratio: f64, clearance_m: Option<f64>| {
+        let clearance = Clearance { left_m: clearance_m, right_m: clearance_m };
+        let until = Until::Settled { at_most_s: 120.0 };
+        let options = SlidingOptions { clearance, until, ..SlidingOptions::new(Friction::uniform(ratio).unwrap()) };
+        slide(Base { horizontal: Some(&motion), vertical: None }, &options).unwrap()
+    };
+    // The table has at least nine digits.
+    let is = |got: f64, expected: f64| (got - expected).abs() <= 1e-8 * expected;
+    let free = slid(0.29, None).peak_m.abs();
+    assert!(free > 0.01 && is(number("free", "slide_m_median"), free) && is(number("free", "slide_m_p84"), free));
+    assert_eq!((number("free", "p_overturn"), found["free"]["p_overturn_compliant"].as_str()), (0.0, ""));
+    assert!(found["free"]["why"].starts_with("It slides: up to "), "{}", found["free"]["why"]);
+    let (_, speed_m_s) = slid(0.2, Some(0.02)).contact.unwrap();
+    let trip_m_s = trip_speed_m_s(&Block::uniform(1.8, 0.38).unwrap(), 9.80665);
+    assert!(is(number("stopped", "trip_margin"), trip_m_s / speed_m_s.abs()), "{trip_m_s} {speed_m_s}");
+    // A friction between the two slides further than the largest and less far than the smallest.
+    let (least, most) = (slid(0.29, None).peak_m.abs(), slid(0.1, None).peak_m.abs());
+    let travel = number("range", "slide_m_median");
+    assert!(least < travel && travel < most, "{least} {travel} {most}");
+    for id in ["free", "stopped", "range"] {
+        assert_eq!((found[id]["model"].as_str(), found[id]["sliding"].as_str()), ("slide", "yes"), "{id}");
+    }
+    assert_eq!((found["rough"]["model"].as_str(), found["rough"]["slide_m_median"].as_str()), ("rock", ""));
+}
+
+/// Friction above what rocking needs changes nothing but the columns of friction. Below it, its pads
+/// answer with that friction for both models; without pads the planar answer stands, and the notes say
+/// by how much it may be wrong.
+#[test]
+fn friction_that_rocking_lacks_is_followed_on_pads() {
+    let object = |body: &str, friction: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        assess(folder.path(), "", WITH_FRICTION, &format!("a,0,1800,700,{body},{friction},\n"));
+        let mut found = by_id(folder.path()).remove("a").unwrap();
+        let said = ["friction_low_ratio", "friction_high_ratio", "sliding"].map(|name| found.remove(name).unwrap());
+        (found, said[2].clone(), table(folder.path(), "outcomes.csv"))
+    };
+    let pads = "100,4000,5";
+    let (given, ..) = object(pads, "");
+    assert_eq!(given["uplift_share"], "1");
+    let (enough, slides, _) = object(pads, "0.95");
+    assert_eq!((enough, slides.as_str()), (given.clone(), "no"));
+    let (little, slides, outcomes) = object(pads, "0.4");
+    assert_eq!((slides.as_str(), little["model"].as_str()), ("yes", "compliant"));
+    assert!(little["why"].contains("its friction (0.4) is less than rocking needs"), "{little:?}");
+    let of = |model: &str| outcomes.iter().filter(|row| row["model"] == model).collect::<Vec<_>>();
+    let (rigid, on_pads) = (of("rigid"), of("compliant"));
+    assert!(!rigid.is_empty() && rigid.len() == on_pads.len());
+    assert!(rigid.iter().zip(&on_pads).all(|(rigid, pads)| rigid["lift_m"] == pads["lift_m"]));
+    // Its pads have one damping in each world: the history is the solver's.
+    let number = |name: &str| on_pads[0][name].parse::<f64>().unwrap();
+    let (mass_kg, stiffness_n_m) = (number("mass_kg"), number("stiffness_n_m"));
+    let damping_n_s_m = 2.0 * number("pad_damping_ratio") * (stiffness_n_m * mass_kg).sqrt();
+    let cushion = Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).unwrap();
+    let (block, motion) = (Block::uniform(1.8, 0.7).unwrap(), pulse());
+    let alone = |friction_ratio: Option<f64>| {
+        let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion.clone()) };
+        let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
+        rock_compliant(&block, &base, Base { horizontal: Some(&motion), vertical: None }, &options).unwrap()
+    };
+    let (slipping, held) = (alone(Some(0.4)), alone(None));
+    let away = |uplift_m: f64| (number("lift_m") / uplift_m - 1.0).abs();
+    // The damping has the digits of the table, and the motion ends 4 s after the start and not with the
+    // building's tail: neither moves the largest uplift by more than the tolerance of a step at `fast`.
+    assert!(
+        slipping.slid_m > 1e-3 && away(slipping.uplift_m) < 1e-4,
+        "{} {}",
+        slipping.slid_m,
+        away(slipping.uplift_m)
+    );
+    assert!(away(held.uplift_m) > 0.01, "{} {}", held.uplift_m, slipping.uplift_m);
+    let (bare, slides, _) = object(",,", "0.4");
+    let (bare_given, ..) = object(",,", "");
+    assert_eq!((bare["p_overturn"].clone(), slides.as_str()), (bare_given["p_overturn"].clone(), "yes"));
+    assert!(bare["remarks"].contains("0.8 times") && bare["remarks"].contains("1.05 times"), "{}", bare["remarks"]);
+    assert!(!bare_given["remarks"].contains("0.8 times"));
+}
+
+/// What falls and has no wall in the list lives through the same worlds with one, as an object that has
+/// it in the list.
+#[test]
+fn a_wall_that_is_not_listed_is_tried() {
+    let folder = tempfile::tempdir().unwrap();
+    let header = "id,level_ratio,height [mm],thickness [mm],wall_gap [mm]\n";
+    let rows = "alone,0,1800,200,\nlisted,0,1800,200,50\n";
+    assess(folder.path(), "", header, rows);
+    let found = by_id(folder.path());
+    let number = |id: &str, name: &str| found[id][name].parse::<f64>().unwrap();
+    let block = Block::uniform(1.8, 0.2).unwrap();
+    assert_eq!((found["alone"]["decision"].as_str(), number("alone", "p_overturn")), ("restrain", 1.0));
+    // At a wall that it touches, it falls or leans in all worlds with one sign of the motion, or in none.
+    let falls = |wall: Walls| {
+        let motion = pulse();
+        let options =
+            RockingOptions { walls: wall, until: Until::Settled { at_most_s: 60.0 }, ..RockingOptions::default() };
+        rock(&block, Base { horizontal: Some(&motion), vertical: None }, &options).unwrap().outcome.has_fallen()
+    };
+    let touching = Some(Wall { restitution_ratio: 0.25, ..Wall::at(0.0) });
+    let [left, right] = [Walls { left: touching, right: None }, Walls { left: None, right: touching }].map(falls);
+    let p = number("alone", "p_overturn_wall_touching");
+    assert!(if left == right { p == f64::from(u8::from(left)) } else { p > 0.0 && p < 1.0 }, "{left} {right} {p}");
+    assert!(found["alone"]["why"].contains("The list gives no wall behind it"), "{}", found["alone"]["why"]);
+    assert_eq!(found["listed"]["p_overturn_wall_touching"], "");
+}
+
+/// Where the floor falls away, an object on pads flies and is followed; without pads that world is not
+/// known, and is not counted as one in which it stands.
+#[test]
+fn what_flies_is_followed_on_its_pads() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[ground]\nhazard_factor = 0.8\nvertical = 1\nseed = 3\n[building]\nstoreys = 4\n[worlds]\nfirst = 4\nmost = 4\nshares = false\n";
+    let study = resolve(text, None, folder.path()).unwrap();
+    let list = folder.path().join("list.csv");
+    let header = "id,level_ratio,height [mm],thickness [mm],mass [kg],stiffness [N/mm]\n";
+    fs::write(&list, format!("{header}pads,0,900,900,100,4000\nbare,0,900,900,,\n")).unwrap();
+    let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
+    assess_into(&study, &inventory, &folder.path().join("out"), &Job::default(), &no_progress).unwrap();
+    let found = by_id(folder.path());
+    assert!(
+        found["pads"]["remarks"].contains("it flies: there its pads answer for both models"),
+        "{:?}",
+        found["pads"]
+    );
+    assert_eq!(found["pads"]["motions_failed"], "0", "{:?}", found["pads"]);
+    let notes = &found["bare"]["remarks"];
+    assert!(notes.contains("the base falls away") && notes.contains("give its mass and its pads"), "{notes}");
+    assert_ne!(found["bare"]["decision"], "leave");
 }

@@ -239,6 +239,8 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             speed_m_s_median: 0.31,
             acceleration_g_median: Some(2.4),
         }),
+        slipped: None,
+        before_wall: None,
         rolled: (index % 4 == 2).then_some(Rolled {
             travel_m_median: 0.21,
             travel_m_p84: 0.35,
@@ -362,6 +364,8 @@ pub(super) fn unknown(item: &Item) -> Assessment {
         model: None,
         at_wall: None,
         rolled: None,
+        slipped: None,
+        before_wall: None,
         on_pads: None,
         shares: None,
         per_year: None,

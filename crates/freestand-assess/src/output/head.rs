@@ -149,6 +149,10 @@ fn ratings_words(ratios: [f64; 3]) -> String {
     format!("{high}, {medium}, {low} %")
 }
 
+/// What the planar models leave out, by an audit of blocks with a square plan in three dimensions.
+const SECOND_COMPONENT: &str = "Every object moves in one plane at a time: a second horizontal component adds up to 0.33 \
+                                to the probability of falling.";
+
 /// How many objects are assessed as free-standing, and what that means.
 fn free_standing(study: &Study, inventory: &Inventory) -> String {
     let all = inventory.items.len();
@@ -206,13 +210,9 @@ fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
         ),
         building,
         format!(
-            "{} The floor is level. {} not calculated.",
+            "{} {SECOND_COMPONENT} Sliding is calculated where the list gives the friction. The floor is level.{}",
             free_standing(study, inventory),
-            if study.ground.has_vertical() {
-                "Sliding while it rocks is"
-            } else {
-                "Vertical shaking and sliding while it rocks are"
-            }
+            if study.ground.has_vertical() { "" } else { " Vertical shaking is not calculated." }
         ),
         "The forces follow the clause that each page names. An engineer has to check them and to design the anchors and \
          what they are fixed to."
@@ -271,8 +271,8 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
             spread.restitution
         ),
         format!(
-            "{} Not in the worlds: the soil, damage to the building (it stays elastic), sliding while \
-             rocking, rotation about a vertical axis.",
+            "{} Not in the worlds: the soil, damage to the building (it stays elastic), rotation about a \
+             vertical axis.",
             if study.ground.has_vertical() {
                 format!(
                     "Vertical motion: {}; floors above the ground have {} times that of the ground.",
@@ -284,8 +284,10 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
             }
         ),
         format!(
-            "Coefficient of friction where the inventory does not give it: {} to {}. Sliding is not computed; where it \
-             occurs, rocking and its shock are smaller.",
+            "Where the inventory gives the friction of an object, it slides instead of rocking if none of it exceeds half \
+             its base over the height of its centre of gravity; if rocking needs more in a world, its pads answer with \
+             that friction. Elsewhere friction is assumed to be {} to {}, which only tells whether an object may slide: \
+             no number depends on it.",
             friction_ratio.0, friction_ratio.1
         ),
         format!(
@@ -300,9 +302,10 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
              the floor moves towards it or away from it with the same chance.",
             free_standing(study, inventory)
         ),
-        "Every object stands on a level, rigid floor and moves in one plane at a time. The objects do not affect the \
-         motion of the floor."
-            .to_owned(),
+        format!(
+            "Every object stands on a level, rigid floor. {SECOND_COMPONENT} The objects do not affect the motion of the \
+             floor."
+        ),
     ];
     assumed.extend(rolling(inventory));
     assumed

@@ -11,7 +11,7 @@ use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AtWall, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions,
     FloorFacts, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer, Sliding,
-    SlidingVerdict, Softening,
+    SlidingVerdict, Slipped, Softening,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -20,11 +20,12 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, percent};
-use super::object::{Body, Hit, Model, Rolling, Way, hit};
+use super::object::{Body, Hit, Model, Way, hit};
 use super::response::{
-    AxisMotion, Lived, PadMotion, Roll, Strike, demand_capacity, governing, leans, lifts, options, overturned,
+    AxisMotion, Lived, Lost, PadMotion, Roll, Strike, demand_capacity, governing, leans, lifts, options, overturned,
     pads_demand_capacity, ranked,
 };
+use super::slip::FALLS_WITH_FRICTION;
 use super::softer::beyond_pads;
 use super::trial::{Question, Trial};
 use super::{Context, blank};
@@ -138,10 +139,20 @@ pub(super) fn assessment(
     note_failures(trial, &mut assessed.notes);
     assessed.rolled = rolled(trial);
     if let Some(rolled) = &assessed.rolled {
-        assessed.why = format!("{} {}", roll_words(rolled), assessed.why);
+        let verb = if matches!(trial.subject.way, Way::Slides(_)) { "slides" } else { "rolls" };
+        assessed.why = format!("{} {}", roll_words(verb, rolled), assessed.why);
+    }
+    assessed.slipped = slipped(trial);
+    if let Some(slipped) = &assessed.slipped {
+        if slipped.on_pads {
+            assessed.why.push_str(&slip_words(trial, slipped));
+        } else {
+            assessed.notes.push(band_words(trial, slipped, answers.rigid));
+        }
     }
     assessed.model = Some(match trial.subject.way {
         Way::Rolls(_) => ObjectModel::Roll,
+        Way::Slides(_) => ObjectModel::Slide,
         Way::Walled(_) => ObjectModel::RockWall,
         Way::Planar if answers.compliant.is_some() => ObjectModel::Compliant,
         Way::Planar => ObjectModel::Rock,
@@ -202,9 +213,9 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
     })
 }
 
-/// How it rolls; `None`: it does not, or every history failed.
+/// How it rolls or slides; `None`: it rocks, or every history failed.
 fn rolled(trial: &Trial) -> Option<Rolled> {
-    let rolling = trial.subject.way.rolls()?;
+    let gliding = trial.subject.way.glides()?;
     followed(trial).next()?;
     let rolls = |axes: &[AxisMotion], number: fn(&Roll) -> Option<f64>| {
         axes.iter().filter_map(|one| number(one.roll.as_ref()?)).fold(0.0, f64::max)
@@ -218,18 +229,18 @@ fn rolled(trial: &Trial) -> Option<Rolled> {
     Some(Rolled {
         travel_m_median: of(travel, QUANTILES[1]),
         travel_m_p84: of(travel, QUANTILES[2]),
-        clearance_m: rolling.clearance_m,
+        clearance_m: gliding.clearance_m,
         stop_share: share(followed(trial).map(|(_, axes)| is_stopped(axes))),
         stop_speed_m_s_p84: Some(of(|roll| roll.stop_speed_m_s, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
         trip_speed_m_s: trip_speeds.fold(f64::INFINITY, f64::min),
     })
 }
 
-/// How far it rolls, and what a stop does.
-fn roll_words(rolled: &Rolled) -> String {
-    let travel = format!("It rolls: up to {} mm in 84 % of worlds", number((1e3 * rolled.travel_m_p84).ceil(), 6));
+/// How far it rolls or slides, and what a stop does.
+fn roll_words(verb: &str, rolled: &Rolled) -> String {
+    let travel = format!("It {verb}: up to {} mm in 84 % of worlds", number((1e3 * rolled.travel_m_p84).ceil(), 6));
     let Some(clearance_m) = rolled.clearance_m else {
-        return format!("{travel}; nothing in the list stops it.");
+        return format!("{travel}; nothing in the list stops it, and nothing overturns it without a stop.");
     };
     let trip = number(rolled.trip_speed_m_s, 3);
     let speed = rolled
@@ -239,6 +250,46 @@ fn roll_words(rolled: &Rolled) -> String {
         "{travel}. It reaches its clearance of {} mm in {} of them{speed}; a stop there overturns it from {trip} m/s.",
         number(1e3 * clearance_m, 6),
         percent(rolled.stop_share)
+    )
+}
+
+/// The worlds in which it slides while it rocks; `None`: there are none.
+fn slipped(trial: &Trial) -> Option<Slipped> {
+    let slips = || trial.lived.iter().filter(|one| one.slips);
+    let worlds = u32::try_from(slips().count()).unwrap_or(u32::MAX);
+    (worlds > 0).then(|| Slipped { worlds, on_pads: slips().all(Lived::is_for_pads) })
+}
+
+/// Why the friction does not suffice.
+fn too_little_friction(trial: &Trial, slipped: &Slipped) -> String {
+    let (low, high) = trial.subject.friction_ratio.unwrap_or_default();
+    let range = if low == high { number(low, 3) } else { format!("{} to {}", number(low, 3), number(high, 3)) };
+    format!(
+        "In {} of {} its friction ({range}) is less than rocking needs",
+        slipped.worlds,
+        counted(trial.lived.len(), "world")
+    )
+}
+
+fn slip_words(trial: &Trial, slipped: &Slipped) -> String {
+    format!(" {}: there it slides as well, which its pads answer.", too_little_friction(trial, slipped))
+}
+
+/// What sliding changes where no pads can answer.
+fn band_words(trial: &Trial, slipped: &Slipped, rigid: Option<ModelAnswers>) -> String {
+    let why = match trial.subject.way {
+        Way::Walled(_) => "beside a wall its pads are not followed",
+        _ if trial.subject.body.is_none() => "its mass or its pads are not given",
+        _ => "its pads are not followed",
+    };
+    let p = rigid.map_or(0.0, |rigid| rigid.overturn.value);
+    let [low, high] = FALLS_WITH_FRICTION.map(|(friction_ratio, factor)| {
+        format!("{factor} times the one without, {}, at a friction of {friction_ratio}", percent((factor * p).min(1.0)))
+    });
+    format!(
+        "{}: there it slides as well. That is not calculated, because {why}; in an audit of one object the probability \
+         of falling was {low}, and {high}.",
+        too_little_friction(trial, slipped)
     )
 }
 
@@ -266,18 +317,30 @@ fn unknown_wall_shock(trial: &Trial, at_wall: &AtWall) -> Option<String> {
 }
 
 fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
-    let rigid = trial.lived.iter().filter_map(|one| one.rigid.as_ref()?.as_ref().err());
-    let pads = trial.lived.iter().filter_map(|one| one.pads.as_ref()?.as_ref().err());
-    for (model, mut errors) in [("a rigid base", rigid.collect::<Vec<_>>()), ("its pads", pads.collect())] {
-        if let Some(first) = errors.first().map(|first| (*first).clone()) {
-            let count = errors.len();
-            errors.clear();
+    let rigid = trial.lived.iter().filter_map(|one| Some(one.failure()?.why()));
+    let pads = trial.lived.iter().filter_map(|one| one.pads.as_ref()?.as_ref().err().map(String::as_str));
+    for (model, errors) in [("a rigid base", rigid.collect::<Vec<_>>()), ("its pads", pads.collect())] {
+        if let Some(first) = errors.first() {
             notes.push(format!(
-                "The histories on {model} failed in {count} of {} worlds ({first}); they count as exceeded in the upper \
+                "The histories on {model} failed in {} of {} worlds ({first}); they count as exceeded in the upper \
                  end of an interval and as not exceeded in the lower.",
+                errors.len(),
                 trial.lived.len()
             ));
         }
+    }
+    let is_flight = |one: &&Lived| matches!(one.rigid, Some(Err(Lost::Flight(_))));
+    let answered = trial.lived.iter().filter(|one| is_flight(one) && one.is_for_pads()).count();
+    if answered > 0 {
+        notes.push(format!(
+            "In {answered} of {} worlds its floor falls away (g + vertical acceleration ≤ 0), and it flies: there its \
+             pads answer for both models.",
+            trial.lived.len()
+        ));
+    }
+    let unknown = trial.lived.iter().filter(|one| is_flight(one) && !one.is_for_pads()).count();
+    if unknown > 0 && trial.subject.way == Way::Planar && trial.subject.body.is_none() {
+        notes.push("Its pads could follow it through the air: give its mass and its pads.".to_owned());
     }
 }
 
@@ -294,7 +357,7 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
 fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
     let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.way {
-        Way::Rolls(_) => stop_is_known(trial),
+        Way::Rolls(_) | Way::Slides(_) => stop_is_known(trial),
         Way::Planar | Way::Walled(_) => trial.subject.body.is_some() || !capacity.needs_shock(),
     });
     let model = |model| ModelAnswers {
@@ -388,8 +451,8 @@ fn response(trial: &Trial) -> Option<Response> {
     let over = |number: &dyn Fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
     Some(Response {
         motions: worlds,
-        failed: trial.lived.len() - worlds,
-        failure: trial.lived.iter().find_map(|one| one.rigid.as_ref()?.as_ref().err()).cloned(),
+        failed: trial.lived.iter().filter(|one| one.failure().is_some()).count(),
+        failure: trial.lived.iter().find_map(|one| Some(one.failure()?.why().to_owned())),
         uplift_share: share(followed(trial).map(|(_, axes)| lifts(axes))),
         overturn_share: share(followed(trial).map(|(_, axes)| overturned(axes))),
         uplift_m: over(&|one| one.rocking.uplift_m),
@@ -471,7 +534,7 @@ fn stop_is_known(trial: &Trial) -> bool {
 
 fn missing(trial: &Trial) -> Vec<&'static str> {
     let item = trial.member.item;
-    if trial.subject.way.rolls().is_some() {
+    if trial.subject.way.glides().is_some() {
         let has_tolerance = item.tolerance.is_some() && trial.subject.capacity.is_some();
         let is_known = !has_tolerance || stop_is_known(trial);
         let known = [
@@ -498,8 +561,8 @@ fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
     let worst = rigid.chain(pads).reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
     match worst {
         Some(worst) => Some(worst.governing(capacity)),
-        // Casters keep most of it from the object.
-        None if trial.subject.way.rolls().is_some() => None,
+        // Casters, and a base that slides, keep most of it from the object.
+        None if trial.subject.way.glides().is_some() => None,
         None => capacity.peak_m_s2.map(|_| Criterion::FloorAcceleration),
     }
 }
@@ -551,15 +614,16 @@ fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) ->
 }
 
 fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
-    if let Some(&Rolling { resistance, is_stated, .. }) = trial.subject.way.rolls() {
-        let ratio = resistance.static_ratio();
-        return Sliding { verdict: SlidingVerdict::Yes, friction_ratio: (ratio, ratio), is_stated };
+    if let Some(gliding) = trial.subject.way.glides() {
+        let (friction_ratio, is_stated) = (gliding.resistance_ratio, gliding.is_stated);
+        return Sliding { verdict: SlidingVerdict::Yes, friction_ratio, is_stated };
     }
-    let stated = trial.member.item.friction_ratio;
+    let stated = trial.subject.friction_ratio;
     let (low, high) = stated.unwrap_or(context.study.assessment.friction_ratio);
-    let verdict = if low >= needed_ratio {
+    let slips = trial.lived.iter().any(Lived::is_for_pads) && trial.lived.iter().any(|one| one.slips);
+    let verdict = if low >= needed_ratio && !slips {
         SlidingVerdict::No
-    } else if high < needed_ratio {
+    } else if high < needed_ratio || slips {
         SlidingVerdict::Yes
     } else {
         SlidingVerdict::Possible

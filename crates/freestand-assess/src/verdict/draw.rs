@@ -34,6 +34,8 @@ pub(super) struct Draw {
     pub(super) model: f64,
     /// The factor on peak accelerations on the compliant base.
     pub(super) compliant: f64,
+    /// μ, or the resistance of its casters; `None`: nothing depends on it.
+    pub(super) friction_ratio: Option<f64>,
     /// `None`: it has no wall within reach.
     wall: Option<WallDraw>,
 }
@@ -63,9 +65,10 @@ impl Change {
         u32::from(self == Self::Again(group))
     }
 
-    /// Whether an object on its pads lives on as it did: no impact of a rigid base loses energy there.
+    /// Whether an object on its pads lives on as it did in the worlds without a change: no impact of a
+    /// rigid base loses energy there.
     pub(super) fn leaves_pads(self) -> bool {
-        matches!(self, Self::None | Self::Again(Group::Restitution) | Self::At(Group::Restitution, _))
+        matches!(self, Self::Again(Group::Restitution) | Self::At(Group::Restitution, _))
     }
 
     /// The number of standard deviations of a group, where that is fixed.
@@ -120,6 +123,14 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
         sides = [(-geometry * normal).exp(); 2];
     }
 
+    // After the others of its group, which so stay as they are where the friction is not given.
+    let friction_ratio = subject.drawn_friction_ratio().map(|(low, high)| {
+        // More friction lets a slender object rock where it would have slid. Uniform: the share of a
+        // normal distribution below a normal number.
+        let number = change.normal(Group::Body).map_or_else(|| lognormal_draw(&mut random, 1.0, 1.0), f64::exp);
+        low + (high - low) * lognormal_probability(number, 1.0, 1.0)
+    });
+
     random = stream(Group::Model);
     let mut next = |median: f64, spread: f64| lognormal_draw(&mut random, median, spread);
     let (model, compliant) = (next(1.0, model), next(settings.compliant_factor, compliant));
@@ -133,6 +144,7 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
         pad_damping_ratio,
         model,
         compliant,
+        friction_ratio,
         wall: subject.way.walls().map(|_| wall(settings, object, world, change)),
     }
 }

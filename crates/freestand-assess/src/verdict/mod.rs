@@ -8,6 +8,7 @@
 //! (`softer`).
 
 mod assessment;
+mod before_wall;
 mod capacity;
 mod comparisons;
 mod decision;
@@ -18,6 +19,7 @@ mod per_year;
 mod response;
 mod roll;
 mod shares;
+mod slip;
 mod softer;
 mod tally;
 mod trial;
@@ -166,7 +168,13 @@ fn assessed(context: &Context, trials: &[Trial]) -> Result<Vec<Assessment>, Prob
             Ok(assessed)
         })
         .collect();
-    done.into_iter().collect()
+    let mut done: Vec<Assessment> = done.into_iter().collect::<Result<_, _>>()?;
+    let before = before_wall::before_walls(context, trials, &done)?;
+    for (assessed, before) in done.iter_mut().zip(before) {
+        assessed.why.extend(before.iter().map(|before| before_wall::words(before, assessed.accepted_ratio)));
+        assessed.before_wall = before;
+    }
+    Ok(done)
 }
 
 /// The assessment of an object before anything is computed.
@@ -181,6 +189,8 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
         model: None,
         at_wall: None,
         rolled: None,
+        slipped: None,
+        before_wall: None,
         on_pads: None,
         shares: None,
         per_year: None,

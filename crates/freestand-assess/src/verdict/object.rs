@@ -27,6 +27,8 @@ pub(crate) struct Subject {
     /// The thickness comes first.
     pub(super) axes: Vec<AxisGeometry>,
     pub(super) restitution: Restitution,
+    /// Of its base on the floor, lowest and highest; `None`: the list does not give it.
+    pub(super) friction_ratio: Option<(f64, f64)>,
     pub(super) mass_kg: Option<f64>,
     pub(super) body: Option<Body>,
     pub(super) capacity: Option<Capacity>,
@@ -51,7 +53,9 @@ pub(super) enum Way {
     /// The same beside a wall or neighbours, on a rigid base only.
     Walled(Beside),
     /// It rolls on free casters.
-    Rolls(Rolling),
+    Rolls(Gliding),
+    /// It slides before an edge could lift.
+    Slides(Gliding),
 }
 
 impl Way {
@@ -59,8 +63,8 @@ impl Way {
     pub(super) fn asks(&self, model: Model) -> bool {
         match self {
             Self::Planar => true,
-            // Beside a wall and on casters its pads are not followed.
-            Self::Walled(_) | Self::Rolls(_) => model == Model::Rigid,
+            // Beside a wall, on casters and while it slides its pads are not followed.
+            Self::Walled(_) | Self::Rolls(_) | Self::Slides(_) => model == Model::Rigid,
         }
     }
 
@@ -68,7 +72,7 @@ impl Way {
     pub(super) fn rocks(&self) -> bool {
         match self {
             Self::Planar | Self::Walled(_) => true,
-            Self::Rolls(_) => false,
+            Self::Rolls(_) | Self::Slides(_) => false,
         }
     }
 
@@ -76,14 +80,14 @@ impl Way {
     pub(super) fn walls(&self) -> Option<&Beside> {
         match self {
             Self::Walled(beside) => Some(beside),
-            Self::Planar | Self::Rolls(_) => None,
+            Self::Planar | Self::Rolls(_) | Self::Slides(_) => None,
         }
     }
 
-    /// How it rolls; `None`: it does not.
-    pub(super) fn rolls(&self) -> Option<&Rolling> {
+    /// How it rolls or slides; `None`: it rocks.
+    pub(super) fn glides(&self) -> Option<&Gliding> {
         match self {
-            Self::Rolls(rolling) => Some(rolling),
+            Self::Rolls(gliding) | Self::Slides(gliding) => Some(gliding),
             Self::Planar | Self::Walled(_) => None,
         }
     }
@@ -196,12 +200,12 @@ impl Beside {
     }
 }
 
-/// How an object rolls.
+/// How an object rolls on its casters, or slides on its base.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rolling {
-    /// μ_r.
-    pub(super) resistance: Friction,
-    /// Whether the list gives μ_r.
+pub(super) struct Gliding {
+    /// μ_r, or the friction of its base: lowest and highest.
+    pub(super) resistance_ratio: (f64, f64),
+    /// Whether the list gives it.
     pub(super) is_stated: bool,
     /// The way to a stop, on each side; `None`: nothing stops it \[m\].
     pub(super) clearance_m: Option<f64>,
@@ -209,24 +213,46 @@ pub(super) struct Rolling {
     pub(super) stop_stiffness_n_m: Option<f64>,
 }
 
-impl Rolling {
-    /// `None`: it has no free casters, or they resist so much that it would rock.
-    fn new(of: &Surroundings, axes: &[AxisGeometry]) -> Option<Self> {
-        if of.casters != Some(Casters::Free) {
-            return None;
-        }
-        let ratio = of.rolling_resistance_ratio.unwrap_or(DEFAULT_ROLLING_RESISTANCE);
-        let resistance = Friction::uniform(ratio).ok()?;
-        axes.iter().all(|axis| resistance.is_below_uplift(&axis.block)).then_some(Self {
-            resistance,
-            is_stated: of.rolling_resistance_ratio.is_some(),
+impl Gliding {
+    /// `None`: its largest resistance would let it rock.
+    fn new(of: &Surroundings, axes: &[AxisGeometry], resistance_ratio: (f64, f64), is_stated: bool) -> Option<Self> {
+        let most = Friction::uniform(resistance_ratio.1).ok()?;
+        axes.iter().all(|axis| most.is_below_uplift(&axis.block)).then_some(Self {
+            resistance_ratio,
+            is_stated,
             clearance_m: of.clearance_m,
             stop_stiffness_n_m: of.wall_stiffness_n_m,
         })
     }
+
+    /// `None`: it has no free casters, or they resist so much that it would rock.
+    fn on_casters(of: &Surroundings, axes: &[AxisGeometry]) -> Option<Self> {
+        let stated = of.rolling_resistance_ratio;
+        let ratio = stated.unwrap_or(DEFAULT_ROLLING_RESISTANCE);
+        (of.casters == Some(Casters::Free)).then(|| Self::new(of, axes, (ratio, ratio), stated.is_some()))?
+    }
+
+    /// `None`: the list gives no friction of its base, or some of it would let it rock.
+    fn on_its_base(item: &Item, axes: &[AxisGeometry]) -> Option<Self> {
+        let of = &item.surroundings;
+        // With free casters its base is not on the floor.
+        let friction_ratio = item.friction_ratio.filter(|_| of.casters != Some(Casters::Free))?;
+        Self::new(of, axes, friction_ratio, true)
+    }
 }
 
 impl Subject {
+    /// The coefficient between which and which a world draws; `None`: nothing depends on it.
+    pub(super) fn drawn_friction_ratio(&self) -> Option<(f64, f64)> {
+        self.way.glides().map_or(self.friction_ratio, |gliding| Some(gliding.resistance_ratio))
+    }
+
+    /// The same object with a wall at this gap behind it.
+    pub(super) fn before_wall(&self, of: &Surroundings, gap_m: f64) -> Self {
+        let beside = Beside { wall_gap_m: Some(gap_m), ..Beside::new(of) };
+        Self { way: beside.way(&self.axes), ..self.clone() }
+    }
+
     /// The object, or the names of what is missing.
     pub(crate) fn new(item: &Item, walls: WallUse) -> Result<Self, Vec<&'static str>> {
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
@@ -254,13 +280,15 @@ impl Subject {
             damping_ratio: own_damping_ratio(&edge.cushion, mass_kg),
         });
         let capacity = item.tolerance.as_ref().and_then(Capacity::new);
-        // A wall ends a rotation, and what rolls does not rotate.
-        let way = Rolling::new(&item.surroundings, &axes).map(Way::Rolls);
-        let way = way.unwrap_or_else(|| match walls {
+        // A wall ends a rotation, and what rolls or slides does not rotate.
+        let rolls = Gliding::on_casters(&item.surroundings, &axes).map(Way::Rolls);
+        let glides = rolls.or_else(|| Gliding::on_its_base(item, &axes).map(Way::Slides));
+        let way = glides.unwrap_or_else(|| match walls {
             WallUse::AsListed => Beside::new(&item.surroundings).way(&axes),
             WallUse::Ignore => Way::Planar,
         });
-        Ok(Self { level_ratio, axes, restitution: item.restitution, mass_kg: item.mass_kg, body, capacity, way })
+        let (restitution, friction_ratio, mass_kg) = (item.restitution, item.friction_ratio, item.mass_kg);
+        Ok(Self { level_ratio, axes, restitution, friction_ratio, mass_kg, body, capacity, way })
     }
 }
 

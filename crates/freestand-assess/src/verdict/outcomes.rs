@@ -20,7 +20,7 @@ fn outcome<'a>(trial: &'a Trial, world: u32, lived: &Lived, model: Model) -> Opt
     let has_fallen = trial.answer(lived, Question::Falls, model)?;
     let body = lived.draw.body(&trial.subject);
     let (height_m, thickness_m) = lived.draw.size_m(&trial.subject, 0);
-    let [demand_capacity_ratio, lift_m, edge_acceleration_g] = match model {
+    let [demand_capacity_ratio, lift_m, edge_acceleration_g] = match lived.answering(model) {
         Model::Rigid => lived.on_rigid().map_or([None; 3], |axes| of_rigid(axes, lived.draw.model)),
         Model::Pads => lived.on_pads().map_or([None; 3], of_pads),
     };

@@ -4,7 +4,7 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::{CompliantRocking, CompliantSummary, PadOutcome};
 use freestand::cushion::Cushion;
-use freestand::rocking::{Outcome, Restitution, RockingOptions, RockingSummary, SideExtremes, Until};
+use freestand::rocking::{Outcome, Restitution, RockingError, RockingOptions, RockingSummary, SideExtremes, Until};
 use freestand::wall::Walls;
 use freestand::wall_shock::{WallShock, largest};
 
@@ -12,7 +12,7 @@ use freestand_study::run::LONGEST_TAIL_S;
 
 use super::capacity::{Capacity, Demand, Terms};
 use super::draw::Draw;
-use super::object::{Hit, Subject, hit};
+use super::object::{Hit, Model, Subject, hit};
 
 /// One axis on a rigid base.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,13 +22,13 @@ pub(super) struct AxisMotion {
     pub(super) hit: Option<Hit>,
     /// The hardest impact on a wall; `None`: there was none.
     pub(super) strike: Option<Strike>,
-    /// `None`: it has no free casters.
+    /// `None`: it neither rolls nor slides without rocking.
     pub(super) roll: Option<Roll>,
     /// `None`: demand or capacity is not known.
     pub(super) terms: Option<Terms>,
 }
 
-/// What an object on casters does in the plane of one axis.
+/// What an object that rolls or slides does in the plane of one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Roll {
     /// The largest |x|, as if nothing were in the way \[m\].
@@ -92,8 +92,38 @@ pub(super) struct PadMotion {
     pub(super) terms: Option<Terms>,
 }
 
+/// Why a history on a rigid base has no end.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Lost {
+    /// The floor falls away, and the object flies.
+    Flight(String),
+    /// Anything else.
+    Failed(String),
+}
+
+impl Lost {
+    pub(super) fn failed(why: impl std::fmt::Display) -> Self {
+        Self::Failed(why.to_string())
+    }
+
+    pub(super) fn why(&self) -> &str {
+        match self {
+            Self::Flight(why) | Self::Failed(why) => why,
+        }
+    }
+}
+
+impl From<RockingError> for Lost {
+    fn from(error: RockingError) -> Self {
+        match error {
+            RockingError::FreeFlight { .. } => Self::Flight(error.to_string()),
+            _ => Self::Failed(error.to_string()),
+        }
+    }
+}
+
 /// The object on a rigid base: every axis, or why a history failed.
-pub(super) type RigidResponse = Result<Vec<AxisMotion>, String>;
+pub(super) type RigidResponse = Result<Vec<AxisMotion>, Lost>;
 
 /// The object on its pads: every axis, or why a history failed.
 pub(super) type PadResponse = Result<Vec<PadMotion>, String>;
@@ -106,6 +136,8 @@ pub(super) struct Lived {
     pub(super) rigid: Option<RigidResponse>,
     /// `None`: the model was not asked in this world.
     pub(super) pads: Option<PadResponse>,
+    /// Whether rocking needs more friction than the list gives it: it slides as well.
+    pub(super) slips: bool,
     /// Peak acceleration of its floor \[m/s²\].
     pub(super) pfa_m_s2: f64,
     /// Peak velocity of its floor \[m/s\].
@@ -113,6 +145,23 @@ pub(super) struct Lived {
 }
 
 impl Lived {
+    /// Whether its pads answer for both models: a rigid base can follow neither an object that slides
+    /// while it rocks nor one that flies.
+    pub(super) fn is_for_pads(&self) -> bool {
+        let flies = matches!(self.rigid, Some(Err(Lost::Flight(_))));
+        (self.slips || flies) && self.on_pads().is_some()
+    }
+
+    /// The model whose history in this world answers where `model` is asked.
+    pub(super) fn answering(&self, model: Model) -> Model {
+        if self.is_for_pads() { Model::Pads } else { model }
+    }
+
+    /// Why the history on a rigid base failed, where nothing else answers.
+    pub(super) fn failure(&self) -> Option<&Lost> {
+        self.rigid.as_ref()?.as_ref().err().filter(|_| !self.is_for_pads())
+    }
+
     /// On a rigid base; `None`: not asked, or a history failed.
     pub(super) fn on_rigid(&self) -> Option<&[AxisMotion]> {
         self.rigid.as_ref()?.as_deref().ok()

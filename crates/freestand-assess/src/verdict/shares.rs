@@ -97,7 +97,9 @@ impl<'a> Asked<'a> {
         let own: Vec<bool> = trial.lived[..worlds].iter().map(|lived| has_event(trial, lived)).collect();
         let hits = own.iter().filter(|hit| **hit).count();
         let (p, accepted) = (share(&own), trial.member.accepted_ratio);
-        (hits > 0).then_some(Self {
+        // With friction a history takes too long for so many changes.
+        let slips = trial.lived.iter().any(|lived| lived.slips && lived.is_for_pads());
+        (hits > 0 && !slips).then_some(Self {
             place,
             trial,
             wants_shares: hits >= FEWEST && worlds - hits >= FEWEST,

@@ -12,7 +12,7 @@ use freestand_study::result::Ranked;
 use super::Context;
 use super::assessment::{on_pads, quantile};
 use super::decision::percent;
-use super::object::Subject;
+use super::object::{Subject, Way};
 use super::trial::{Question, Trial, live};
 
 /// Pads that are tried, each [`NEXT_PAD`] times as stiff as the one before.
@@ -164,8 +164,10 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
 /// Why no softer pad was looked for.
 pub(super) fn beyond_pads(trial: &Trial) -> &'static str {
     let Some(capacity) = &trial.subject.capacity else { return "no tolerance was given" };
-    if trial.subject.way.rolls().is_some() {
-        return "it rolls on its casters";
+    match trial.subject.way {
+        Way::Rolls(_) => return "it rolls on its casters",
+        Way::Slides(_) => return "it slides on its base",
+        Way::Planar | Way::Walled(_) => {}
     }
     let Some(body) = &trial.subject.body else { return "its pads were not given" };
     if !capacity.needs_shock() {

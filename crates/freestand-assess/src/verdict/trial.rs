@@ -1,5 +1,6 @@
 //! An object in as many worlds as its questions need.
 
+use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -8,8 +9,9 @@ use freestand::compliant::{
     CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantWorld, rock_compliant,
     rock_compliant_many,
 };
+use freestand::cushion::{ContactLaw, Cushion};
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
-use freestand::rocking::{Restitution, rock_between};
+use freestand::rocking::{Restitution, RockingError, rock_between};
 use freestand::wall::Walls;
 use freestand::worlds::Group;
 use rayon::prelude::*;
@@ -22,14 +24,19 @@ use freestand_study::study::assessment::Spread;
 use super::draw::{Change, Draw, draw};
 use super::object::{Model, Subject};
 use super::response::{
-    Lived, PadResponse, RigidResponse, TOPPLED, axis_motion, demand_capacity, options, overturned, pad_motion,
+    Lived, Lost, PadResponse, RigidResponse, TOPPLED, axis_motion, demand_capacity, options, overturned, pad_motion,
     pad_motion_of, pads_demand_capacity,
 };
 use super::roll::rolled;
+use super::slip::{slipped, slips};
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
 const CURVED_WORLDS: u32 = 80;
+
+/// Worlds in which an object slides while it rocks, after which no more are added: they take the same
+/// solver.
+const SLIPPING_WORLDS: usize = CURVED_WORLDS as usize;
 
 /// The correlation between worlds with the same record and the same building, at least: the object
 /// alone then makes the difference.
@@ -144,7 +151,9 @@ impl<'a> Trial<'a> {
     fn settle(&mut self, context: &Context) {
         let falls = self.side(context, Question::Falls);
         let shock = || !self.is_open(Question::Shock) || self.side(context, Question::Shock).is_settled();
-        self.is_done = falls == Side::Above || (falls == Side::Below && shock());
+        let is_answered = falls == Side::Above || (falls == Side::Below && shock());
+        let slipped = self.lived.iter().filter(|lived| lived.slips && lived.is_for_pads()).count();
+        self.is_done = is_answered || slipped >= SLIPPING_WORLDS;
     }
 }
 
@@ -154,6 +163,11 @@ pub(super) fn side(p: Probability, accepted: f64) -> Side {
 
 /// Yes or no in a world; `None`: it could not be found. The outer `None`: it was not asked.
 pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model: Model) -> Option<Option<bool>> {
+    // The outer question is whether the model was asked.
+    let model = match model {
+        Model::Rigid => lived.rigid.as_ref().map(|_| lived.answering(model))?,
+        Model::Pads => model,
+    };
     let has_fallen = match model {
         Model::Rigid => lived.rigid.as_ref()?.as_ref().ok().map(|axes| overturned(axes)),
         Model::Pads => lived.pads.as_ref()?.as_ref().ok().map(|axes| axes.iter().any(|one| one.has_overturned)),
@@ -180,8 +194,8 @@ pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model
     let ratio = ratio.filter(|ratio| *ratio > 1.0 || compression_m <= thickness_m);
     // Where the shock is not known, the floor alone may exceed the tolerance: a shock only adds to it.
     let floor_alone = || {
-        // Casters keep most of it from the object.
-        let peak_m_s2 = subject.capacity.as_ref().filter(|_| subject.way.rolls().is_none())?.peak_m_s2?;
+        // Casters, and a base that slides, keep most of it from the object.
+        let peak_m_s2 = subject.capacity.as_ref().filter(|_| subject.way.glides().is_none())?.peak_m_s2?;
         (lived.pfa_m_s2 > peak_m_s2).then_some(true)
     };
     Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
@@ -270,29 +284,71 @@ fn lived_on_floor(
         })
         .collect();
     let rigid: Vec<Vec<Option<RigidResponse>>> = rigid.into_iter().collect::<Result<_, _>>()?;
+    // [world][object]
+    let slips: Vec<Vec<bool>> = rigid
+        .par_iter()
+        .zip(&draws)
+        .zip(floors)
+        .map(|((rigid, draws), floor)| {
+            let objects = trials.iter().zip(rigid).zip(draws);
+            objects.map(|((trial, rigid), draw)| slips(&trial.subject, draw, floor, rigid.as_ref())).collect()
+        })
+        .collect();
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
     // On pads the worlds that were lived through stay as they are.
     let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
     let is_asked = |trial: &Trial| trial.asks(context, Model::Pads) && !is_known(trial);
     let mut pads = pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?.into_iter();
+    let mut slipped = slipped_in_worlds(context, trials, &slips, &draws, floors)?;
     let lived = trials.iter().enumerate().map(|(place, trial)| {
-        let worlds = rigid.iter_mut().zip(&draws).zip(floors);
+        let worlds = rigid.iter_mut().zip(&draws).zip(floors).enumerate();
         let mut own_pads = match is_known(trial) {
             true => trial.lived[range.start as usize..range.end as usize].iter().map(|one| one.pads.clone()).collect(),
             false if is_asked(trial) => pads.next().unwrap_or_default(),
             false => Vec::new(),
         }
         .into_iter();
-        let one = worlds.map(|((rigid, draws), floor)| Lived {
-            draw: draws[place],
-            rigid: rigid.next().unwrap_or_else(|| Some(Err("the history is missing".to_owned()))),
-            pads: own_pads.next().flatten(),
-            pfa_m_s2: floor.pfa_m_s2,
-            pfv_m_s: floor.pfv_m_s,
+        let one = worlds.map(|(world, ((rigid, draws), floor))| {
+            let without_slip = own_pads.next().flatten();
+            Lived {
+                draw: draws[place],
+                rigid: rigid.next().unwrap_or_else(|| Some(Err(Lost::failed("the history is missing")))),
+                pads: slipped.remove(&(place, world)).or(without_slip),
+                slips: slips[world][place],
+                pfa_m_s2: floor.pfa_m_s2,
+                pfv_m_s: floor.pfv_m_s,
+            }
         });
         one.collect()
     });
     Ok(lived.collect())
+}
+
+/// The histories with friction of the objects that slide while they rock, by the places of the object
+/// and of the world.
+fn slipped_in_worlds(
+    context: &Context,
+    trials: &[&Trial],
+    slips: &[Vec<bool>],
+    draws: &[Vec<Draw>],
+    floors: &[Arc<FloorOfWorld>],
+) -> Result<HashMap<(usize, usize), PadResponse>, Problems> {
+    let mut jobs = Vec::new();
+    for (world, ((slips, draws), floor)) in slips.iter().zip(draws).zip(floors).enumerate() {
+        for (place, ((trial, draw), slips)) in trials.iter().zip(draws).zip(slips).enumerate() {
+            if *slips && trial.asks(context, Model::Pads) {
+                jobs.push(((place, world), &trial.subject, draw, &**floor));
+            }
+        }
+    }
+    let mut found = HashMap::new();
+    // A run can be stopped in between: each takes a while.
+    for jobs in jobs.chunks(SLIPPING_WORLDS) {
+        context.go_on()?;
+        context.count(jobs.iter().map(|(_, subject, ..)| subject.axes.len()).sum());
+        found.extend(slipped(jobs));
+    }
+    Ok(found)
 }
 
 fn floors(
@@ -335,13 +391,13 @@ fn rigid_in_world(
         }
     }
     let of_trial = |((trial, draw), found): ((&&Trial, &Draw), Vec<Option<_>>)| -> RigidResponse {
-        if let Some(rolling) = trial.subject.way.rolls() {
-            return rolled(&trial.subject, rolling, draw, floor);
+        if let Some(gliding) = trial.subject.way.glides() {
+            return rolled(&trial.subject, gliding, draw, floor);
         }
         let body = draw.body(&trial.subject);
         let known = found.into_iter().enumerate().filter_map(|(axis, one)| Some((axis, one?)));
         let axes = known.map(|(axis, (block, rocked)): (usize, (_, Result<_, _>))| {
-            let rocking = rocked.map_err(|error: freestand::rocking::RockingError| error.to_string())?;
+            let rocking = rocked.map_err(|error: RockingError| Lost::from(error))?;
             Ok(axis_motion(&trial.subject, draw, axis, &block, rocking, body.as_ref(), floor.pfa_m_s2))
         });
         axes.collect()
@@ -399,7 +455,7 @@ fn pads_in_worlds(
         .map(|job| {
             let (place, world, axis, draw, floor) = *job;
             let is_curved = linear(trials, job).is_none() && first + (world as u32) < CURVED_WORLDS;
-            is_curved.then(|| curved(&trials[place].subject, draw, axis, floor))
+            is_curved.then(|| on_any_pads(&trials[place].subject, draw, axis, floor, None))
         })
         .collect();
     let mut found: Vec<Vec<Option<PadResponse>>> = asked.iter().map(|_| vec![None; floors.len()]).collect();
@@ -435,16 +491,25 @@ fn toppled(error: &CompliantError) -> Result<super::response::PadMotion, String>
     }
 }
 
-fn curved(
+/// By the solver for any contact law, with or without friction.
+pub(super) fn on_any_pads(
     subject: &Subject,
     draw: &Draw,
     axis: usize,
     floor: &FloorOfWorld,
+    friction_ratio: Option<f64>,
 ) -> Result<super::response::PadMotion, String> {
     let missing = || "mass or cushion is missing".to_owned();
     let (block, _) = draw.block(subject, axis).ok_or_else(missing)?;
     let (mass_kg, cushion) = draw.body(subject).ok_or_else(missing)?;
-    let base = CompliantBase::new(mass_kg, cushion);
+    let cushion = match cushion.linear_stiffness_n_m() {
+        Some(stiffness_n_m) => {
+            let damping_n_s_m = draw.pad_damping_n_s_m(stiffness_n_m, mass_kg);
+            Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).map_err(|error| error.to_string())?
+        }
+        None => cushion,
+    };
+    let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion) };
     let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
     let motion = floor.base(draw.is_along_x(axis));
     match rock_compliant(&block, &base, motion, &options) {

@@ -68,6 +68,7 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
     });
     let by = match (found.model, found.tier) {
         (Some(ObjectModel::Roll), _) => "the model on casters",
+        (Some(ObjectModel::Slide), _) => "the model of sliding",
         (Some(ObjectModel::RockWall), 0) => "the model on a rigid base: it does not rock",
         (_, by) => tier(by),
     };
@@ -108,6 +109,9 @@ fn model_words(found: &Assessment) -> String {
         Some(ObjectModel::Rock) => "it stands freely; mass or pads are not given, or the study does not follow them",
         Some(ObjectModel::RockWall) => "it stands beside a wall or neighbours",
         Some(ObjectModel::Roll) => "its casters are free, so it does not rock",
+        Some(ObjectModel::Slide) => {
+            "its friction is at most half its base over the height of its centre of gravity, so it slides and does not rock"
+        }
         Some(ObjectModel::Compliant) => "it stands freely, and mass and pads are given",
     };
     format!("{}: {why}", found.model.map_or("", ObjectModel::name))
@@ -157,7 +161,11 @@ fn response(found: &Assessment) -> String {
         [figure(crate::output::words::probability(model.overturn)), figure(exceed)]
     };
     let shocks = found.shock.as_ref().map(|shock| shock.edge_acceleration_g);
-    let base = if found.rolled.is_some() { "on its casters" } else { "rigid base, Eq. (5)" };
+    let base = match found.model {
+        Some(ObjectModel::Roll) => "on its casters",
+        Some(ObjectModel::Slide) => "sliding",
+        _ => "rigid base, Eq. (5)",
+    };
     let mut rows = Vec::new();
     if let (Some(model), Some(response)) = (&answers.rigid, &found.response) {
         let mut row = vec![text(base)];
@@ -228,8 +236,9 @@ fn in_brief(found: &Assessment) -> String {
                 number(margin, 3)
             )
         });
+        let how = if found.model == Some(ObjectModel::Slide) { "Sliding" } else { "Travel on its casters" };
         said.push(format!(
-            "Travel on its casters to one side: median {} mm, {} mm in 84 % of the worlds. Nothing overturns it without a \
+            "{how} to one side: median {} mm, {} mm in 84 % of the worlds. Nothing overturns it without a \
              stop.{margin}",
             number(1e3 * rolled.travel_m_median, 3),
             number(1e3 * rolled.travel_m_p84, 3)

@@ -126,7 +126,7 @@ pub(crate) const COLUMNS: &[Column] = &[
     number("p_exceed_per_year", "1", "probability per year that a criterion is exceeded or that it falls", |l| {
         of(l, |found| found.per_year.as_ref()?.exceed)
     }),
-    text("model", "its model: rock, rock-wall, compliant, roll", |l| {
+    text("model", "its model: rock, rock-wall, compliant, roll, slide", |l| {
         of_text(l, |found| found.model.map(ObjectModel::name))
     }),
     share("p_lean", "share of the worlds at whose end it leans on its wall; they count as falls", |l| {
@@ -138,10 +138,18 @@ pub(crate) const COLUMNS: &[Column] = &[
     number("wall_acceleration_g_median", "g", "largest shock at its wall, median world", |l| {
         of(l, |found| found.at_wall?.acceleration_g_median)
     }),
+    share(
+        "p_overturn_wall_touching",
+        "probability that it falls if it touched a wall; only where it is to be restrained and the list gives no wall",
+        |l| of(l, |found| Some(found.before_wall?.touching.value)),
+    ),
+    share("p_overturn_wall_50mm", "the same at a gap of 50 mm", |l| {
+        of(l, |found| Some(found.before_wall?.at_50_mm.value))
+    }),
     number(
         "slide_m_median",
         "m",
-        "travel on its casters to one side as if nothing were in the way, median world",
+        "travel on its casters or sliding, to one side as if nothing were in the way, median world",
         |l| of(l, |found| Some(found.rolled?.travel_m_median)),
     ),
     number("slide_m_p84", "m", "the same that 84 % of the worlds do not exceed", |l| {

@@ -1,0 +1,74 @@
+//! What a wall would change: objects that fall, and for which the list gives no wall, live through the
+//! same worlds before one.
+
+use freestand::decision::Side;
+
+use crate::result::{Assessment, BeforeWall, Decision, FallsAnswer};
+use freestand_input::problem::Problems;
+use freestand_study::study::assessment::WallUse;
+
+use super::Context;
+use super::decision::percent;
+use super::draw::Change;
+use super::object::Model;
+use super::trial::{Question, Trial, grouped, lived_in, side};
+
+/// Touching, and about the depth of a skirting board with what hangs down behind an object \[m\].
+const GAPS_M: [f64; 2] = [0.0, 0.05];
+
+/// Of each trial; `None`: it does not fall too often, its wall is known, or walls do not count.
+pub(super) fn before_walls(
+    context: &Context,
+    trials: &[Trial],
+    assessed: &[Assessment],
+) -> Result<Vec<Option<BeforeWall>>, Problems> {
+    let mut found: Vec<Option<BeforeWall>> = trials.iter().map(|_| None).collect();
+    let wanting =
+        trials.iter().zip(assessed).enumerate().filter(|(_, (trial, found))| is_wanted(context, trial, found));
+    let wanting = wanting.map(|(place, (trial, _))| (trial.worlds(), place));
+    for (worlds, places) in grouped(wanting) {
+        let tried: Vec<Trial> = places.iter().flat_map(|&place| before(context, &trials[place])).collect();
+        let lived = lived_in(context, 0..worlds, &tried.iter().collect::<Vec<_>>(), Change::None)?;
+        let mut falls = tried.into_iter().zip(lived).map(|(mut tried, lived)| {
+            tried.lived = lived;
+            tried.probability(context, Question::Falls, Model::Rigid)
+        });
+        for place in places {
+            found[place] = falls.next().zip(falls.next()).map(|(touching, at_50_mm)| BeforeWall { touching, at_50_mm });
+        }
+    }
+    Ok(found)
+}
+
+fn is_wanted(context: &Context, trial: &Trial, found: &Assessment) -> bool {
+    let falls = found.answers.as_ref().is_some_and(|answers| answers.falls != FallsAnswer::Stays);
+    let has_wall = trial.member.item.surroundings.wall_gap_m.is_some();
+    found.decision == Decision::Restrain
+        && falls
+        && !has_wall
+        && trial.subject.way.rocks()
+        && context.study.assessment.walls == WallUse::AsListed
+}
+
+fn before<'a>(context: &'a Context, trial: &Trial<'a>) -> [Trial<'a>; 2] {
+    let around = &trial.member.item.surroundings;
+    GAPS_M.map(|gap_m| Trial::new(context, trial.member, trial.subject.before_wall(around, gap_m)))
+}
+
+/// What a wall would change, in a sentence.
+pub(super) fn words(before: &BeforeWall, accepted_ratio: f64) -> String {
+    let sides = [before.touching, before.at_50_mm].map(|p| side(p, accepted_ratio));
+    let enough = match sides {
+        [Side::Below, Side::Below] => ", and either would be enough",
+        [Side::Below, _] => ", and touching it would be enough",
+        [_, Side::Below] => ", and that gap would be enough",
+        [Side::Above, Side::Above] => ", and neither would be enough",
+        _ => "",
+    };
+    format!(
+        " The list gives no wall behind it: at a wall that it touches it falls in {} of the worlds, at one 50 mm away in \
+         {} (on a rigid base){enough}.",
+        percent(before.touching.value),
+        percent(before.at_50_mm.value)
+    )
+}
