@@ -337,3 +337,16 @@ fn what_flies_is_followed_on_its_pads() {
     assert!(notes.contains("the base falls away") && notes.contains("give its mass and its pads"), "{notes}");
     assert_ne!(found["bare"]["decision"], "leave");
 }
+
+/// Friction, flight and walls that are tried have the same bytes on any number of threads.
+#[test]
+fn the_same_bytes_on_one_thread_and_on_three() {
+    let rows = "slides,0,1800,540,100,4000,5,0.1-0.29,\nslips,0,1800,700,100,4000,5,0.35-0.5,\nfalls,0,1800,300,,,,,\n";
+    let on = |threads: usize| {
+        let folder = tempfile::tempdir().unwrap();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| assess(folder.path(), "", WITH_FRICTION, rows));
+        ["objects.csv", "outcomes.csv"].map(|name| fs::read(folder.path().join("out").join(name)).unwrap())
+    };
+    assert!(on(1) == on(3));
+}

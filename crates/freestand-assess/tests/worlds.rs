@@ -200,3 +200,26 @@ fn the_yearly_rate_of_an_object_does_not_depend_on_the_others() {
     assert!(sorted[1] > 1.0 / 8.0 / 475.0 && sorted[1] < 8.0 / 475.0, "{together:?}");
     assert!(sorted[2] > 8.0 / 475.0, "{together:?}");
 }
+
+/// The histories of a yearly rate are its own, at each intensity: on pads too, and however many worlds
+/// the verdict took.
+#[test]
+fn the_yearly_rate_does_not_depend_on_the_worlds_of_the_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    motion(folder.path(), "pulse.csv", 3.0);
+    let list = "id,level_ratio,height [mm],thickness [mm],mass [kg],stiffness [N/mm]\na,0,1500,400,80,300\n";
+    let rates = |worlds: &str, out: &str| {
+        let study = format!(
+            "[ground]\nmotions = [\"pulse.csv\"]\n[building]\nstoreys = 4\nperiod = \"0.5 s\"\n[worlds]\nperiod_spread \
+             = 0\ndamping_spread = 0\nshares = false\n{worlds}[assessment]\nannual = true\n"
+        );
+        run_list(list, folder.path(), &study, out, &Job::default(), &no_progress);
+        let table = folder.path().join(out).join("objects.csv");
+        (most_worlds(&table), column(&table, "p_overturn_per_year"))
+    };
+    let (few, rate) = rates("first = 20\nmost = 20\n", "few");
+    let (many, same) = rates("first = 320\nmost = 320\n", "many");
+    // 160 worlds at each intensity.
+    assert!(few <= 20 && many >= 160, "{few} {many}");
+    assert!(rate[0].parse::<f64>().unwrap() > 0.0 && rate == same, "{rate:?} {same:?}");
+}
