@@ -272,7 +272,7 @@ fn too_little_friction(trial: &Trial, slipped: &Slipped) -> String {
 }
 
 fn slip_words(trial: &Trial, slipped: &Slipped) -> String {
-    format!(" {}: there it slides as well, which its pads answer.", too_little_friction(trial, slipped))
+    format!(" {}: there it slides as well, and its pads answer for both models.", too_little_friction(trial, slipped))
 }
 
 /// What sliding changes where no pads can answer.
