@@ -10,7 +10,8 @@ use super::{Resolver, or};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 use crate::study::Ground;
 use crate::study::assessment::{
-    Accepted, Bracket, Dimensions, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WallUse, WorldSettings,
+    Accepted, Bracket, Dimensions, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WallUse,
+    WorldSettings,
 };
 use crate::target::Target;
 use freestand_input::keys::Words;
