@@ -101,8 +101,8 @@ pub struct Answers {
     pub worlds_compliant: Option<u32>,
     /// Confidence of the intervals.
     pub confidence: f64,
-    /// By the rigid base and Eq. (5).
-    pub rigid: ModelAnswers,
+    /// By the rigid base and Eq. (5); `None`: not asked.
+    pub rigid: Option<ModelAnswers>,
     /// By the compliant base; `None`: not asked.
     pub compliant: Option<ModelAnswers>,
     /// The restitution that was drawn, at 16 and 84 %.
@@ -132,9 +132,10 @@ impl Answers {
     /// where that is known, else for falling.
     pub fn decides_on_pads(&self) -> bool {
         let Some(pads) = &self.compliant else { return false };
-        match (self.rigid.exceed, pads.exceed) {
+        let Some(rigid) = &self.rigid else { return true };
+        match (rigid.exceed, pads.exceed) {
             (Some(rigid), Some(pads)) => pads.high > rigid.high,
-            _ => pads.overturn.high > self.rigid.overturn.high,
+            _ => pads.overturn.high > rigid.overturn.high,
         }
     }
 
@@ -476,8 +477,8 @@ impl Assessment {
         let failed_on_pads = self.on_pads.as_ref().is_some_and(|pads| pads.failed > 0);
         match &self.response {
             Some(response) => response.failed > 0 || failed_on_pads,
-            // Its floor is known, but every history failed.
-            None => self.floor.is_some(),
+            // Its rigid base was asked, but every history failed.
+            None => failed_on_pads || self.answers.as_ref().is_some_and(|answers| answers.rigid.is_some()),
         }
     }
 

@@ -296,7 +296,7 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
         worlds_cap: 320,
         worlds_compliant: None,
         confidence: 0.98,
-        rigid: model,
+        rigid: Some(model),
         compliant: (index % 4 == 3).then_some(model),
         restitution_p16_p84: [0.93, 0.97],
         few_motions: None,

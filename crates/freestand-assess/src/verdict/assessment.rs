@@ -20,13 +20,13 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, percent};
-use super::object::{Body, Hit, Rolling, Subject, hit};
+use super::object::{Body, Hit, Model, Rolling, Way, hit};
 use super::response::{
     AxisMotion, Lived, PadMotion, Roll, Strike, demand_capacity, governing, leans, lifts, options, overturned,
     pads_demand_capacity, ranked,
 };
 use super::softer::beyond_pads;
-use super::trial::{Model, Question, Trial};
+use super::trial::{Question, Trial};
 use super::{Context, blank};
 
 fn larger_g(one: &AxisMotion) -> f64 {
@@ -56,15 +56,16 @@ fn share(values: impl Iterator<Item = bool>) -> f64 {
 
 /// The worlds whose histories on a rigid base are complete, with their numbers.
 fn followed<'a>(trial: &'a Trial) -> impl Iterator<Item = (usize, &'a [AxisMotion])> {
-    trial.lived.iter().enumerate().filter_map(|(i, one)| Some((i, one.rigid.as_ref().ok()?.as_slice())))
+    trial.lived.iter().enumerate().filter_map(|(i, one)| Some((i, one.on_rigid()?)))
 }
 
 /// The worlds whose histories on pads are complete.
 fn on_pads_followed<'a>(trial: &'a Trial) -> impl Iterator<Item = (&'a Lived, &'a [PadMotion])> {
-    trial.lived.iter().filter_map(|one| Some((one, one.pads.as_ref()?.as_ref().ok()?.as_slice())))
+    trial.lived.iter().filter_map(|one| Some((one, one.on_pads()?)))
 }
 
-/// What a world is ranked by: demand/capacity where it is known, else the shock, else the rise.
+/// What a world is ranked by on a rigid base: demand/capacity where it is known, else the shock, else
+/// the rise.
 fn severity(trial: &Trial, axes: &[AxisMotion]) -> f64 {
     match (trial.subject.capacity.as_ref().and_then(|_| demand_capacity(axes)), &trial.subject.body) {
         (Some(ratio), _) => ratio,
@@ -73,9 +74,23 @@ fn severity(trial: &Trial, axes: &[AxisMotion]) -> f64 {
     }
 }
 
-/// The worlds from the mildest to the hardest.
-fn by_severity(trial: &Trial) -> Vec<usize> {
-    let mut order: Vec<(f64, usize)> = followed(trial).map(|(i, axes)| (severity(trial, axes), i)).collect();
+/// The same on its pads; the shock and the lift do not depend on whether the mass is known.
+fn severity_on_pads(trial: &Trial, axes: &[PadMotion]) -> f64 {
+    if axes.iter().any(|one| one.has_overturned) {
+        return f64::INFINITY;
+    }
+    let ratio = trial.subject.capacity.as_ref().and_then(|_| pads_demand_capacity(axes));
+    ratio.unwrap_or_else(|| axes.iter().map(|one| one.edge_m_s2).fold(0.0, f64::max))
+}
+
+/// The worlds from the mildest to the hardest: on a rigid base where that is asked, else on pads.
+fn by_severity(context: &Context, trial: &Trial) -> Vec<usize> {
+    let mut order: Vec<(f64, usize)> = if trial.asks(context, Model::Rigid) {
+        followed(trial).map(|(i, axes)| (severity(trial, axes), i)).collect()
+    } else {
+        let lived = trial.lived.iter().enumerate();
+        lived.filter_map(|(i, one)| Some((severity_on_pads(trial, one.on_pads()?), i))).collect()
+    };
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     order.into_iter().map(|(_, i)| i).collect()
 }
@@ -90,7 +105,7 @@ pub(super) fn assessment(
     let mut assessed = blank(member.item, &context.study.assessment);
     let floor = floor_facts(trial);
     assessed.floor = Some(floor.clone());
-    let order = by_severity(trial);
+    let order = by_severity(context, trial);
     let answers = answers(context, trial);
     // The hardest world after the accepted share of them is left out.
     let beyond = (member.accepted_ratio * order.len() as f64).floor() as usize;
@@ -125,12 +140,11 @@ pub(super) fn assessment(
     if let Some(rolled) = &assessed.rolled {
         assessed.why = format!("{} {}", roll_words(rolled), assessed.why);
     }
-    let Subject { rolls, walls, .. } = &trial.subject;
-    assessed.model = Some(match (rolls.is_some(), walls.is_some(), answers.compliant.is_some()) {
-        (true, ..) => ObjectModel::Roll,
-        (_, true, _) => ObjectModel::RockWall,
-        (_, _, true) => ObjectModel::Compliant,
-        (false, false, false) => ObjectModel::Rock,
+    assessed.model = Some(match trial.subject.way {
+        Way::Rolls(_) => ObjectModel::Roll,
+        Way::Walled(_) => ObjectModel::RockWall,
+        Way::Planar if answers.compliant.is_some() => ObjectModel::Compliant,
+        Way::Planar => ObjectModel::Rock,
     });
     assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
         (false, _) => 0,
@@ -143,17 +157,17 @@ pub(super) fn assessment(
     assessed.on_pads = on_pads(context, trial);
     assessed.capacity = capacity_check(trial, &floor, governs);
     assessed.softening = softening;
-    assessed.clearance_m = clearance(trial).filter(|_| trial.subject.rolls.is_none());
+    assessed.clearance_m = clearance(trial).filter(|_| trial.subject.way.rocks());
     assessed.chain = world.and_then(|world| chain(context, trial, world));
     assessed.shock = shock(trial);
     let hardest = order.iter().rev().copied();
-    let rocks = |world: &usize| trial.lived[*world].rigid.as_ref().is_ok_and(|axes| lifts(axes) && !overturned(axes));
+    let rocks = |world: &usize| trial.lived[*world].on_rigid().is_some_and(|axes| lifts(axes) && !overturned(axes));
     if let Some(world) = hardest.clone().find(rocks) {
         let at = context.worlds.floor(world as u32, trial.subject.level_ratio)?;
         let impacts = impacts_above(trial, world, &at);
         assessed.shock = assessed.shock.map(|shock| Shock { impacts_above_tolerance: impacts, ..shock });
         assessed.sliding = sliding(context, trial, world, &at);
-    } else {
+    } else if trial.asks(context, Model::Rigid) {
         assessed.sliding = Some(slides(context, trial, floor.pfa_g_max));
     }
     if decision == Decision::Restrain {
@@ -171,14 +185,14 @@ pub(super) fn assessment(
 
 /// What happens at its wall; `None`: there is none, or every history failed.
 fn at_wall(trial: &Trial) -> Option<AtWall> {
-    trial.subject.walls?;
+    let beside = trial.subject.way.walls()?;
     followed(trial).next()?;
     let strikes = |number: fn(&Strike) -> f64| {
         let most =
             |axes: &[AxisMotion]| axes.iter().filter_map(|one| one.strike.as_ref().map(number)).fold(0.0, f64::max);
         quantile(followed(trial).map(|(_, axes)| most(axes)), 0.5)
     };
-    let is_known = trial.subject.mass_kg.is_some() && trial.subject.walls?.stiffness_n_m.is_some();
+    let is_known = trial.subject.mass_kg.is_some() && beside.stiffness_n_m.is_some();
     Some(AtWall {
         lean_share: share(followed(trial).map(|(_, axes)| leans(axes))),
         strike_share: share(followed(trial).map(|(_, axes)| axes.iter().any(|one| one.strike.is_some()))),
@@ -190,7 +204,7 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
 
 /// How it rolls; `None`: it does not, or every history failed.
 fn rolled(trial: &Trial) -> Option<Rolled> {
-    let rolling = trial.subject.rolls.as_ref()?;
+    let rolling = trial.subject.way.rolls()?;
     followed(trial).next()?;
     let rolls = |axes: &[AxisMotion], number: fn(&Roll) -> Option<f64>| {
         axes.iter().filter_map(|one| number(one.roll.as_ref()?)).fold(0.0, f64::max)
@@ -252,7 +266,7 @@ fn unknown_wall_shock(trial: &Trial, at_wall: &AtWall) -> Option<String> {
 }
 
 fn note_failures(trial: &Trial, notes: &mut Vec<String>) {
-    let rigid = trial.lived.iter().filter_map(|one| one.rigid.as_ref().err());
+    let rigid = trial.lived.iter().filter_map(|one| one.rigid.as_ref()?.as_ref().err());
     let pads = trial.lived.iter().filter_map(|one| one.pads.as_ref()?.as_ref().err());
     for (model, mut errors) in [("a rigid base", rigid.collect::<Vec<_>>()), ("its pads", pads.collect())] {
         if let Some(first) = errors.first().map(|first| (*first).clone()) {
@@ -279,16 +293,15 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
 
 fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
-    let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.rolls {
-        Some(_) => stop_is_known(trial),
-        None => trial.subject.body.is_some() || !capacity.needs_shock(),
+    let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.way {
+        Way::Rolls(_) => stop_is_known(trial),
+        Way::Planar | Way::Walled(_) => trial.subject.body.is_some() || !capacity.needs_shock(),
     });
     let model = |model| ModelAnswers {
         overturn: trial.probability(context, Question::Falls, model),
         exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
     };
-    let rigid = model(Model::Rigid);
-    let compliant = trial.asks(context, Model::Pads).then(|| model(Model::Pads));
+    let [rigid, compliant] = [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
     let falls = FallsAnswer::of(trial.side(context, Question::Falls));
     let shock = match (&trial.subject.capacity, is_known) {
         (None, _) => ShockAnswer::Unknown,
@@ -300,7 +313,7 @@ fn answers(context: &Context, trial: &Trial) -> Answers {
         },
     };
     let is_above = |p: crate::result::Probability| p.value > accepted;
-    let models_agree = compliant.map(|pads| {
+    let models_agree = rigid.zip(compliant).map(|(rigid, pads)| {
         let falls = is_above(rigid.overturn) == is_above(pads.overturn);
         let exceeds = rigid.exceed.map(is_above) == pads.exceed.map(is_above);
         falls && (exceeds || !trial.member.asks_shock)
@@ -376,7 +389,7 @@ fn response(trial: &Trial) -> Option<Response> {
     Some(Response {
         motions: worlds,
         failed: trial.lived.len() - worlds,
-        failure: trial.lived.iter().find_map(|one| one.rigid.as_ref().err()).cloned(),
+        failure: trial.lived.iter().find_map(|one| one.rigid.as_ref()?.as_ref().err()).cloned(),
         uplift_share: share(followed(trial).map(|(_, axes)| lifts(axes))),
         overturn_share: share(followed(trial).map(|(_, axes)| overturned(axes))),
         uplift_m: over(&|one| one.rocking.uplift_m),
@@ -423,7 +436,7 @@ fn ceiling_g(trial: &Trial, axis: usize, body: &Body) -> f64 {
 
 fn shock(trial: &Trial) -> Option<Shock> {
     // What rolls does not land.
-    let body = trial.subject.body.as_ref().filter(|_| trial.subject.rolls.is_none())?;
+    let body = trial.subject.body.as_ref().filter(|_| trial.subject.way.rocks())?;
     followed(trial).next()?;
     let of = |number: fn(&AxisMotion) -> f64| quantiles(followed(trial).map(|(_, axes)| ranked(axes, number)));
     let survived = followed(trial).filter(|(_, axes)| !overturned(axes) && lifts(axes));
@@ -458,7 +471,7 @@ fn stop_is_known(trial: &Trial) -> bool {
 
 fn missing(trial: &Trial) -> Vec<&'static str> {
     let item = trial.member.item;
-    if trial.subject.rolls.is_some() {
+    if trial.subject.way.rolls().is_some() {
         let has_tolerance = item.tolerance.is_some() && trial.subject.capacity.is_some();
         let is_known = !has_tolerance || stop_is_known(trial);
         let known = [
@@ -480,13 +493,13 @@ fn missing(trial: &Trial) -> Vec<&'static str> {
 fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
     let capacity = trial.subject.capacity.as_ref()?;
     let lived = trial.lived.get(world)?;
-    let rigid = lived.rigid.iter().flatten().filter_map(|one| one.terms);
-    let pads = lived.pads.iter().flatten().flatten().filter_map(|one| one.terms);
+    let rigid = lived.on_rigid().into_iter().flatten().filter_map(|one| one.terms);
+    let pads = lived.on_pads().into_iter().flatten().filter_map(|one| one.terms);
     let worst = rigid.chain(pads).reduce(|most, next| if next.ratio() > most.ratio() { next } else { most });
     match worst {
         Some(worst) => Some(worst.governing(capacity)),
         // Casters keep most of it from the object.
-        None if trial.subject.rolls.is_some() => None,
+        None if trial.subject.way.rolls().is_some() => None,
         None => capacity.peak_m_s2.map(|_| Criterion::FloorAcceleration),
     }
 }
@@ -511,7 +524,7 @@ fn capacity_check(trial: &Trial, floor: &FloorFacts, governing: Option<Criterion
 fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize> {
     let peak_m_s2 = trial.subject.capacity.as_ref()?.peak_m_s2?;
     let lived = trial.lived.get(world)?;
-    let (axis, _) = governing(lived.rigid.as_ref().ok()?)?;
+    let (axis, _) = governing(lived.on_rigid()?)?;
     let (mass_kg, cushion) = lived.draw.body(&trial.subject)?;
     let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
     let landing = Landing::rocking(&block, ImpactModel::Paper);
@@ -529,7 +542,7 @@ fn impacts_above(trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<usize
 /// `None` where that is not known.
 fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) -> Option<Sliding> {
     let lived = trial.lived.get(world)?;
-    let (axis, _) = governing(lived.rigid.as_ref().ok()?)?;
+    let (axis, _) = governing(lived.on_rigid()?)?;
     let (block, restitution) = lived.draw.block(&trial.subject, axis)?;
     let options = options(restitution, lived.draw.walls(&trial.subject, axis));
     let most = friction_needed_ratio(&block, at.base(lived.draw.is_along_x(axis)), &options)?;
@@ -538,7 +551,7 @@ fn sliding(context: &Context, trial: &Trial, world: usize, at: &FloorOfWorld) ->
 }
 
 fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
-    if let Some(Rolling { resistance, is_stated, .. }) = trial.subject.rolls {
+    if let Some(&Rolling { resistance, is_stated, .. }) = trial.subject.way.rolls() {
         let ratio = resistance.static_ratio();
         return Sliding { verdict: SlidingVerdict::Yes, friction_ratio: (ratio, ratio), is_stated };
     }
@@ -558,7 +571,7 @@ fn slides(context: &Context, trial: &Trial, needed_ratio: f64) -> Sliding {
 /// does not uplift.
 fn chain(context: &Context, trial: &Trial, world: usize) -> Option<Chain> {
     let lived = trial.lived.get(world)?;
-    let (axis, one) = governing(lived.rigid.as_ref().ok()?)?;
+    let (axis, one) = governing(lived.on_rigid()?)?;
     if one.rocking.outcome != RockingOutcome::Rocked {
         return None;
     }

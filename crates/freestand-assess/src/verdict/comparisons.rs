@@ -56,7 +56,7 @@ impl Context<'_> {
                 ));
             }
         }
-        if trial.lived.iter().any(|one| one.rigid.as_ref().is_ok_and(|axes| lifts(axes))) {
+        if trial.lived.iter().any(|one| one.on_rigid().is_some_and(lifts)) {
             let slender = trial.subject.axes.iter().map(|axis| kaneko_hayashi_velocity_m_s(&axis.block));
             let median_m_s = P58_SHARE * slender.fold(f64::INFINITY, f64::min);
             let p = lognormal_probability(facts.pfv_m_s_median, median_m_s, P58_BETA);

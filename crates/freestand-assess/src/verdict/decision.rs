@@ -132,7 +132,7 @@ fn only_falling(case: &Case) -> &'static str {
 
 /// The model with the larger upper end: the one that decides.
 pub(super) fn deciding(answers: &Answers, of: impl Fn(&ModelAnswers) -> Option<Probability>) -> Option<Probability> {
-    let both = [of(&answers.rigid), answers.compliant.as_ref().and_then(of)];
+    let both = [&answers.rigid, &answers.compliant].map(|model| model.as_ref().and_then(&of));
     both.into_iter().flatten().reduce(|most, next| if next.high > most.high { next } else { most })
 }
 
@@ -179,7 +179,8 @@ fn few_words(few: &FewMotions) -> String {
 
 /// Both models, where they disagree.
 fn both_words(answers: &Answers, of: impl Fn(&ModelAnswers) -> Option<Probability>, accepted_ratio: f64) -> String {
-    let (Some(rigid), Some(pads)) = (of(&answers.rigid), answers.compliant.as_ref().and_then(&of)) else {
+    let (Some(rigid), Some(pads)) = (answers.rigid.as_ref().and_then(&of), answers.compliant.as_ref().and_then(&of))
+    else {
         return String::new();
     };
     if (rigid.value > accepted_ratio) == (pads.value > accepted_ratio) {
@@ -249,7 +250,7 @@ mod tests {
             worlds_cap: 320,
             worlds_compliant: None,
             confidence: 0.98,
-            rigid: model,
+            rigid: Some(model),
             compliant: None,
             restitution_p16_p84: [0.9, 0.95],
             few_motions: None,
@@ -317,7 +318,7 @@ mod tests {
     #[test]
     fn models_that_disagree_are_both_told() {
         let both = Answers {
-            rigid: ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.04, 0.02, 0.07)) },
+            rigid: Some(ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.04, 0.02, 0.07)) }),
             compliant: Some(ModelAnswers { overturn: p(0.0, 0.0, 0.014), exceed: Some(p(0.31, 0.25, 0.37)) }),
             ..answers(FallsAnswer::Stays, ShockAnswer::Exceeded)
         };

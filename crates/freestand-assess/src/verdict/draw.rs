@@ -133,7 +133,7 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
         pad_damping_ratio,
         model,
         compliant,
-        wall: subject.walls.map(|_| wall(settings, object, world, change)),
+        wall: subject.way.walls().map(|_| wall(settings, object, world, change)),
     }
 }
 
@@ -166,7 +166,7 @@ impl Draw {
 
     /// What stands beside the object in the plane of an axis.
     pub(super) fn walls(&self, subject: &Subject, axis: usize) -> Walls {
-        let beside = subject.walls.as_ref().zip(self.wall.as_ref()).zip(subject.axes.get(axis));
+        let beside = subject.way.walls().zip(self.wall.as_ref()).zip(subject.axes.get(axis));
         beside.map_or(Walls::NONE, |((beside, drawn), geometry)| beside.walls(geometry.axis, drawn))
     }
 

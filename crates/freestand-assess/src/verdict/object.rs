@@ -30,10 +30,63 @@ pub(crate) struct Subject {
     pub(super) mass_kg: Option<f64>,
     pub(super) body: Option<Body>,
     pub(super) capacity: Option<Capacity>,
-    /// `None`: it has no wall and no neighbour within reach.
-    pub(super) walls: Option<Beside>,
-    /// `None`: it does not roll.
-    pub(super) rolls: Option<Rolling>,
+    pub(super) way: Way,
+}
+
+/// The model that answers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Model {
+    /// A rigid base and Eq. (5).
+    Rigid,
+    /// The compliant base.
+    Pads,
+}
+
+/// The way in which an object is followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Way {
+    /// It rocks about one axis at a time, with nothing within its reach: on a rigid base, and on its
+    /// pads where they are known.
+    Planar,
+    /// The same beside a wall or neighbours, on a rigid base only.
+    Walled(Beside),
+    /// It rolls on free casters.
+    Rolls(Rolling),
+}
+
+impl Way {
+    /// Whether a model can answer.
+    pub(super) fn asks(&self, model: Model) -> bool {
+        match self {
+            Self::Planar => true,
+            // Beside a wall and on casters its pads are not followed.
+            Self::Walled(_) | Self::Rolls(_) => model == Model::Rigid,
+        }
+    }
+
+    /// Whether it rocks and lands on a rigid base.
+    pub(super) fn rocks(&self) -> bool {
+        match self {
+            Self::Planar | Self::Walled(_) => true,
+            Self::Rolls(_) => false,
+        }
+    }
+
+    /// What stands beside it and counts.
+    pub(super) fn walls(&self) -> Option<&Beside> {
+        match self {
+            Self::Walled(beside) => Some(beside),
+            Self::Planar | Self::Rolls(_) => None,
+        }
+    }
+
+    /// How it rolls; `None`: it does not.
+    pub(super) fn rolls(&self) -> Option<&Rolling> {
+        match self {
+            Self::Rolls(rolling) => Some(rolling),
+            Self::Planar | Self::Walled(_) => None,
+        }
+    }
 }
 
 /// What a shock depends on besides the motion of the block.
@@ -127,6 +180,11 @@ impl Beside {
         }
     }
 
+    /// How the object is followed beside it: what is out of its reach does not count.
+    fn way(self, axes: &[AxisGeometry]) -> Way {
+        if self.is_within_reach(axes) { Way::Walled(self) } else { Way::Planar }
+    }
+
     /// Whether the object can touch any of it.
     fn is_within_reach(&self, axes: &[AxisGeometry]) -> bool {
         let any = WallDraw { is_on_left: true, restitution_ratio: 0.0 };
@@ -169,11 +227,6 @@ impl Rolling {
 }
 
 impl Subject {
-    /// Whether nothing is beside it and it does not roll.
-    pub(super) fn stands_freely(&self) -> bool {
-        self.walls.is_none() && self.rolls.is_none()
-    }
-
     /// The object, or the names of what is missing.
     pub(crate) fn new(item: &Item, walls: WallUse) -> Result<Self, Vec<&'static str>> {
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
@@ -201,23 +254,13 @@ impl Subject {
             damping_ratio: own_damping_ratio(&edge.cushion, mass_kg),
         });
         let capacity = item.tolerance.as_ref().and_then(Capacity::new);
-        let rolls = Rolling::new(&item.surroundings, &axes);
-        let beside = match walls {
-            // A wall ends a rotation, and what rolls does not rotate.
-            _ if rolls.is_some() => None,
-            WallUse::AsListed => Some(Beside::new(&item.surroundings)).filter(|beside| beside.is_within_reach(&axes)),
-            WallUse::Ignore => None,
-        };
-        Ok(Self {
-            level_ratio,
-            axes,
-            restitution: item.restitution,
-            mass_kg: item.mass_kg,
-            body,
-            capacity,
-            walls: beside,
-            rolls,
-        })
+        // A wall ends a rotation, and what rolls does not rotate.
+        let way = Rolling::new(&item.surroundings, &axes).map(Way::Rolls);
+        let way = way.unwrap_or_else(|| match walls {
+            WallUse::AsListed => Beside::new(&item.surroundings).way(&axes),
+            WallUse::Ignore => Way::Planar,
+        });
+        Ok(Self { level_ratio, axes, restitution: item.restitution, mass_kg: item.mass_kg, body, capacity, way })
     }
 }
 

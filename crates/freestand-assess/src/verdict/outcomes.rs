@@ -4,9 +4,9 @@ use freestand::G0_M_S2;
 
 use crate::output::OutcomeRow;
 
-use super::object::Hit;
+use super::object::{Hit, Model};
 use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, overturned, pads_demand_capacity};
-use super::trial::{Model, Question, Trial};
+use super::trial::{Question, Trial};
 
 /// The rows of a trial: its worlds in their order, the rigid base before the pads.
 pub(super) fn outcomes<'a>(trial: &'a Trial) -> impl Iterator<Item = OutcomeRow<'a>> {
@@ -21,8 +21,8 @@ fn outcome<'a>(trial: &'a Trial, world: u32, lived: &Lived, model: Model) -> Opt
     let body = lived.draw.body(&trial.subject);
     let (height_m, thickness_m) = lived.draw.size_m(&trial.subject, 0);
     let [demand_capacity_ratio, lift_m, edge_acceleration_g] = match model {
-        Model::Rigid => lived.rigid.as_ref().map_or([None; 3], |axes| of_rigid(axes, lived.draw.model)),
-        Model::Pads => lived.pads.as_ref()?.as_ref().map_or([None; 3], |axes| of_pads(axes)),
+        Model::Rigid => lived.on_rigid().map_or([None; 3], |axes| of_rigid(axes, lived.draw.model)),
+        Model::Pads => lived.on_pads().map_or([None; 3], of_pads),
     };
     let capacity = trial.subject.capacity.as_ref();
     Some(OutcomeRow {

@@ -7,8 +7,9 @@ use freestand_input::problem::Problems;
 
 use super::Context;
 use super::draw::Change;
+use super::object::Model;
 use super::response::Lived;
-use super::trial::{Model, Question, Trial, answer, lived_in};
+use super::trial::{Question, Trial, answer, lived_in};
 
 /// Worlds at each intensity.
 const WORLDS: u32 = 160;

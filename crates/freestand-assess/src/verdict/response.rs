@@ -49,11 +49,11 @@ pub(super) struct Strike {
 
 impl Strike {
     fn new(subject: &Subject, draw: &Draw, axis: usize, block: &Block, sides: [SideExtremes; 2]) -> Option<Self> {
-        subject.walls?;
+        let beside = subject.way.walls()?;
         // The solver has refused what it refuses.
         let contacts = draw.walls(subject, axis).contacts(block).ok()?;
         let shocks = WallShock::of_sides(block, contacts);
-        let stiff = draw.mass_kg(subject).zip(subject.walls.and_then(|walls| walls.stiffness_n_m));
+        let stiff = draw.mass_kg(subject).zip(beside.stiffness_n_m);
         let acceleration = |(mass_kg, stiffness_n_m)| {
             largest(shocks, sides, |shock, omega| shock.acceleration_m_s2(omega, mass_kg, stiffness_n_m))
         };
@@ -102,13 +102,26 @@ pub(super) type PadResponse = Result<Vec<PadMotion>, String>;
 #[derive(Debug, Clone)]
 pub(super) struct Lived {
     pub(super) draw: Draw,
-    pub(super) rigid: RigidResponse,
+    /// `None`: the model is not asked.
+    pub(super) rigid: Option<RigidResponse>,
     /// `None`: the model was not asked in this world.
     pub(super) pads: Option<PadResponse>,
     /// Peak acceleration of its floor \[m/s²\].
     pub(super) pfa_m_s2: f64,
     /// Peak velocity of its floor \[m/s\].
     pub(super) pfv_m_s: f64,
+}
+
+impl Lived {
+    /// On a rigid base; `None`: not asked, or a history failed.
+    pub(super) fn on_rigid(&self) -> Option<&[AxisMotion]> {
+        self.rigid.as_ref()?.as_deref().ok()
+    }
+
+    /// On its pads; `None`: not asked, or a history failed.
+    pub(super) fn on_pads(&self) -> Option<&[PadMotion]> {
+        self.pads.as_ref()?.as_deref().ok()
+    }
 }
 
 /// The options of every history on a rigid base, the same as in `run`.

@@ -7,8 +7,9 @@ use freestand_input::problem::Problems;
 
 use super::Context;
 use super::draw::Change;
+use super::object::Model;
 use super::response::Lived;
-use super::trial::{Model, Question, Trial, answer, grouped, lived_in};
+use super::trial::{Question, Trial, answer, grouped, lived_in};
 
 /// Fewest worlds with the event, and without it, from which a share says anything.
 const FEWEST: usize = 10;

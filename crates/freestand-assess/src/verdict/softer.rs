@@ -64,7 +64,7 @@ pub(super) fn softer(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
 fn is_wanted(context: &Context, trial: &Trial) -> bool {
     let Some(capacity) = &trial.subject.capacity else { return false };
     trial.member.asks_shock
-        && trial.subject.rolls.is_none()
+        && trial.subject.way.rocks()
         && capacity.decides
         && capacity.needs_shock()
         && trial.subject.body.as_ref().is_some_and(|body| body.cushion.linear_stiffness_n_m().is_some())
@@ -105,7 +105,7 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
     let (p_exceed_high, p_overturn_high) = (high(Question::Shock), high(Question::Falls));
     let compliant = on_pads(context, trial);
     let rigid_m = trial.lived.iter().filter_map(|lived| {
-        let axes = lived.rigid.as_ref().ok()?;
+        let axes = lived.on_rigid()?;
         Some(axes.iter().filter_map(|one| Some(one.hit?.compression_m)).fold(0.0, f64::max))
     });
     let stroke_m = compliant.map_or_else(|| quantile(rigid_m, 0.95), |pads| pads.compression_m_p95);
@@ -164,7 +164,7 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
 /// Why no softer pad was looked for.
 pub(super) fn beyond_pads(trial: &Trial) -> &'static str {
     let Some(capacity) = &trial.subject.capacity else { return "no tolerance was given" };
-    if trial.subject.rolls.is_some() {
+    if trial.subject.way.rolls().is_some() {
         return "it rolls on its casters";
     }
     let Some(body) = &trial.subject.body else { return "its pads were not given" };

@@ -3,9 +3,9 @@
 use freestand::G0_M_S2;
 
 use super::Context;
-use super::object::Hit;
+use super::object::{Hit, Model};
 use super::response::{Lived, lifts, overturned};
-use super::trial::{Model, Question, Trial};
+use super::trial::{Question, Trial};
 
 /// The worlds of one object, counted. In a world both models are asked where it has pads.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,16 +62,16 @@ pub(super) fn tally(context: &Context, trial: &Trial) -> Tally {
 }
 
 fn has_lifted(lived: &Lived) -> bool {
-    let on_rigid = lived.rigid.as_ref().is_ok_and(|axes| lifts(axes));
-    on_rigid || lived.pads.iter().flatten().flatten().any(|one| one.has_let_go)
+    lived.on_rigid().is_some_and(lifts) || lived.on_pads().iter().copied().flatten().any(|one| one.has_let_go)
 }
 
 /// The largest uplift \[m\] and the largest shock \[g\] in a world, of the models by which an edge
 /// lifts and it stays standing.
 fn uplift_and_shock(lived: &Lived) -> (Option<f64>, Option<f64>) {
-    let rigid = lived.rigid.as_ref().ok().filter(|axes| lifts(axes) && !overturned(axes));
-    let pads = lived.pads.as_ref().and_then(|pads| pads.as_ref().ok());
-    let pads = pads.filter(|axes| axes.iter().any(|one| one.has_let_go) && !axes.iter().any(|one| one.has_overturned));
+    let rigid = lived.on_rigid().filter(|axes| lifts(axes) && !overturned(axes));
+    let pads = lived
+        .on_pads()
+        .filter(|axes| axes.iter().any(|one| one.has_let_go) && !axes.iter().any(|one| one.has_overturned));
     let rigid = || rigid.into_iter().flatten();
     let pads = || pads.into_iter().flatten().filter(|one| one.has_let_go);
     let uplift_m = rigid().map(|one| one.rocking.uplift_m).chain(pads().map(|one| one.lift_m)).reduce(f64::max);

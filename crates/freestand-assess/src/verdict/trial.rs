@@ -20,7 +20,7 @@ use freestand_input::problem::Problems;
 use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, draw};
-use super::object::Subject;
+use super::object::{Model, Subject};
 use super::response::{
     Lived, PadResponse, RigidResponse, TOPPLED, axis_motion, demand_capacity, options, overturned, pad_motion,
     pad_motion_of, pads_demand_capacity,
@@ -42,15 +42,6 @@ pub(super) enum Question {
     Falls,
     /// Whether a shock exceeds its tolerance; a fall does.
     Shock,
-}
-
-/// The model that answers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Model {
-    /// A rigid base and Eq. (5).
-    Rigid,
-    /// The compliant base.
-    Pads,
 }
 
 /// An object, perhaps with softer pads, and its worlds so far.
@@ -92,13 +83,11 @@ impl<'a> Trial<'a> {
 
     /// Whether a model is asked.
     pub(super) fn asks(&self, context: &Context, model: Model) -> bool {
-        match model {
+        let is_known = match model {
             Model::Rigid => true,
-            // Beside a wall and on casters its pads are not followed.
-            Model::Pads => {
-                context.study.assessment.compliant && self.subject.body.is_some() && self.subject.stands_freely()
-            }
-        }
+            Model::Pads => context.study.assessment.compliant && self.subject.body.is_some(),
+        };
+        is_known && self.subject.way.asks(model)
     }
 
     /// The models that are asked.
@@ -166,27 +155,33 @@ pub(super) fn side(p: Probability, accepted: f64) -> Side {
 /// Yes or no in a world; `None`: it could not be found. The outer `None`: it was not asked.
 pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model: Model) -> Option<Option<bool>> {
     let has_fallen = match model {
-        Model::Rigid => lived.rigid.as_ref().ok().map(|axes| overturned(axes)),
+        Model::Rigid => lived.rigid.as_ref()?.as_ref().ok().map(|axes| overturned(axes)),
         Model::Pads => lived.pads.as_ref()?.as_ref().ok().map(|axes| axes.iter().any(|one| one.has_overturned)),
     };
     if question == Question::Falls || has_fallen != Some(false) {
         return Some(has_fallen);
     }
     let ratio = match model {
-        Model::Rigid => lived.rigid.as_ref().ok().and_then(|axes| demand_capacity(axes)),
-        Model::Pads => lived.pads.as_ref()?.as_ref().ok().and_then(|axes| pads_demand_capacity(axes)),
+        Model::Rigid => lived.on_rigid().and_then(demand_capacity),
+        Model::Pads => lived.on_pads().and_then(pads_demand_capacity),
     };
     // Beyond the thickness of a pad its stiffness is not known.
     let thickness_m = subject.body.as_ref().and_then(|body| body.pad_thickness_m).unwrap_or(f64::INFINITY);
     let compression_m = match model {
-        Model::Rigid => lived.rigid.iter().flatten().filter_map(|one| Some(one.hit?.compression_m)).fold(0.0, f64::max),
-        Model::Pads => lived.pads.iter().flatten().flatten().map(|one| one.compression_m).fold(0.0, f64::max),
+        Model::Rigid => lived
+            .on_rigid()
+            .iter()
+            .copied()
+            .flatten()
+            .filter_map(|one| Some(one.hit?.compression_m))
+            .fold(0.0, f64::max),
+        Model::Pads => lived.on_pads().iter().copied().flatten().map(|one| one.compression_m).fold(0.0, f64::max),
     };
     let ratio = ratio.filter(|ratio| *ratio > 1.0 || compression_m <= thickness_m);
     // Where the shock is not known, the floor alone may exceed the tolerance: a shock only adds to it.
     let floor_alone = || {
         // Casters keep most of it from the object.
-        let peak_m_s2 = subject.capacity.as_ref().filter(|_| subject.rolls.is_none())?.peak_m_s2?;
+        let peak_m_s2 = subject.capacity.as_ref().filter(|_| subject.way.rolls().is_none())?.peak_m_s2?;
         (lived.pfa_m_s2 > peak_m_s2).then_some(true)
     };
     Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
@@ -266,7 +261,7 @@ fn lived_on_floor(
         trials.iter().map(|trial| draw(settings, &trial.subject, trial.member.key, world, change)).collect()
     };
     let draws: Vec<Vec<Draw>> = range.clone().into_par_iter().map(in_world).collect();
-    let rigid: Vec<Result<Vec<RigidResponse>, Problems>> = draws
+    let rigid: Vec<Result<Vec<Option<RigidResponse>>, Problems>> = draws
         .par_iter()
         .zip(floors)
         .map(|(draws, floor)| {
@@ -274,7 +269,7 @@ fn lived_on_floor(
             Ok(rigid_in_world(context, trials, draws, floor))
         })
         .collect();
-    let rigid: Vec<Vec<RigidResponse>> = rigid.into_iter().collect::<Result<_, _>>()?;
+    let rigid: Vec<Vec<Option<RigidResponse>>> = rigid.into_iter().collect::<Result<_, _>>()?;
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
     // On pads the worlds that were lived through stay as they are.
     let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
@@ -290,7 +285,7 @@ fn lived_on_floor(
         .into_iter();
         let one = worlds.map(|((rigid, draws), floor)| Lived {
             draw: draws[place],
-            rigid: rigid.next().unwrap_or_else(|| Err("the history is missing".to_owned())),
+            rigid: rigid.next().unwrap_or_else(|| Some(Err("the history is missing".to_owned()))),
             pads: own_pads.next().flatten(),
             pfa_m_s2: floor.pfa_m_s2,
             pfv_m_s: floor.pfv_m_s,
@@ -312,13 +307,18 @@ fn floors(
     context.worlds.floors(range, levels_ratio, again, building)
 }
 
-fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &FloorOfWorld) -> Vec<RigidResponse> {
+fn rigid_in_world(
+    context: &Context,
+    trials: &[&Trial],
+    draws: &[Draw],
+    floor: &FloorOfWorld,
+) -> Vec<Option<RigidResponse>> {
     let mut found: Vec<Vec<Option<_>>> =
         trials.iter().map(|trial| trial.subject.axes.iter().map(|_| None).collect()).collect();
     for is_x in [true, false] {
         let mut places = Vec::new();
         let mut blocks = Vec::new();
-        let rocking = trials.iter().zip(draws).enumerate().filter(|(_, (trial, _))| trial.subject.rolls.is_none());
+        let rocking = trials.iter().zip(draws).enumerate().filter(|(_, (trial, _))| trial.subject.way.rocks());
         for (place, (trial, draw)) in rocking {
             for axis in (0..trial.subject.axes.len()).filter(|&axis| draw.is_along_x(axis) == is_x) {
                 if let Some((block, restitution)) = draw.block(&trial.subject, axis) {
@@ -335,7 +335,7 @@ fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &
         }
     }
     let of_trial = |((trial, draw), found): ((&&Trial, &Draw), Vec<Option<_>>)| -> RigidResponse {
-        if let Some(rolling) = &trial.subject.rolls {
+        if let Some(rolling) = trial.subject.way.rolls() {
             return rolled(&trial.subject, rolling, draw, floor);
         }
         let body = draw.body(&trial.subject);
@@ -346,7 +346,8 @@ fn rigid_in_world(context: &Context, trials: &[&Trial], draws: &[Draw], floor: &
         });
         axes.collect()
     };
-    trials.iter().zip(draws).zip(found).map(of_trial).collect()
+    let asked = trials.iter().zip(draws).zip(found);
+    asked.map(|one| one.0.0.asks(context, Model::Rigid).then(|| of_trial(one))).collect()
 }
 
 /// The place of an object, the place of a world, an axis; its draw and its floor.

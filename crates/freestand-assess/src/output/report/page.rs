@@ -149,7 +149,7 @@ fn consequences(item: &Item) -> String {
 
 /// What both models say, a row for each.
 fn response(found: &Assessment) -> String {
-    let (Some(answers), Some(response)) = (&found.answers, &found.response) else {
+    let Some(answers) = &found.answers else {
         return paragraph("Its response was not calculated; the reason is given above.");
     };
     let chance = |model: &ModelAnswers| {
@@ -158,12 +158,15 @@ fn response(found: &Assessment) -> String {
     };
     let shocks = found.shock.as_ref().map(|shock| shock.edge_acceleration_g);
     let base = if found.rolled.is_some() { "on its casters" } else { "rigid base, Eq. (5)" };
-    let mut rigid = vec![text(base)];
-    rigid.extend(chance(&answers.rigid));
-    rigid.push(figure(percent(response.uplift_share, 0)));
-    rigid.push(figure(quantiles(response.uplift_m, |lift| ranked_milli(lift, "mm"))));
-    rigid.push(figure(shocks.map_or_else(|| "–".to_owned(), |shocks| quantiles(shocks, |g| ranked(g, "g")))));
-    let mut rows = vec![rigid];
+    let mut rows = Vec::new();
+    if let (Some(model), Some(response)) = (&answers.rigid, &found.response) {
+        let mut row = vec![text(base)];
+        row.extend(chance(model));
+        row.push(figure(percent(response.uplift_share, 0)));
+        row.push(figure(quantiles(response.uplift_m, |lift| ranked_milli(lift, "mm"))));
+        row.push(figure(shocks.map_or_else(|| "–".to_owned(), |shocks| quantiles(shocks, |g| ranked(g, "g")))));
+        rows.push(row);
+    }
     if let (Some(model), Some(pads)) = (&answers.compliant, &found.on_pads) {
         let mut row = vec![text("on its pads")];
         row.extend(chance(model));
@@ -171,6 +174,9 @@ fn response(found: &Assessment) -> String {
         row.push(figure(said(pads.lift_m_median, |lift| ranked_milli(lift, "mm"))));
         row.push(figure(said(pads.edge_acceleration_g_median, |g| ranked(g, "g"))));
         rows.push(row);
+    }
+    if rows.is_empty() {
+        return paragraph("Its response was not calculated; the reason is given above.");
     }
     let headings = vec![
         text("Model"),

@@ -416,7 +416,7 @@ fn of_count<'a>(line: &Line<'a>, get: impl Fn(&Answers) -> Option<u32>) -> Cell<
 }
 
 fn rigid<'a>(line: &Line<'a>, of: fn(&ModelAnswers) -> Option<Probability>, end: fn(&Probability) -> f64) -> Cell<'a> {
-    chance(line, |found| of(&found.answers.as_ref()?.rigid), end)
+    chance(line, |found| of(found.answers.as_ref()?.rigid.as_ref()?), end)
 }
 
 fn pads<'a>(line: &Line<'a>, of: fn(&ModelAnswers) -> Option<Probability>, end: fn(&Probability) -> f64) -> Cell<'a> {
