@@ -4,7 +4,7 @@ use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
-use freestand_study::study::assessment::{Settings, WallUse};
+use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 use freestand_study::study::{Ground, Study};
 use freestand_study::target::Target;
 
@@ -170,6 +170,18 @@ fn free_standing(study: &Study, inventory: &Inventory) -> String {
     }
 }
 
+/// In how many dimensions objects move.
+fn planes(study: &Study) -> &'static str {
+    match study.assessment.dimensions {
+        Dimensions::Planar => "It moves in one plane at a time.",
+        Dimensions::Three => {
+            "Objects with mass, pads and width move in three dimensions, under both horizontal components at once, on \
+             pads that slip at the friction that is drawn; every other object moves in one plane at a time, and its page \
+             says why."
+        }
+    }
+}
+
 /// How many objects roll, and what that means; nothing where none does.
 fn rolling(inventory: &Inventory) -> Option<String> {
     let count = inventory.items.iter().filter(|item| item.surroundings.casters == Some(Casters::Free)).count();
@@ -300,9 +312,10 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
              the floor moves towards it or away from it with the same chance.",
             free_standing(study, inventory)
         ),
-        "Every object stands on a level, rigid floor and moves in one plane at a time. The objects do not affect the \
-         motion of the floor."
-            .to_owned(),
+        format!(
+            "Every object stands on a level, rigid floor. {} The objects do not affect the motion of the floor.",
+            planes(study)
+        ),
     ];
     assumed.extend(rolling(inventory));
     assumed

@@ -46,8 +46,12 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
     if !context.wants_shares {
         return Ok(found);
     }
-    let mut asked: Vec<Asked> =
-        trials.iter().enumerate().filter_map(|(place, trial)| Asked::new(place, trial)).collect();
+    let mut asked: Vec<Asked> = trials
+        .iter()
+        .enumerate()
+        .filter(|(_, trial)| is_asked(context, trial))
+        .filter_map(|(place, trial)| Asked::new(place, trial))
+        .collect();
     for cause in Cause::ALL {
         let wants = |one: &Asked| one.wants_shares && is_varied(one.trial, cause);
         for (place, again) in events(context, &asked, wants, Change::Again(cause.group()))? {
@@ -133,6 +137,11 @@ fn events(
     }
     found.sort_by_key(|(place, _)| *place);
     Ok(found)
+}
+
+/// Histories that take long are repeated only where the study says so.
+fn is_asked(context: &Context, trial: &Trial) -> bool {
+    !trial.subject.way.is_slow() || context.study.assessment.worlds.shares == Some(true)
 }
 
 /// Pads count where there are any.
