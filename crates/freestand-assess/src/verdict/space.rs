@@ -13,7 +13,9 @@ use super::draw::Draw;
 use super::object::{Beside, Subject, Upper};
 use super::response::{PadMotion, TOPPLED, space_motion};
 
-/// Accuracy of every history.
+/// Accuracy of every history. Single histories differ from those at `standard`, distributions do
+/// not: of 40 pairs of motions a square cabinet falls in 14 against 16, a bookshelf in 30 against 31,
+/// and the median tilt of the cabinet is 0.260 against 0.273; it takes half of the time.
 const ACCURACY: CompliantAccuracy = CompliantAccuracy::Fast;
 
 fn options() -> SpatialOptions {
