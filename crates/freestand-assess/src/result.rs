@@ -180,6 +180,11 @@ pub enum ObjectModel {
     Roll,
     /// It slides on its base.
     Slide,
+    /// It moves in three dimensions on its pads.
+    #[serde(rename = "compliant-3d")]
+    Spatial,
+    /// It moves in a plane on its pads, with another body on it.
+    Stack,
 }
 
 impl ObjectModel {
@@ -191,8 +196,38 @@ impl ObjectModel {
             Self::Compliant => "compliant",
             Self::Roll => "roll",
             Self::Slide => "slide",
+            Self::Spatial => "compliant-3d",
+            Self::Stack => "stack",
         }
     }
+}
+
+/// How an object moves in three dimensions. Where it falls, each ranks above every number.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct InSpace {
+    /// Largest angle of its axis to the vertical, median world \[rad\].
+    pub tilt_rad_median: Ranked,
+    /// The same that 84 % of the worlds do not exceed \[rad\].
+    pub tilt_rad_p84: Ranked,
+    /// Largest horizontal displacement of the centre of its base, median world \[m\].
+    pub walk_m_median: Ranked,
+    /// The same that 84 % of the worlds do not exceed \[m\].
+    pub walk_m_p84: Ranked,
+}
+
+/// An object with another body on it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Stacked {
+    /// Worlds with a complete history.
+    pub worlds: u32,
+    /// Of these, those in which the object itself falls first.
+    pub lower_falls: u32,
+    /// Those in which what stands on it falls first.
+    pub upper_falls: u32,
+    /// Steady floor acceleration at which what stands on it rocks alone, on rigid edges \[g\].
+    pub threshold_upper_g: f64,
+    /// That at which both rock as one body \[g\].
+    pub threshold_together_g: f64,
 }
 
 /// What a wall or neighbours do to an object.
@@ -458,6 +493,10 @@ pub struct Assessment {
     /// With a wall behind it; `None`: the list gives one, or it is not restrained.
     #[serde(default)]
     pub before_wall: Option<BeforeWall>,
+    /// In three dimensions; `None`: it moves in a plane.
+    pub in_space: Option<InSpace>,
+    /// With what stands on it; `None`: nothing does.
+    pub stacked: Option<Stacked>,
     /// On its pads; `None`: the compliant base was not asked.
     pub on_pads: Option<OnPads>,
     /// What the answer depends on, where that was calculated.

@@ -14,7 +14,7 @@ use freestand_study::study::{Ground, Study};
 
 /// Version of the text that is hashed; raise it with every change of that text or of the content of
 /// a part.
-const FORMAT: u32 = 4;
+const FORMAT: u32 = 5;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.
@@ -107,6 +107,7 @@ fn settings(settings: &Settings) -> Value {
         pad_strain_ratio,
         compliant,
         walls,
+        dimensions,
         restraint,
         restraint_code,
     } = settings;
@@ -154,6 +155,7 @@ fn settings(settings: &Settings) -> Value {
         "pad_strain_ratio": pad_strain_ratio,
         "compliant": compliant,
         "walls": walls.name(),
+        "dimensions": dimensions.name(),
         "restraint": [Some(*dead_load_ratio), *overstrength_ratio, *amplification_ratio, *response_ratio, *importance_ratio],
         "restraint_asce7_22": [resonance_ratio, strength_ratio, building_ductility_ratio],
         // What the clauses use of a spectrum.
@@ -204,7 +206,8 @@ mod tests {
             usual,
             key("[building]\nstoreys = 8\n[outputs]\nreport = false\n[assessment]\npages = 7\n", |_, _| ())
         );
-        let changes: [fn(&mut Study, &mut Inventory); 9] = [
+        let changes: [fn(&mut Study, &mut Inventory); 10] = [
+            |study, _| study.assessment.dimensions = freestand_study::study::assessment::Dimensions::Three,
             |study, _| study.assessment.walls = freestand_study::study::assessment::WallUse::Ignore,
             |study, _| study.assessment.seed = 2,
             |study, _| study.assessment.spread.mass = 0.2,

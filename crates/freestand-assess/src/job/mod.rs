@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use key::resume_key;
-use portfolio::{PART, Portfolio, assess, progress_names, shake};
+use portfolio::{Portfolio, assess, part_of, progress_names, shake};
 use serde::Serialize;
 use serde_json::json;
 use store::PROGRESS;
@@ -204,14 +204,15 @@ pub fn assess_into(
     job: &Job,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    let key = resume_key(study, inventory, PART);
+    let part = part_of(study, inventory);
+    let key = resume_key(study, inventory, part);
     let head = head(study, inventory);
     if job.resume
         && let Some(report) = finished(target, &key, (study, inventory), job, &head)
     {
         return Ok(report);
     }
-    let names = progress_names(inventory.items.len());
+    let names = progress_names(inventory.items.len(), part);
     announce(target, job.force, SCHEMA, &names)?;
     let inputs = study.source.iter().cloned().chain(motion_paths(study)).chain([inventory.path.clone()]);
     let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));

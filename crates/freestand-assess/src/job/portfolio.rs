@@ -15,15 +15,28 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
+use freestand_study::study::assessment::Dimensions;
 
 use super::store::{PROGRESS, Store};
 
 /// Objects of a part: some seconds of work, which is what a killed run loses.
-pub(super) const PART: usize = 256;
+const PART: usize = 256;
+
+/// The same where histories are followed one by one, for a tenth of a second and more: some minutes.
+const SLOW_PART: usize = 4;
+
+/// Objects of a part of an inventory.
+pub(super) fn part_of(study: &Study, inventory: &Inventory) -> usize {
+    let is_slow = study.assessment.dimensions == Dimensions::Three
+        || inventory.items.iter().any(|item| item.surroundings.upper.is_some());
+    if is_slow { SLOW_PART } else { PART }
+}
 
 /// A finished assessment, or the finished part of one that was stopped.
 pub(super) struct Portfolio<'a> {
     inventory: &'a Inventory,
+    /// Objects of a part.
+    part: usize,
     store: Store,
     /// The rank of each row of the inventory; further rows were not assessed.
     ranks: Vec<u32>,
@@ -50,8 +63,8 @@ pub(super) struct Portfolio<'a> {
 }
 
 /// The files that a run keeps in its output folder until it is finished.
-pub(super) fn progress_names(items: usize) -> Vec<String> {
-    Store::names(items.div_ceil(PART)).map(|name| format!("{}/{name}", PROGRESS)).collect()
+pub(super) fn progress_names(items: usize, part: usize) -> Vec<String> {
+    Store::names(items.div_ceil(part)).map(|name| format!("{}/{name}", PROGRESS)).collect()
 }
 
 /// Assesses every object of `inventory` on its floor of `study`, on the current thread pool.
@@ -74,8 +87,10 @@ pub(super) fn assess<'a>(
     let store = Store::open(folder, key, resume)?;
     let total = inventory.items.len();
     let wants_to_stop = || progress(Step { stage: None, done: 0, total: 0 }).is_break();
+    let size = part_of(study, inventory);
     let mut portfolio = Portfolio {
         inventory,
+        part: size,
         store,
         ranks: Vec::new(),
         resumed: 0,
@@ -91,8 +106,8 @@ pub(super) fn assess<'a>(
     };
     let mut context: Option<Context> = None;
     let mut list = Vec::with_capacity(total);
-    for (part, items) in inventory.items.chunks(PART).enumerate() {
-        if progress(Step { stage: Some(Stage::Objects), done: part * PART, total }).is_break() {
+    for (part, items) in inventory.items.chunks(size).enumerate() {
+        if progress(Step { stage: Some(Stage::Objects), done: part * size, total }).is_break() {
             portfolio.interrupted = true;
             break;
         }
@@ -159,13 +174,13 @@ fn assess_part(context: &Context, items: &[Item], outcomes: Option<&mut Vec<u8>>
         let nothing = |why| Some(Assessment { why, ..blank(item, settings) });
         if item.anchored == Some(true) {
             // The force to check them for: by the code alone, because nothing is simulated.
-            let restraint = Subject::new(item, settings.walls)
+            let restraint = Subject::new(item, settings)
                 .map_or_else(|_| Vec::new(), |held| restraint_of(context.study, item, &held, None));
             let why = "Reported as anchored; its anchors were not checked.".to_owned();
             found[place] = Some(Assessment { why, restraint, ..blank(item, settings) });
             continue;
         }
-        match Subject::new(item, settings.walls) {
+        match Subject::new(item, settings) {
             Ok(subject) if context.worlds.has_floor(subject.level_ratio) => {
                 places.push(place);
                 members.push(Member::new(item, subject, settings));
@@ -217,9 +232,9 @@ impl<'a> Portfolio<'a> {
     /// The results in the order of the inventory, read part by part from where they are stored.
     pub(super) fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Problem>> + '_ {
         let assessed = &self.inventory.items[..self.ranks.len()];
-        assessed.chunks(PART).enumerate().flat_map(move |(part, items)| {
+        assessed.chunks(self.part).enumerate().flat_map(move |(part, items)| {
             let found = self.store.read(part, items.iter().map(|item| item.id.as_str()));
-            let ranks = &self.ranks[part * PART..];
+            let ranks = &self.ranks[part * self.part..];
             match found {
                 Some(found) => {
                     let rows = items.iter().zip(found).zip(ranks);
@@ -232,12 +247,12 @@ impl<'a> Portfolio<'a> {
 
     /// The outcomes of each finished part.
     pub(super) fn outcomes(&self) -> impl Iterator<Item = Result<Vec<u8>, Problem>> {
-        (0..self.ranks.len().div_ceil(PART)).map(|part| self.store.outcomes(part).ok_or_else(disappeared))
+        (0..self.ranks.len().div_ceil(self.part)).map(|part| self.store.outcomes(part).ok_or_else(disappeared))
     }
 
     /// Keeps the finished parts next to the outputs, for a run that resumes.
     pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
-        let parts = self.ranks.len().div_ceil(PART);
+        let parts = self.ranks.len().div_ceil(self.part);
         for name in Store::names(parts).filter(|name| self.store.has(name)) {
             self.store.link(&name, &folder.place_for(&format!("{}/{name}", PROGRESS))?)?;
         }

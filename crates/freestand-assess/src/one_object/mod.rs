@@ -158,7 +158,7 @@ pub fn one_object(
     check(request)?;
     let shaken = shaking::shaken(request)?;
     let row = row::row(request, &shaken.study)?;
-    let subject = Subject::new(&row.item, shaken.study.assessment.walls)
+    let subject = Subject::new(&row.item, &shaken.study.assessment)
         .map_err(|missing| Problem::new(ProblemKind::Missing, format!("its {} is missing", listed(&missing))))?;
     let member = Member::new(&row.item, subject, &shaken.study.assessment);
     let go_on = || if wants_to_stop() { Err(Problem::stopped().into()) } else { Ok(()) };

@@ -249,6 +249,8 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             stop_speed_m_s_p84: Some(0.4),
             trip_speed_m_s: 0.9,
         }),
+        in_space: None,
+        stacked: None,
         on_pads: (index % 4 == 3).then_some(OnPads {
             rocking_frequency_hz: Some(4.1),
             pad_uplift_threshold_g: Some(0.21),

@@ -4,7 +4,7 @@ use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
-use freestand_study::study::assessment::{Settings, WallUse};
+use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 use freestand_study::study::{Ground, Study};
 use freestand_study::target::Target;
 
@@ -149,10 +149,6 @@ fn ratings_words(ratios: [f64; 3]) -> String {
     format!("{high}, {medium}, {low} %")
 }
 
-/// What the planar models leave out, by an audit of blocks with a square plan in three dimensions.
-const SECOND_COMPONENT: &str = "Every object moves in one plane at a time: a second horizontal component adds up to 0.33 \
-                                to the probability of falling.";
-
 /// How many objects are assessed as free-standing, and what that means.
 fn free_standing(study: &Study, inventory: &Inventory) -> String {
     let all = inventory.items.len();
@@ -171,6 +167,22 @@ fn free_standing(study: &Study, inventory: &Inventory) -> String {
              less often or, on strong floors, no less.",
             counted(all, "object")
         ),
+    }
+}
+
+/// In how many dimensions objects move.
+fn planes(study: &Study) -> &'static str {
+    match study.assessment.dimensions {
+        // The largest difference in an audit of blocks with a square plan.
+        Dimensions::Planar => {
+            "Every object moves in one plane at a time: a second horizontal component adds up to 0.33 to the \
+             probability of falling."
+        }
+        Dimensions::Three => {
+            "Objects with mass, pads and width move in three dimensions, under both horizontal components at once, on \
+             pads that slip at the friction that is drawn; every other object moves in one plane at a time, and its page \
+             says why."
+        }
     }
 }
 
@@ -210,8 +222,9 @@ fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
         ),
         building,
         format!(
-            "{} {SECOND_COMPONENT} Sliding is calculated where the list gives the friction. The floor is level.{}",
+            "{} {} Sliding is calculated where the list gives the friction. The floor is level.{}",
             free_standing(study, inventory),
+            planes(study),
             if study.ground.has_vertical() { "" } else { " Vertical shaking is not calculated." }
         ),
         "The forces follow the clause that each page names. An engineer has to check them and to design the anchors and \
@@ -303,8 +316,8 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
             free_standing(study, inventory)
         ),
         format!(
-            "Every object stands on a level, rigid floor. {SECOND_COMPONENT} The objects do not affect the motion of the \
-             floor."
+            "Every object stands on a level, rigid floor. {} The objects do not affect the motion of the floor.",
+            planes(study)
         ),
     ];
     assumed.extend(rolling(inventory));

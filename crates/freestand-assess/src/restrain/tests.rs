@@ -203,7 +203,7 @@ fn a_list_and_a_single_object_agree() {
         alone(2.3, (0.6, 0.9), 140.0, Some(1.3), "3", Some(1.5)),
     ];
     for (item, request) in items.iter().zip(singles) {
-        let subject = Subject::new(item, freestand_study::study::assessment::WallUse::AsListed).unwrap();
+        let subject = Subject::new(item, &freestand_study::study::assessment::Settings::default()).unwrap();
         let forces = restraint_of(&study, item, &subject, None);
         let listed = reported_force(&forces).unwrap();
         let report = restrain(request).unwrap();

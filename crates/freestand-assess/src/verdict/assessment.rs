@@ -5,13 +5,14 @@ use freestand::compliant::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 use freestand::impact::{ImpactModel, Landing, impact_friction_needed_ratio};
 use freestand::rocking::{Outcome as RockingOutcome, RockingImpact, rock};
 use freestand::sliding::trip_speed_m_s;
+use freestand::spatial::StackPart;
 use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AtWall, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions,
-    FloorFacts, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer, Sliding,
-    SlidingVerdict, Slipped, Softening,
+    FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer, Sliding,
+    SlidingVerdict, Slipped, Softening, Stacked,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -20,10 +21,10 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, percent};
-use super::object::{Body, Hit, Model, Way, hit};
+use super::object::{Body, Flat, Hit, Model, Way, hit};
 use super::response::{
-    AxisMotion, Lived, Lost, PadMotion, Roll, Strike, demand_capacity, governing, leans, lifts, options, overturned,
-    pads_demand_capacity, ranked,
+    AxisMotion, Lived, Lost, PadMotion, Roll, Space, Strike, demand_capacity, governing, leans, lifts, options,
+    overturned, pads_demand_capacity, ranked,
 };
 use super::slip::FALLS_WITH_FRICTION;
 use super::softer::beyond_pads;
@@ -156,7 +157,19 @@ pub(super) fn assessment(
         Way::Walled(_) => ObjectModel::RockWall,
         Way::Planar if answers.compliant.is_some() => ObjectModel::Compliant,
         Way::Planar => ObjectModel::Rock,
+        Way::Spatial(_) => ObjectModel::Spatial,
+        Way::Stack(_) => ObjectModel::Stack,
     });
+    assessed.in_space = in_space(trial);
+    if let Some(in_space) = &assessed.in_space {
+        assessed.why.push_str(&space_words(in_space));
+    }
+    assessed.stacked = stacked(trial);
+    if let Some(stacked) = &assessed.stacked {
+        assessed.why.push_str(&stack_words(trial, stacked));
+    }
+    assessed.notes.extend(trial.subject.flat.as_ref().map(Flat::words));
+    assessed.notes.extend(space_notes(context, trial)?);
     assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
         (false, _) => 0,
         (true, false) => 2,
@@ -234,6 +247,99 @@ fn rolled(trial: &Trial) -> Option<Rolled> {
         stop_speed_m_s_p84: Some(of(|roll| roll.stop_speed_m_s, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
         trip_speed_m_s: trip_speeds.fold(f64::INFINITY, f64::min),
     })
+}
+
+/// How it moves in three dimensions; `None`: it does not, or every history failed.
+fn in_space(trial: &Trial) -> Option<InSpace> {
+    if !matches!(trial.subject.way, Way::Spatial(_)) {
+        return None;
+    }
+    on_pads_followed(trial).next()?;
+    let of = |number: fn(&Space) -> f64| {
+        let of_world = |axes: &[PadMotion]| match axes.iter().any(|one| one.has_overturned) {
+            true => f64::INFINITY,
+            false => axes.iter().filter_map(|one| one.space.as_ref().map(number)).fold(0.0, f64::max),
+        };
+        quantiles(on_pads_followed(trial).map(|(_, axes)| of_world(axes)))
+    };
+    let ([_, tilt_rad_median, tilt_rad_p84], [_, walk_m_median, walk_m_p84]) =
+        (of(|space| space.tilt_rad), of(|space| space.walk_m));
+    Some(InSpace { tilt_rad_median, tilt_rad_p84, walk_m_median, walk_m_p84 })
+}
+
+/// How far it tilts and walks.
+fn space_words(in_space: &InSpace) -> String {
+    match (in_space.tilt_rad_p84, in_space.walk_m_p84) {
+        (Ranked::Value(tilt_rad), Ranked::Value(walk_m)) => format!(
+            " In three dimensions it tilts up to {}° and its base walks up to {} mm in 84 % of the worlds.",
+            number(tilt_rad.to_degrees(), 2),
+            number((1e3 * walk_m).ceil(), 6)
+        ),
+        _ => " In three dimensions it falls in more than 16 % of the worlds.".to_owned(),
+    }
+}
+
+/// What falls of a stack; `None`: it is none, or every history failed.
+fn stacked(trial: &Trial) -> Option<Stacked> {
+    let Way::Stack(upper) = &trial.subject.way else { return None };
+    let (first, _) = on_pads_followed(trial).next()?;
+    let falls = |part: StackPart| {
+        on_pads_followed(trial).filter(|(_, axes)| axes.iter().any(|one| one.fallen == Some(part))).count() as u32
+    };
+    // Of the sizes in the list.
+    let listed = super::space::stack(&trial.subject, upper, &first.draw.without_factors())?;
+    Some(Stacked {
+        worlds: on_pads_followed(trial).count() as u32,
+        lower_falls: falls(StackPart::Lower),
+        upper_falls: falls(StackPart::Upper),
+        threshold_upper_g: listed.threshold_upper(),
+        threshold_together_g: listed.threshold_together(),
+    })
+}
+
+/// Which body of a stack falls, and which begins to rock.
+fn stack_words(trial: &Trial, stacked: &Stacked) -> String {
+    let falls = format!(
+        " The object itself falls first in {} of {}, what stands on it in {}.",
+        stacked.lower_falls,
+        counted(stacked.worlds as usize, "world"),
+        stacked.upper_falls
+    );
+    let [alone, together] = [stacked.threshold_upper_g, stacked.threshold_together_g].map(|g| number(g, 3));
+    let begins = if stacked.threshold_upper_g < stacked.threshold_together_g {
+        format!(" What stands on it begins to rock alone at {alone} g, both together at {together} g.")
+    } else {
+        format!(" Both begin to rock together at {together} g, what stands on it alone at {alone} g.")
+    };
+    let wall = trial.member.item.surroundings.wall_gap_m.map_or("", |_| " Its wall does not count.");
+    falls + &begins + wall
+}
+
+/// What is left out of three dimensions and of stacks.
+fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems> {
+    let mut notes = Vec::new();
+    match &trial.subject.way {
+        Way::Spatial(beside) => {
+            notes.push(
+                "In three dimensions a single history is one realisation: its shares and fractiles can be trusted."
+                    .to_owned(),
+            );
+            if context.worlds.floor(0, trial.subject.level_ratio)?.motion.across.is_none() {
+                notes.push("Its floor moves in one direction only: the motions have one component.".to_owned());
+            }
+            if beside.is_some() && trial.subject.capacity.is_some() {
+                notes.push("The shock at its wall is not compared with its tolerance.".to_owned());
+            }
+        }
+        Way::Stack(_) => notes.push(
+            "The object and what stands on it move in the plane of the thickness, with the same pads and the same \
+             friction under both. The shock is that of the object itself, and forces for a restraint leave out what \
+             stands on it."
+                .to_owned(),
+        ),
+        Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {}
+    }
+    Ok(notes)
 }
 
 /// How far it rolls or slides, and what a stop does.
@@ -358,7 +464,9 @@ fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
     let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.way {
         Way::Rolls(_) | Way::Slides(_) => stop_is_known(trial),
-        Way::Planar | Way::Walled(_) => trial.subject.body.is_some() || !capacity.needs_shock(),
+        Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
+            trial.subject.body.is_some() || !capacity.needs_shock()
+        }
     });
     let model = |model| ModelAnswers {
         overturn: trial.probability(context, Question::Falls, model),
@@ -412,7 +520,9 @@ pub(super) fn on_pads(context: &Context, trial: &Trial) -> Option<OnPads> {
             if axes.iter().any(|one| one.has_overturned) { f64::INFINITY } else { most(axes, number) }
         }))[1]
     };
-    let stiffness = body.cushion.linear_stiffness_n_m();
+    // A stack has other frequencies than the object alone.
+    let is_alone = !matches!(trial.subject.way, Way::Stack(_));
+    let stiffness = body.cushion.linear_stiffness_n_m().filter(|_| is_alone);
     let blocks = || trial.subject.axes.iter().map(|axis| &axis.block);
     let frequency = stiffness.and_then(|k| {
         blocks().filter_map(|block| rocking_frequency_hz(block, body.mass_kg, k, G0_M_S2)).reduce(f64::min)
@@ -569,7 +679,10 @@ fn governing_criterion(trial: &Trial, world: usize) -> Option<Criterion> {
 
 fn capacity_check(trial: &Trial, floor: &FloorFacts, governing: Option<Criterion>) -> Option<CapacityCheck> {
     let (capacity, tolerance) = (trial.subject.capacity.as_ref()?, trial.member.item.tolerance.as_ref()?);
-    let ratios: Option<Vec<f64>> = followed(trial).map(|(_, axes)| demand_capacity(axes)).collect();
+    let ratios: Option<Vec<f64>> = match trial.subject.way.asks(Model::Rigid) {
+        true => followed(trial).map(|(_, axes)| demand_capacity(axes)).collect(),
+        false => on_pads_followed(trial).map(|(_, axes)| pads_demand_capacity(axes)).collect(),
+    };
     let [_, median, p84] = ratios.map_or([Ranked::NoData; 3], |ratios| quantiles(ratios.into_iter()));
     Some(CapacityCheck {
         demand_capacity: median,

@@ -47,6 +47,7 @@ fn is_wanted(context: &Context, trial: &Trial, found: &Assessment) -> bool {
         && falls
         && !has_wall
         && trial.subject.way.rocks()
+        && trial.subject.way.asks(Model::Rigid)
         && context.study.assessment.walls == WallUse::AsListed
 }
 

@@ -2,7 +2,7 @@
 
 use freestand::block::Block;
 use freestand::cushion::{ContactLaw, Cushion};
-use freestand::fragility::{log_uniform_draw, lognormal_draw, lognormal_probability};
+use freestand::fragility::{log_uniform_draw, lognormal_draw, lognormal_probability, uniform_draw};
 use freestand::rocking::Restitution;
 use freestand::wall::Walls;
 use freestand::worlds::{
@@ -34,10 +34,13 @@ pub(super) struct Draw {
     pub(super) model: f64,
     /// The factor on peak accelerations on the compliant base.
     pub(super) compliant: f64,
-    /// μ, or the resistance of its casters; `None`: nothing depends on it.
+    /// μ under it, and between it and what stands on it, or the resistance of its casters; `None`:
+    /// nothing depends on it.
     pub(super) friction_ratio: Option<f64>,
     /// `None`: it has no wall within reach.
-    wall: Option<WallDraw>,
+    pub(super) wall: Option<WallDraw>,
+    /// Factors of the mass, height and thickness of what stands on it.
+    pub(super) upper: [f64; 3],
 }
 
 /// A number that depends on a text alone: random numbers belong to the names of objects, not to
@@ -116,19 +119,25 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
 
     random = stream(Group::Body);
     let mut next = |spread: f64| lognormal_draw(&mut random, 1.0, spread);
-    let (mut mass, mut heights, mut sides) = (next(mass), next(geometry), [next(geometry), next(geometry)]);
+    let of_mass = mass;
+    let (mut mass, mut heights, mut sides) = (next(of_mass), next(geometry), [next(geometry), next(geometry)]);
+    let mut upper = [next(of_mass), next(geometry), next(geometry)];
     if let Some(normal) = change.normal(Group::Body) {
-        mass = (settings.spread.mass * normal).exp();
+        mass = (of_mass * normal).exp();
         heights = (geometry * normal).exp();
         sides = [(-geometry * normal).exp(); 2];
+        upper = [mass, heights, sides[0]];
     }
 
-    // After the others of its group, which so stay as they are where the friction is not given.
-    let friction_ratio = subject.drawn_friction_ratio().map(|(low, high)| {
-        // More friction lets a slender object rock where it would have slid. Uniform: the share of a
-        // normal distribution below a normal number.
-        let number = change.normal(Group::Body).map_or_else(|| lognormal_draw(&mut random, 1.0, 1.0), f64::exp);
-        low + (high - low) * lognormal_probability(number, 1.0, 1.0)
+    // What is under it: drawn again together with its pads.
+    let friction_ratio = subject.drawn_friction_ratio(settings).map(|(low, high)| {
+        let repetition = change.repetition(Group::Pad);
+        let mut under = object_stream(settings.seed, world, object, Group::Friction, repetition);
+        match change.normal(Group::Pad) {
+            // More friction lets a slender object rock where it would have slid.
+            Some(normal) => low + (high - low) * lognormal_probability(normal.exp(), 1.0, 1.0),
+            None => uniform_draw(&mut under, low, high),
+        }
     });
 
     random = stream(Group::Model);
@@ -146,6 +155,7 @@ pub(super) fn draw(settings: &Settings, subject: &Subject, object: u64, world: u
         compliant,
         friction_ratio,
         wall: subject.way.walls().map(|_| wall(settings, object, world, change)),
+        upper,
     }
 }
 
@@ -176,6 +186,11 @@ impl Draw {
         Some((block, Restitution::Value(self.restitution.get(axis).copied().unwrap_or(0.0).min(1.0))))
     }
 
+    /// The same with the sizes and masses of the list.
+    pub(super) fn without_factors(self) -> Self {
+        Self { heights: 1.0, sides: [1.0; 2], mass: 1.0, stiffness: 1.0, upper: [1.0; 3], ..self }
+    }
+
     /// What stands beside the object in the plane of an axis.
     pub(super) fn walls(&self, subject: &Subject, axis: usize) -> Walls {
         let beside = subject.way.walls().zip(self.wall.as_ref()).zip(subject.axes.get(axis));
@@ -196,6 +211,20 @@ impl Draw {
     pub(super) fn body(&self, subject: &Subject) -> Option<(f64, Cushion)> {
         let body = subject.body.as_ref()?;
         Some((body.mass_kg * self.mass, body.cushion.times(self.stiffness).ok()?))
+    }
+
+    /// Mass \[kg\] and damped cushion under one edge; `None` where they are not known.
+    pub(super) fn damped_body(&self, subject: &Subject) -> Option<(f64, Cushion)> {
+        let (mass_kg, cushion) = self.body(subject)?;
+        // A law that is not a spring brings its own damping.
+        let damped = cushion.linear_stiffness_n_m().and_then(|stiffness_n_m| self.damped(stiffness_n_m, mass_kg));
+        Some((mass_kg, damped.unwrap_or(cushion)))
+    }
+
+    /// A spring with the damping ratio of the pads.
+    pub(super) fn damped(&self, stiffness_n_m: f64, mass_kg: f64) -> Option<Cushion> {
+        let damping_n_s_m = self.pad_damping_n_s_m(stiffness_n_m, mass_kg);
+        Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).ok()
     }
 
     /// Height and side in the plane of an axis \[m\].

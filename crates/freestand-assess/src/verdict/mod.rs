@@ -21,6 +21,7 @@ mod roll;
 mod shares;
 mod slip;
 mod softer;
+mod space;
 mod tally;
 mod trial;
 
@@ -191,6 +192,8 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
         rolled: None,
         slipped: None,
         before_wall: None,
+        in_space: None,
+        stacked: None,
         on_pads: None,
         shares: None,
         per_year: None,
@@ -217,6 +220,12 @@ fn notes(item: &Item) -> Vec<String> {
     let mut notes: Vec<String> = item.cushion.iter().flat_map(|edge| edge.notes.clone()).collect();
     notes.extend(item.cushion_source.iter().map(|source| format!("Cushion: {source}.")));
     notes.extend(item.doubts.iter().map(|doubt| format!("Check the input: {} ({}).", doubt.words(), doubt.name())));
+    if item.surroundings.upper.is_some() {
+        notes.push(
+            "Another object stands on it: both are followed on pads, which takes mass, stiffness and upper_mass."
+                .to_owned(),
+        );
+    }
     if item.width_m.is_none() {
         notes.push("No width is given, so rocking was computed about one axis only.".to_owned());
     }

@@ -12,9 +12,10 @@ use freestand::worlds::WallDraw;
 
 use freestand::wall::{Wall, Walls};
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
-use freestand_study::study::assessment::WallUse;
+use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
-use crate::inventory::{Casters, Item, Surroundings};
+use crate::inventory::{Casters, Item, Surroundings, UpperBody};
+use crate::output::words::listed;
 use crate::result::Axis;
 
 use super::capacity::Capacity;
@@ -33,6 +34,8 @@ pub(crate) struct Subject {
     pub(super) body: Option<Body>,
     pub(super) capacity: Option<Capacity>,
     pub(super) way: Way,
+    /// Why it moves in a plane where the study asks for three dimensions.
+    pub(super) flat: Option<Flat>,
 }
 
 /// The model that answers.
@@ -56,6 +59,10 @@ pub(super) enum Way {
     Rolls(Gliding),
     /// It slides before an edge could lift.
     Slides(Gliding),
+    /// In three dimensions on its pads, beside the wall behind it where it has one within its reach.
+    Spatial(Option<Beside>),
+    /// With another body on it, in the plane of the thickness, both on pads.
+    Stack(Upper),
 }
 
 impl Way {
@@ -65,13 +72,19 @@ impl Way {
             Self::Planar => true,
             // Beside a wall, on casters and while it slides its pads are not followed.
             Self::Walled(_) | Self::Rolls(_) | Self::Slides(_) => model == Model::Rigid,
+            Self::Spatial(_) | Self::Stack(_) => model == Model::Pads,
         }
     }
 
-    /// Whether it rocks and lands on a rigid base.
+    /// Whether its histories are followed one by one, and take long.
+    pub(super) fn is_slow(&self) -> bool {
+        matches!(self, Self::Spatial(_) | Self::Stack(_))
+    }
+
+    /// Whether it rocks and lands.
     pub(super) fn rocks(&self) -> bool {
         match self {
-            Self::Planar | Self::Walled(_) => true,
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) => true,
             Self::Rolls(_) | Self::Slides(_) => false,
         }
     }
@@ -79,8 +92,8 @@ impl Way {
     /// What stands beside it and counts.
     pub(super) fn walls(&self) -> Option<&Beside> {
         match self {
-            Self::Walled(beside) => Some(beside),
-            Self::Planar | Self::Rolls(_) | Self::Slides(_) => None,
+            Self::Walled(beside) | Self::Spatial(Some(beside)) => Some(beside),
+            Self::Planar | Self::Rolls(_) | Self::Slides(_) | Self::Spatial(None) | Self::Stack(_) => None,
         }
     }
 
@@ -88,8 +101,45 @@ impl Way {
     pub(super) fn glides(&self) -> Option<&Gliding> {
         match self {
             Self::Rolls(gliding) | Self::Slides(gliding) => Some(gliding),
-            Self::Planar | Self::Walled(_) => None,
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) => None,
         }
+    }
+}
+
+/// The body that stands on an object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Upper {
+    pub(super) height_m: f64,
+    pub(super) thickness_m: f64,
+    pub(super) mass_kg: f64,
+}
+
+/// Why an object moves in a plane where the study asks for three dimensions.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Flat {
+    /// These are not given.
+    Missing(Vec<&'static str>),
+    /// Its base or its centre of gravity is not that of a uniform block.
+    NotUniform,
+    /// There are neighbours within its reach.
+    Neighbours,
+    /// Another body stands on it.
+    Stack,
+}
+
+impl Flat {
+    /// As a sentence.
+    pub(super) fn words(&self) -> String {
+        let why = match self {
+            Self::Missing(names) => {
+                let verb = if names.len() == 1 { "is" } else { "are" };
+                format!("its {} {verb} not given", listed(names))
+            }
+            Self::NotUniform => "its base or its centre of gravity is not that of a uniform block".to_owned(),
+            Self::Neighbours => "it has neighbours within its reach".to_owned(),
+            Self::Stack => "another object stands on it".to_owned(),
+        };
+        format!("It moves in a plane, not in three dimensions, because {why}.")
     }
 }
 
@@ -147,10 +197,10 @@ impl AxisGeometry {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Beside {
     /// Behind it, in the direction of the thickness \[m\].
-    wall_gap_m: Option<f64>,
+    pub(super) wall_gap_m: Option<f64>,
     /// On both sides of it, in the direction of the width \[m\].
     neighbour_gap_m: Option<f64>,
-    height_m: Option<f64>,
+    pub(super) height_m: Option<f64>,
     /// `None`: drawn in each world.
     restitution_ratio: Option<f64>,
     /// k_w \[N/m\].
@@ -242,9 +292,14 @@ impl Gliding {
 }
 
 impl Subject {
-    /// The coefficient between which and which a world draws; `None`: nothing depends on it.
-    pub(super) fn drawn_friction_ratio(&self) -> Option<(f64, f64)> {
-        self.way.glides().map_or(self.friction_ratio, |gliding| Some(gliding.resistance_ratio))
+    /// The ends of the range in which a world draws the coefficient; `None`: nothing depends on it.
+    pub(super) fn drawn_friction_ratio(&self, settings: &Settings) -> Option<(f64, f64)> {
+        match &self.way {
+            Way::Rolls(gliding) | Way::Slides(gliding) => Some(gliding.resistance_ratio),
+            Way::Spatial(_) | Way::Stack(_) => Some(self.friction_ratio.unwrap_or(settings.friction_ratio)),
+            // An assumed friction changes no number.
+            Way::Planar | Way::Walled(_) => self.friction_ratio,
+        }
     }
 
     /// The same object with a wall at this gap behind it.
@@ -254,7 +309,7 @@ impl Subject {
     }
 
     /// The object, or the names of what is missing.
-    pub(crate) fn new(item: &Item, walls: WallUse) -> Result<Self, Vec<&'static str>> {
+    pub(crate) fn new(item: &Item, settings: &Settings) -> Result<Self, Vec<&'static str>> {
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
             (item.level_ratio, item.height_m, item.thickness_m)
         else {
@@ -280,15 +335,60 @@ impl Subject {
             damping_ratio: own_damping_ratio(&edge.cushion, mass_kg),
         });
         let capacity = item.tolerance.as_ref().and_then(Capacity::new);
+        let beside = Some(Beside::new(&item.surroundings)).filter(|_| settings.walls == WallUse::AsListed);
         // A wall ends a rotation, and what rolls or slides does not rotate.
         let rolls = Gliding::on_casters(&item.surroundings, &axes).map(Way::Rolls);
-        let glides = rolls.or_else(|| Gliding::on_its_base(item, &axes).map(Way::Slides));
-        let way = glides.unwrap_or_else(|| match walls {
-            WallUse::AsListed => Beside::new(&item.surroundings).way(&axes),
-            WallUse::Ignore => Way::Planar,
-        });
-        let (restitution, friction_ratio, mass_kg) = (item.restitution, item.friction_ratio, item.mass_kg);
-        Ok(Self { level_ratio, axes, restitution, friction_ratio, mass_kg, body, capacity, way })
+        let (way, flat) = match (rolls, item.surroundings.upper) {
+            (Some(rolls), _) => (rolls, None),
+            (None, Some(_)) => (Way::Stack(upper(item)?), Some(Flat::Stack)),
+            (None, None) => match (Gliding::on_its_base(item, &axes), flat(item, &axes, beside)) {
+                (Some(slides), _) => (Way::Slides(slides), None),
+                (None, None) if settings.dimensions == Dimensions::Three => {
+                    (Way::Spatial(beside.filter(|beside| beside.is_within_reach(&axes))), None)
+                }
+                (None, why) => (beside.map_or(Way::Planar, |beside| beside.way(&axes)), why),
+            },
+        };
+        Ok(Self {
+            level_ratio,
+            axes,
+            restitution: item.restitution,
+            mass_kg: item.mass_kg,
+            body,
+            capacity,
+            way,
+            friction_ratio: item.friction_ratio,
+            flat: flat.filter(|_| settings.dimensions == Dimensions::Three),
+        })
+    }
+}
+
+/// What stands on an object, or the names of what is missing to follow both.
+fn upper(item: &Item) -> Result<Upper, Vec<&'static str>> {
+    match (item.surroundings.upper, item.mass_kg, &item.cushion) {
+        (Some(UpperBody { height_m, thickness_m, mass_kg: Some(mass_kg) }), Some(_), Some(_)) => {
+            Ok(Upper { height_m, thickness_m, mass_kg })
+        }
+        (upper, mass_kg, cushion) => {
+            let is_known = upper.is_some_and(|upper| upper.mass_kg.is_some());
+            let known = [(mass_kg.is_some(), "mass"), (cushion.is_some(), "stiffness"), (is_known, "upper_mass")];
+            Err(known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect())
+        }
+    }
+}
+
+/// Why an object cannot move in three dimensions.
+fn flat(item: &Item, axes: &[AxisGeometry], beside: Option<Beside>) -> Option<Flat> {
+    let known =
+        [(item.mass_kg.is_some(), "mass"), (item.cushion.is_some(), "stiffness"), (item.width_m.is_some(), "width")];
+    let missing: Vec<&str> = known.into_iter().filter(|(is_known, _)| !is_known).map(|(_, name)| name).collect();
+    let neighbours = beside.map(|beside| Beside { wall_gap_m: None, ..beside });
+    if !missing.is_empty() {
+        Some(Flat::Missing(missing))
+    } else if !axes.iter().all(AxisGeometry::is_uniform) {
+        Some(Flat::NotUniform)
+    } else {
+        neighbours.filter(|beside| beside.is_within_reach(axes)).map(|_| Flat::Neighbours)
     }
 }
 

@@ -4,7 +4,7 @@ use freestand::G0_M_S2;
 
 use crate::output::OutcomeRow;
 
-use super::object::{Hit, Model};
+use super::object::{Hit, Model, Way};
 use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, overturned, pads_demand_capacity};
 use super::trial::{Question, Trial};
 
@@ -30,7 +30,11 @@ fn outcome<'a>(trial: &'a Trial, world: u32, lived: &Lived, model: Model) -> Opt
         world,
         model: match model {
             Model::Rigid => "rigid",
-            Model::Pads => "compliant",
+            Model::Pads => match trial.subject.way {
+                Way::Spatial(_) => "compliant-3d",
+                Way::Stack(_) => "stack",
+                Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => "compliant",
+            },
         },
         has_fallen,
         has_exceeded: capacity.and_then(|_| trial.answer(lived, Question::Shock, model)?),

@@ -5,6 +5,7 @@ use freestand::block::Block;
 use freestand::compliant::{CompliantRocking, CompliantSummary, PadOutcome};
 use freestand::cushion::Cushion;
 use freestand::rocking::{Outcome, Restitution, RockingError, RockingOptions, RockingSummary, SideExtremes, Until};
+use freestand::spatial::{BaseLandings, BodyMotion, StackPart};
 use freestand::wall::Walls;
 use freestand::wall_shock::{WallShock, largest};
 
@@ -88,6 +89,10 @@ pub(super) struct PadMotion {
     /// With the factor of the world \[m/s²\].
     pub(super) edge_m_s2: f64,
     pub(super) compression_m: f64,
+    /// `None`: it moves in a plane.
+    pub(super) space: Option<Space>,
+    /// The body of a stack that falls first; `None`: none does.
+    pub(super) fallen: Option<StackPart>,
     /// `None`: demand or capacity is not known.
     pub(super) terms: Option<Terms>,
 }
@@ -120,6 +125,15 @@ impl From<RockingError> for Lost {
             _ => Self::Failed(error.to_string()),
         }
     }
+}
+
+/// What an object does in three dimensions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Space {
+    /// Largest angle of its axis to the vertical \[rad\].
+    pub(super) tilt_rad: f64,
+    /// Largest horizontal displacement of the centre of its base \[m\].
+    pub(super) walk_m: f64,
 }
 
 /// The object on a rigid base: every axis, or why a history failed.
@@ -252,6 +266,8 @@ pub(super) fn pad_motion(subject: &Subject, draw: &Draw, found: &CompliantSummar
         lift_m: found.lift_m,
         edge_m_s2,
         compression_m: found.peak_compression_m,
+        space: None,
+        fallen: None,
         terms: subject.capacity.as_ref().and_then(terms),
     }
 }
@@ -261,13 +277,8 @@ pub(super) fn pad_motion_of(subject: &Subject, draw: &Draw, found: &CompliantRoc
     let hardest = found.touches.iter().max_by(|a, b| a.peak_acceleration_m_s2.total_cmp(&b.peak_acceleration_m_s2));
     let pulse = hardest.and_then(|touch| Some(touch.end_time_s? - touch.time_s));
     let changes = found.touches.iter().map(|touch| touch.speed_m_s + touch.rebound_m_s.unwrap_or(0.0).max(0.0));
-    let outcome = match found.outcome {
-        Outcome::Overturned | Outcome::Leaned => PadOutcome::Overturned,
-        Outcome::Rocked => PadOutcome::LetGo,
-        Outcome::NoUplift => PadOutcome::StayedOn,
-    };
     let summary = CompliantSummary {
-        outcome,
+        outcome: pad_outcome(found.outcome),
         pad_uplift_ratio: 0.0,
         lift_m: found.uplift_m,
         peak_edge_accelerations_m_s2: found.peak_edge_accelerations_m_s2,
@@ -292,8 +303,45 @@ pub(super) const TOPPLED: PadMotion = PadMotion {
     lift_m: 0.0,
     edge_m_s2: 0.0,
     compression_m: 0.0,
+    space: None,
+    fallen: None,
     terms: Some(Terms::OVERTURNED),
 };
+
+/// What a history of bodies in space means in its world.
+pub(super) fn space_motion(
+    subject: &Subject,
+    draw: &Draw,
+    (outcome, body, landings): (Outcome, &BodyMotion, &BaseLandings),
+    floor_m_s2: f64,
+) -> PadMotion {
+    let summary = CompliantSummary {
+        outcome: pad_outcome(outcome),
+        pad_uplift_ratio: 0.0,
+        lift_m: body.uplift_m,
+        peak_edge_accelerations_m_s2: [landings.peak_acceleration_m_s2; 2],
+        // Whether it landed at all is what counts.
+        touch_count: usize::from(landings.pulse_duration_s.is_some()),
+        touch_speed_m_s: 0.0,
+        velocity_change_m_s: landings.velocity_change_m_s,
+        pulse_duration_s: landings.pulse_duration_s,
+        contact_duration_s: None,
+        peak_compression_m: landings.peak_compression_m,
+        let_go_time_s: None,
+        first_uplift_time_s: body.first_uplift_time_s,
+        overturn_time_s: body.overturn_time_s,
+    };
+    let space = Space { tilt_rad: body.peak_tilt_rad, walk_m: body.base_slide_peak_m };
+    PadMotion { pad_uplift_ratio: None, space: Some(space), ..pad_motion(subject, draw, &summary, floor_m_s2) }
+}
+
+fn pad_outcome(outcome: Outcome) -> PadOutcome {
+    match outcome {
+        Outcome::Overturned | Outcome::Leaned => PadOutcome::Overturned,
+        Outcome::Rocked => PadOutcome::LetGo,
+        Outcome::NoUplift => PadOutcome::StayedOn,
+    }
+}
 
 /// Whether it falls about any axis, onto the floor or against a wall.
 pub(super) fn overturned(axes: &[AxisMotion]) -> bool {

@@ -46,10 +46,14 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
     if !context.wants_shares {
         return Ok(found);
     }
-    let mut asked: Vec<Asked> =
-        trials.iter().enumerate().filter_map(|(place, trial)| Asked::new(place, trial)).collect();
+    let mut asked: Vec<Asked> = trials
+        .iter()
+        .enumerate()
+        .filter(|(_, trial)| is_asked(context, trial))
+        .filter_map(|(place, trial)| Asked::new(place, trial))
+        .collect();
     for cause in Cause::ALL {
-        let wants = |one: &Asked| one.wants_shares && is_varied(one.trial, cause);
+        let wants = |one: &Asked| one.wants_shares && is_varied(context, one.trial, cause);
         for (place, again) in events(context, &asked, wants, Change::Again(cause.group()))? {
             let one = &mut asked[place];
             let pairs: Vec<(bool, bool)> = one.own.iter().copied().zip(again).collect();
@@ -57,7 +61,7 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
         }
     }
     for cause in MEASURED {
-        let wants = |one: &Asked| one.is_near && is_varied(one.trial, cause);
+        let wants = |one: &Asked| one.is_near && is_varied(context, one.trial, cause);
         let low = events(context, &asked, wants, Change::At(cause.group(), -NORMAL_90))?;
         let high = events(context, &asked, wants, Change::At(cause.group(), NORMAL_90))?;
         for ((place, low), (_, high)) in low.into_iter().zip(high) {
@@ -137,9 +141,15 @@ fn events(
     Ok(found)
 }
 
-/// Pads count where there are any.
-fn is_varied(trial: &Trial, cause: Cause) -> bool {
-    cause != Cause::Pad || trial.subject.body.is_some()
+/// Histories that take long are repeated only where the study says so.
+fn is_asked(context: &Context, trial: &Trial) -> bool {
+    !trial.subject.way.is_slow() || context.study.assessment.worlds.shares == Some(true)
+}
+
+/// What is under it counts where there are pads or a friction that is drawn.
+fn is_varied(context: &Context, trial: &Trial, cause: Cause) -> bool {
+    let friction = trial.subject.drawn_friction_ratio(&context.study.assessment);
+    cause != Cause::Pad || trial.subject.body.is_some() || friction.is_some_and(|(low, high)| low < high)
 }
 
 /// Whether it falls or exceeds its tolerance by any model, as far as that is asked.

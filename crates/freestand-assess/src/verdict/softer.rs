@@ -167,7 +167,7 @@ pub(super) fn beyond_pads(trial: &Trial) -> &'static str {
     match trial.subject.way {
         Way::Rolls(_) => return "it rolls on its casters",
         Way::Slides(_) => return "it slides on its base",
-        Way::Planar | Way::Walled(_) => {}
+        Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {}
     }
     let Some(body) = &trial.subject.body else { return "its pads were not given" };
     if !capacity.needs_shock() {

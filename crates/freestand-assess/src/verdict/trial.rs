@@ -6,8 +6,7 @@ use std::sync::Arc;
 
 use freestand::G0_M_S2;
 use freestand::compliant::{
-    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantWorld, rock_compliant,
-    rock_compliant_many,
+    CompliantAccuracy, CompliantBase, CompliantOptions, CompliantWorld, rock_compliant, rock_compliant_many,
 };
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
@@ -22,13 +21,14 @@ use freestand_input::problem::Problems;
 use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, draw};
-use super::object::{Model, Subject};
+use super::object::{Model, Subject, Way};
 use super::response::{
-    Lived, Lost, PadResponse, RigidResponse, TOPPLED, axis_motion, demand_capacity, options, overturned, pad_motion,
+    Lived, Lost, PadMotion, PadResponse, RigidResponse, axis_motion, demand_capacity, options, overturned, pad_motion,
     pad_motion_of, pads_demand_capacity,
 };
 use super::roll::rolled;
 use super::slip::{slipped, slips};
+use super::space::{in_space, stacked, toppled};
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
@@ -92,7 +92,11 @@ impl<'a> Trial<'a> {
     pub(super) fn asks(&self, context: &Context, model: Model) -> bool {
         let is_known = match model {
             Model::Rigid => true,
-            Model::Pads => context.study.assessment.compliant && self.subject.body.is_some(),
+            // Without a rigid base they are its only model.
+            Model::Pads => {
+                let is_wanted = context.study.assessment.compliant || !self.subject.way.asks(Model::Rigid);
+                is_wanted && self.subject.body.is_some()
+            }
         };
         is_known && self.subject.way.asks(model)
     }
@@ -374,7 +378,8 @@ fn rigid_in_world(
     for is_x in [true, false] {
         let mut places = Vec::new();
         let mut blocks = Vec::new();
-        let rocking = trials.iter().zip(draws).enumerate().filter(|(_, (trial, _))| trial.subject.way.rocks());
+        let rocks = |trial: &Trial| trial.subject.way.rocks() && trial.asks(context, Model::Rigid);
+        let rocking = trials.iter().zip(draws).enumerate().filter(|(_, (trial, _))| rocks(trial));
         for (place, (trial, draw)) in rocking {
             for axis in (0..trial.subject.axes.len()).filter(|&axis| draw.is_along_x(axis) == is_x) {
                 if let Some((block, restitution)) = draw.block(&trial.subject, axis) {
@@ -409,10 +414,13 @@ fn rigid_in_world(
 /// The place of an object, the place of a world, an axis; its draw and its floor.
 type Job<'a> = (usize, usize, usize, &'a Draw, &'a FloorOfWorld);
 
-/// A history on pads that are springs; `None` for a curved contact law.
+/// A history on pads that are springs, in a plane; `None` for all others.
 fn linear<'a>(trials: &[&Trial], job: &Job<'a>) -> Option<CompliantWorld<'a>> {
     let (place, _, axis, draw, floor) = *job;
     let subject = &trials.get(place)?.subject;
+    if subject.way.is_slow() {
+        return None;
+    }
     let (mass_kg, cushion) = draw.body(subject)?;
     let stiffness_n_m = cushion.linear_stiffness_n_m()?;
     let (block, _) = draw.block(subject, axis)?;
@@ -441,29 +449,40 @@ fn pads_in_worlds(
     for (place, trial) in &asked {
         for (world, (draws, floor)) in draws.iter().zip(floors).enumerate() {
             let draw = &draws[*place];
-            for axis in 0..trial.subject.axes.len() {
-                jobs.push((*place, world, axis, draw, floor));
-            }
+            // One history of the whole body, or one about each axis.
+            let histories = if trial.subject.way.is_slow() { 1 } else { trial.subject.axes.len() };
+            jobs.extend((0..histories).map(|axis| (*place, world, axis, draw, &**floor)));
         }
     }
     let worlds: Vec<CompliantWorld> = jobs.iter().filter_map(|job| linear(trials, job)).collect();
     context.go_on()?;
     let mut many = rock_compliant_many(&worlds, G0_M_S2).into_iter();
     context.count(worlds.len());
-    let curved: Vec<Option<Result<_, String>>> = jobs
-        .par_iter()
-        .map(|job| {
-            let (place, world, axis, draw, floor) = *job;
-            let is_curved = linear(trials, job).is_none() && first + (world as u32) < CURVED_WORLDS;
-            is_curved.then(|| on_any_pads(&trials[place].subject, draw, axis, floor, None))
-        })
-        .collect();
+    let one_by_one = |job: &Job| -> Result<Option<Result<PadMotion, String>>, Problems> {
+        let (place, world, axis, draw, floor) = *job;
+        let subject = &trials[place].subject;
+        let is_among_first = first + (world as u32) < CURVED_WORLDS;
+        let history = match &subject.way {
+            Way::Spatial(beside) => in_space(subject, beside.as_ref(), draw, floor),
+            Way::Stack(upper) => stacked(subject, upper, draw, floor),
+            Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {
+                let is_curved = is_among_first && linear(trials, job).is_none();
+                return Ok(is_curved.then(|| on_any_pads(subject, draw, axis, floor, None)));
+            }
+        };
+        context.count(1);
+        // Each takes long enough to stop between them.
+        context.go_on()?;
+        Ok(Some(history))
+    };
+    let others: Vec<Result<_, Problems>> = jobs.par_iter().map(one_by_one).collect();
+    let others: Vec<Option<Result<PadMotion, String>>> = others.into_iter().collect::<Result<_, _>>()?;
     let mut found: Vec<Vec<Option<PadResponse>>> = asked.iter().map(|_| vec![None; floors.len()]).collect();
     let order: Vec<usize> = asked.iter().map(|(place, _)| *place).collect();
-    for (job, curved) in jobs.iter().zip(curved) {
+    for (job, other) in jobs.iter().zip(others) {
         let (place, world, _, draw, floor) = *job;
-        let one = match curved {
-            Some(curved) => curved,
+        let one = match other {
+            Some(other) => other,
             None if linear(trials, job).is_some() => match many.next() {
                 Some(Ok(summary)) => Ok(pad_motion(&trials[place].subject, draw, &summary, floor.pfa_m_s2)),
                 Some(Err(error)) => toppled(&error),
@@ -483,14 +502,6 @@ fn pads_in_worlds(
     Ok(found)
 }
 
-/// A block whose pads do not keep it upright falls in any world.
-fn toppled(error: &CompliantError) -> Result<super::response::PadMotion, String> {
-    match error {
-        CompliantError::Unstable { .. } => Ok(TOPPLED),
-        _ => Err(error.to_string()),
-    }
-}
-
 /// By the solver for any contact law, with or without friction.
 pub(super) fn on_any_pads(
     subject: &Subject,
@@ -498,7 +509,7 @@ pub(super) fn on_any_pads(
     axis: usize,
     floor: &FloorOfWorld,
     friction_ratio: Option<f64>,
-) -> Result<super::response::PadMotion, String> {
+) -> Result<PadMotion, String> {
     let missing = || "mass or cushion is missing".to_owned();
     let (block, _) = draw.block(subject, axis).ok_or_else(missing)?;
     let (mass_kg, cushion) = draw.body(subject).ok_or_else(missing)?;

@@ -33,6 +33,7 @@ pub(crate) struct AssessmentOptions {
     pub(crate) pad_damping_high: Option<Written<f64>>,
     pub(crate) compliant: Option<Written<bool>>,
     pub(crate) walls: Option<Written<String>>,
+    pub(crate) dimensions: Option<Written<String>>,
     pub(crate) pages: Option<Written<u64>>,
     /// Keys of an earlier version, each with its line.
     pub(crate) replaced: Vec<(&'static str, usize)>,
@@ -110,6 +111,7 @@ pub(super) fn assessment(reader: &mut Reader, table: &mut Section) -> Assessment
         pad_damping_high: table.ratio(reader, "pad_damping_high"),
         compliant: table.boolean(reader, "compliant"),
         walls: table.string(reader, "walls"),
+        dimensions: table.string(reader, "dimensions"),
         pages: table.count(reader, "pages"),
         replaced,
     }

@@ -10,7 +10,8 @@ use super::{Resolver, or};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
 use crate::study::Ground;
 use crate::study::assessment::{
-    Accepted, Bracket, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WallUse, WorldSettings,
+    Accepted, Bracket, Dimensions, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings, Spread, WallUse,
+    WorldSettings,
 };
 use crate::target::Target;
 use freestand_input::keys::Words;
@@ -64,6 +65,7 @@ impl Resolver<'_> {
             pad_strain_ratio: self.pad_strain(&written.pad_strain, defaults.pad_strain_ratio),
             compliant: or(&written.compliant, defaults.compliant),
             walls: self.named("walls", &written.walls, &WallUse::ALL).unwrap_or(defaults.walls),
+            dimensions: self.named("dimensions", &written.dimensions, &Dimensions::ALL).unwrap_or(defaults.dimensions),
             pages: usize::try_from(or(&written.pages, defaults.pages as u64)).unwrap_or(usize::MAX),
             restraint: self.restraint(restraint, defaults.restraint),
             restraint_code: self.restraint_code(&restraint.code, ground),
@@ -338,6 +340,17 @@ mod tests {
         let problems = walls("[assessment]\nwalls = \"none\"\n").unwrap_err().problems;
         assert_eq!(problems[0].line, Some(2));
         assert!(problems[0].to_string().contains("ignore"), "{problems:?}");
+    }
+
+    #[test]
+    fn objects_move_in_a_plane_or_in_three_dimensions() {
+        let dimensions = |text: &str| resolve(text, None, "".as_ref()).map(|study| study.assessment.dimensions);
+        assert_eq!(dimensions("[assessment]\n").unwrap(), Dimensions::Planar);
+        assert_eq!(dimensions("[assessment]\ndimensions = \"planar\"\n").unwrap(), Dimensions::Planar);
+        assert_eq!(dimensions("[assessment]\ndimensions = \"3d\"\n").unwrap(), Dimensions::Three);
+        let problems = dimensions("[assessment]\ndimensions = \"3\"\n").unwrap_err().problems;
+        assert_eq!(problems[0].line, Some(2));
+        assert!(problems[0].to_string().contains("planar"), "{problems:?}");
     }
 
     #[test]

@@ -44,6 +44,8 @@ pub struct Settings {
     pub compliant: bool,
     /// Whether the walls and neighbours of a list count.
     pub walls: WallUse,
+    /// Whether objects with mass, pads and width move in three dimensions.
+    pub dimensions: Dimensions,
     /// Largest number of objects with a page in the report: the most urgent ones.
     pub pages: usize,
     /// How forces for restraints are calculated.
@@ -84,6 +86,28 @@ impl WallUse {
         match self {
             Self::AsListed => "as-listed",
             Self::Ignore => "ignore",
+        }
+    }
+}
+
+/// In how many dimensions objects move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimensions {
+    /// In a plane, about one axis at a time.
+    Planar,
+    /// In three dimensions, where mass, pads and width are known.
+    Three,
+}
+
+impl Dimensions {
+    /// Every value with the name that studies use.
+    pub const ALL: [(&'static str, Self); 2] = [("planar", Self::Planar), ("3d", Self::Three)];
+
+    /// The name in studies and outputs.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Planar => "planar",
+            Self::Three => "3d",
         }
     }
 }
@@ -275,6 +299,7 @@ impl Default for Settings {
             pad_strain_ratio: 0.5,
             compliant: true,
             walls: WallUse::AsListed,
+            dimensions: Dimensions::Planar,
             pages: 200,
             restraint: RestraintSettings::default(),
             restraint_code: None,

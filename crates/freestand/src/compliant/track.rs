@@ -46,34 +46,35 @@ impl Seen<'_, '_> {
         (horizontal + right_m_s2, vertical + up_m_s2)
     }
 
-    /// Raises `best` to the largest value over the step, if that may be larger.
-    fn raise(&self, best: &mut f64, value: impl Fn(f64) -> f64) {
-        let ends = value(0.0).max(value(1.0));
-        if ends < HEADROOM * *best {
-            return;
-        }
-        *best = best.max(ends);
-        let inner: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0].map(&value);
-        let highest = (1..4).max_by(|&a, &b| inner[a].total_cmp(&inner[b])).unwrap_or(2);
-        let (mut place, mut reach) = (0.25 * highest as f64, 0.25);
-        let (mut before, mut middle, mut after) = (inner[highest - 1], inner[highest], inner[highest + 1]);
-        // Two parabolas: the second one is a tenth as wide, so its top is accurate to 1e-4 of the
-        // error of the first one.
-        for _ in 0..2 {
-            let bend = before - 2.0 * middle + after;
-            if bend < 0.0 {
-                place = (place + 0.5 * reach * ((before - after) / bend).clamp(-2.0, 2.0)).clamp(0.0, 1.0);
-            }
-            reach = (0.1 * reach).min(0.5 * place.max(1e-3)).min(0.5 * (1.0 - place).max(1e-3));
-            (before, middle, after) = (value((place - reach).max(0.0)), value(place), value((place + reach).min(1.0)));
-            *best = best.max(middle).max(before).max(after);
-        }
-    }
-
     /// The share of the step at which a value that is positive at its start falls through zero.
     fn falls(&self, value: impl Fn(&State) -> f64) -> Option<f64> {
         let falling = value(&self.step.start) > 0.0 && value(&self.step.end) <= 0.0;
         falling.then(|| bisect(0.0, 1.0, |share| value(&self.step.state(share)) <= 0.0))
+    }
+}
+
+/// Raises `best` to the largest value over a step, if that may be larger; `value` is that at a share
+/// of the step.
+pub(crate) fn raise(best: &mut f64, value: impl Fn(f64) -> f64) {
+    let ends = value(0.0).max(value(1.0));
+    if ends < HEADROOM * *best {
+        return;
+    }
+    *best = best.max(ends);
+    let inner: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0].map(&value);
+    let highest = (1..4).max_by(|&a, &b| inner[a].total_cmp(&inner[b])).unwrap_or(2);
+    let (mut place, mut reach) = (0.25 * highest as f64, 0.25);
+    let (mut before, mut middle, mut after) = (inner[highest - 1], inner[highest], inner[highest + 1]);
+    // Two parabolas: the second one is a tenth as wide, so its top is accurate to 1e-4 of the
+    // error of the first one.
+    for _ in 0..2 {
+        let bend = before - 2.0 * middle + after;
+        if bend < 0.0 {
+            place = (place + 0.5 * reach * ((before - after) / bend).clamp(-2.0, 2.0)).clamp(0.0, 1.0);
+        }
+        reach = (0.1 * reach).min(0.5 * place.max(1e-3)).min(0.5 * (1.0 - place).max(1e-3));
+        (before, middle, after) = (value((place - reach).max(0.0)), value(place), value((place + reach).min(1.0)));
+        *best = best.max(middle).max(before).max(after);
     }
 }
 
@@ -138,21 +139,21 @@ impl Track {
                 seen.body.load(seen.grips[edge.contact], &foot, y[STRETCH + edge.contact]).normal
             };
             let press = |share: f64| seen.body.foot(edge.contact, &seen.at(share).0).compression;
-            seen.raise(&mut result.peak_compression_m, press);
+            raise(&mut result.peak_compression_m, press);
             if let Some(touch) = edge.open.and_then(|open| result.touches.get_mut(open)) {
-                seen.raise(&mut touch.peak_acceleration_m_s2, up);
-                seen.raise(&mut touch.peak_force_n, push);
+                raise(&mut touch.peak_acceleration_m_s2, up);
+                raise(&mut touch.peak_force_n, push);
                 let (a, f) = (touch.peak_acceleration_m_s2, touch.peak_force_n);
                 result.peak_edge_accelerations_m_s2[index] = result.peak_edge_accelerations_m_s2[index].max(a);
                 result.peak_edge_forces_n[index] = result.peak_edge_forces_n[index].max(f);
             } else {
-                seen.raise(&mut result.peak_edge_accelerations_m_s2[index], up);
-                seen.raise(&mut result.peak_edge_forces_n[index], push);
+                raise(&mut result.peak_edge_accelerations_m_s2[index], up);
+                raise(&mut result.peak_edge_forces_n[index], push);
             }
         }
         for (&(right, up), peaks) in self.points.iter().zip(&mut result.points) {
-            seen.raise(&mut peaks.horizontal_m_s2, |share| seen.acceleration(right, up, share).0.abs());
-            seen.raise(&mut peaks.vertical_m_s2, |share| seen.acceleration(right, up, share).1.abs());
+            raise(&mut peaks.horizontal_m_s2, |share| seen.acceleration(right, up, share).0.abs());
+            raise(&mut peaks.vertical_m_s2, |share| seen.acceleration(right, up, share).1.abs());
         }
     }
 

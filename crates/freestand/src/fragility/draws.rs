@@ -36,6 +36,20 @@ pub fn lognormal_draw(random: &mut ChaCha8Rng, median: f64, log_sd: f64) -> f64 
     median * (log_sd * normal).exp()
 }
 
+/// A number between `low` and `high`, uniform.
+///
+/// # Example
+/// ```
+/// use freestand::fragility::{draw_stream, uniform_draw};
+/// let ratio = uniform_draw(&mut draw_stream(1, 7, 3, 0), 0.2, 0.8);
+/// assert!((0.2..=0.8).contains(&ratio));
+/// assert_eq!(uniform_draw(&mut draw_stream(1, 7, 3, 0), 0.3, 0.3), 0.3);
+/// ```
+pub fn uniform_draw(random: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
+    let share: f64 = random.random();
+    low + (high - low) * share
+}
+
 /// A number between `low` and `high` whose logarithm is uniform; both must be positive.
 ///
 /// # Example

@@ -11,7 +11,7 @@ use thiserror::Error;
 
 use crate::block::Block;
 
-pub use draws::{draw_stream, log_uniform_draw, lognormal_draw};
+pub use draws::{draw_stream, log_uniform_draw, lognormal_draw, uniform_draw};
 pub use interval::{clopper_pearson, probability_interval};
 
 /// Φ, the standard normal distribution.

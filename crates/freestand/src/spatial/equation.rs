@@ -410,7 +410,7 @@ impl<'a> World<'a> {
     }
 
     /// The second derivative of the compression of an element.
-    fn pressing(&self, element: &Element, foot: &Foot, poses: &Poses, rates: &State) -> f64 {
+    pub(super) fn pressing(&self, element: &Element, foot: &Foot, poses: &Poses, rates: &State) -> f64 {
         // Acceleration of a body's point at an arm from its centre of gravity.
         let linear = |body: usize| vector(rates, BODY * body + VELOCITY);
         let angular = |body: usize| turned(&poses[body].shift, &vector(rates, BODY * body + SPIN));

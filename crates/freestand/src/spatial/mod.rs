@@ -32,6 +32,7 @@
 //! et al. 2021, DOI 10.1177/8755293020988017, on 226 shaking-table tests).
 
 mod equation;
+mod landings;
 mod solve;
 mod stack;
 mod track;
@@ -54,6 +55,7 @@ use crate::cushion::Cushion;
 use crate::motion::Motion;
 use crate::search::bisect;
 
+pub use landings::BaseLandings;
 pub use stack::{Stack, StackBody, StackPart, StackRocking, rock_stack, rock_stack_observed};
 pub use track::{BodyMotion, Patterns};
 
@@ -295,6 +297,8 @@ pub struct SpatialRocking {
     pub base_contact_count: usize,
     /// Contacts of points of the object with a wall.
     pub wall_contact_count: usize,
+    /// How its base landed.
+    pub landings: BaseLandings,
     /// The energy balance.
     pub energy: EnergyAudit,
     /// Work done.
@@ -434,6 +438,7 @@ pub fn rock_spatial_observed(
         static_compression_m: -rest[PLACE + 2],
         base_contact_count: track.base_contacts,
         wall_contact_count: track.wall_contacts,
+        landings: track.landings.close(end_time_s),
         energy,
         effort,
     })

@@ -172,7 +172,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn accept(&mut self, line: &Line, step: &Step<LEN>, has_event: bool) -> Result<(), CompliantError> {
         self.effort.steps += 1;
         let seen = Seen { world: self.world, grips: &self.grips, step };
-        self.track.read(&seen);
+        self.track.read(&seen, line);
         (self.observe)(&SpatialPiece { seen });
         (self.y, self.rates) = (step.end, step.end_rates);
         self.time_s = step.start_s + step.length_s;
@@ -279,7 +279,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         self.ledger.lose(-element.pad.pressed_j(foot.compression));
         self.grips[index] = Grip::Stick { anchor: foot.on_face };
         self.place_between_kinks(index);
-        self.track.touch(element.role);
+        self.track.touch(index, element.role, self.time_s, foot.compression_rate);
         let Some(friction) = element.friction else { return };
         let normal_n = element.pad.push(foot.compression, foot.compression_rate);
         // The spring is not stretched yet. At the first contact without dashpots both forces are
@@ -297,6 +297,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     /// Ends a contact; the energy in its springs is lost to the bodies.
     fn leave(&mut self, index: usize, foot: &Foot) {
         let element = &self.world.elements[index];
+        self.track.landings.leave(index, self.time_s, foot.compression_rate);
         let sheared_j = self.world.sheared_j(element, self.grips[index], foot, &self.y);
         if self.grips[index] == Grip::Slip {
             self.y[self.world.behind() + SLIP] -= sheared_j;

@@ -3,7 +3,7 @@
 use super::equation::{Element, Rigid, Role, World};
 use super::solve::{Ended, follow};
 use super::track::{BodyMotion, Patterns};
-use super::{Shape, SpatialOptions, SpatialPiece, SpatialStart, Support};
+use super::{BaseLandings, Shape, SpatialOptions, SpatialPiece, SpatialStart, Support};
 use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, positive};
 use crate::rocking::{Base, Outcome};
 
@@ -53,6 +53,8 @@ pub struct StackRocking {
     pub patterns: Patterns,
     /// Time at which the history ended \[s\].
     pub end_time_s: f64,
+    /// How the lower body landed.
+    pub landings: BaseLandings,
     /// The energy balance.
     pub energy: EnergyAudit,
     /// Work done.
@@ -225,6 +227,7 @@ pub fn rock_stack_observed(
         peak_relative_rotation_rad: track.relative,
         overturned_body,
         patterns: track.patterns(end_time_s),
+        landings: track.landings.close(end_time_s),
         end_time_s,
         energy,
         effort,

@@ -79,6 +79,16 @@ fn a_push_along_x_is_the_planar_block() {
         assert!(error.abs() < tolerance, "{friction_ratio:?}: {error}");
         let uplift = got.body.uplift_m / plane.uplift_m - 1.0;
         assert!(uplift.abs() < tolerance, "{friction_ratio:?}: {uplift}");
+        // Peaks of sums of vibrations: those inside a step are found to 1e-4 of its change.
+        let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-4;
+        let landings = got.landings;
+        assert!(close(landings.peak_acceleration_m_s2, plane.peak_edge_acceleration_m_s2()), "{landings:?}");
+        assert!(close(landings.peak_compression_m, plane.peak_compression_m), "{landings:?}");
+        let hardest = plane.touches.iter().map(|touch| touch.peak_acceleration_m_s2).fold(0.0, f64::max);
+        assert!(hardest > 0.0 && landings.velocity_change_m_s > 0.0, "{landings:?}");
+        // As short as a contact of the plane or shorter: it ends where the point falls again.
+        let contacts = plane.touches.iter().filter_map(|touch| Some(touch.end_time_s? - touch.time_s));
+        assert!(landings.pulse_duration_s.unwrap() <= contacts.fold(0.0, f64::max), "{landings:?}");
         let error = rock(&flat, along_x(&x)).body.peak_tilt_rad / plane.peak_rotation_rad - 1.0;
         assert!(error.abs() < tolerance, "{friction_ratio:?}: {error}");
         // With friction the direction π of a sliding spring is rounded to 1e-16 of a half turn.

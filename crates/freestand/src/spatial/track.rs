@@ -3,7 +3,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Fallen;
-use super::equation::{BODY, Grip, LEN, Pose, Role, State, TURN, World};
+use super::equation::{BODY, Grip, LEN, Line, Pose, Role, State, TURN, World};
+use super::landings::Landings;
 use crate::compliant::step::Step;
 use crate::rocking::Outcome;
 use crate::search::bisect;
@@ -133,6 +134,7 @@ pub(super) struct Track {
     times: Patterns,
     pub(super) base_contacts: usize,
     pub(super) wall_contacts: usize,
+    pub(super) landings: Landings,
 }
 
 /// The pose of one body.
@@ -152,11 +154,18 @@ impl Track {
         for (body, peaks) in peaks.iter_mut().enumerate() {
             peaks.tilts = tilts(&pose(world, start, body).axis().0);
         }
-        Self { peaks, relative: 0.0, times: Patterns::default(), base_contacts: 0, wall_contacts: 0 }
+        Self {
+            peaks,
+            relative: 0.0,
+            times: Patterns::default(),
+            base_contacts: 0,
+            wall_contacts: 0,
+            landings: Landings::new(world.elements.len()),
+        }
     }
 
     /// Evaluates a step.
-    pub(super) fn read(&mut self, seen: &Seen<'_, '_>) {
+    pub(super) fn read(&mut self, seen: &Seen<'_, '_>, line: &Line) {
         for body in 0..seen.world.bodies.len() {
             self.tilts(seen, body);
             let reached = self.peaks[body].slide.powi(2);
@@ -165,6 +174,7 @@ impl Track {
             }
         }
         self.uplifts(seen);
+        self.landings.read(seen, line);
         if seen.world.bodies.len() == 2 {
             self.stack(seen);
         }
@@ -262,10 +272,13 @@ impl Track {
         }
     }
 
-    /// A contact begins.
-    pub(super) fn touch(&mut self, role: Role) {
+    /// A contact begins, at this speed.
+    pub(super) fn touch(&mut self, index: usize, role: Role, time_s: f64, speed_m_s: f64) {
         match role {
-            Role::Base => self.base_contacts += 1,
+            Role::Base => {
+                self.base_contacts += 1;
+                self.landings.touch(index, time_s, speed_m_s);
+            }
             Role::Wall => self.wall_contacts += 1,
             Role::Interface => {}
         }

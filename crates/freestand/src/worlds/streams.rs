@@ -30,11 +30,13 @@ pub enum Group {
     Model,
     /// The side of its wall, and the restitution there.
     Wall,
+    /// The friction under it.
+    Friction,
 }
 
 impl Group {
     /// All groups.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Motion,
         Self::Building,
         Self::Orientation,
@@ -43,6 +45,7 @@ impl Group {
         Self::Body,
         Self::Model,
         Self::Wall,
+        Self::Friction,
     ];
 
     /// The name in outputs.
@@ -56,6 +59,7 @@ impl Group {
             Self::Body => "body",
             Self::Model => "model",
             Self::Wall => "wall",
+            Self::Friction => "friction",
         }
     }
 
@@ -70,6 +74,7 @@ impl Group {
             Self::Body => 6,
             Self::Model => 7,
             Self::Wall => 8,
+            Self::Friction => 9,
         }
     }
 }

@@ -69,6 +69,8 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
     let by = match (found.model, found.tier) {
         (Some(ObjectModel::Roll), _) => "the model on casters",
         (Some(ObjectModel::Slide), _) => "the model of sliding",
+        (Some(ObjectModel::Spatial), _) => "the model in three dimensions, on its pads",
+        (Some(ObjectModel::Stack), _) => "the model of a stack, on its pads",
         (Some(ObjectModel::RockWall), 0) => "the model on a rigid base: it does not rock",
         (_, by) => tier(by),
     };
@@ -88,6 +90,23 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
         ("Model", model_words(found)),
         ("Calculated with", decided),
     ];
+    if let Some(space) = &found.in_space {
+        let degrees = |tilt: Ranked| match tilt {
+            Ranked::Value(tilt_rad) => format!("{}°", number(tilt_rad.to_degrees(), 2)),
+            Ranked::Overturned | Ranked::NoData => ranked(tilt, "rad"),
+        };
+        let milli = |walk: Ranked| ranked_milli(walk, "mm");
+        let both = |median: String, p84: String| format!("median {median}, 84 % {p84}");
+        rows.push(("Tilt", both(degrees(space.tilt_rad_median), degrees(space.tilt_rad_p84))));
+        rows.push(("Walk of its base", both(milli(space.walk_m_median), milli(space.walk_m_p84))));
+    }
+    if let Some(stacked) = &found.stacked {
+        let falls =
+            format!("{} of {} worlds; the object itself: {}", stacked.upper_falls, stacked.worlds, stacked.lower_falls);
+        rows.push(("What stands on it falls first", falls));
+        rows.push(("It rocks alone from", format!("{} g", number(stacked.threshold_upper_g, 3))));
+        rows.push(("Both rock together from", format!("{} g", number(stacked.threshold_together_g, 3))));
+    }
     match (&found.capacity, &item.tolerance) {
         (Some(capacity), _) => {
             let recalled =
@@ -113,6 +132,8 @@ fn model_words(found: &Assessment) -> String {
             "its friction is at most half its base over the height of its centre of gravity, so it slides and does not rock"
         }
         Some(ObjectModel::Compliant) => "it stands freely, and mass and pads are given",
+        Some(ObjectModel::Spatial) => "the study asks for three dimensions, and mass, pads and width are given",
+        Some(ObjectModel::Stack) => "another object stands on it",
     };
     format!("{}: {why}", found.model.map_or("", ObjectModel::name))
 }
@@ -176,7 +197,11 @@ fn response(found: &Assessment) -> String {
         rows.push(row);
     }
     if let (Some(model), Some(pads)) = (&answers.compliant, &found.on_pads) {
-        let mut row = vec![text("on its pads")];
+        let mut row = vec![text(match found.model {
+            Some(ObjectModel::Spatial) => "in three dimensions, on its pads",
+            Some(ObjectModel::Stack) => "with what stands on it, on pads",
+            _ => "on its pads",
+        })];
         row.extend(chance(model));
         row.push(figure(percent(pads.let_go_share, 0)));
         row.push(figure(said(pads.lift_m_median, |lift| ranked_milli(lift, "mm"))));

@@ -5,7 +5,8 @@ use freestand::rocking::Restitution;
 
 use crate::inventory::{Item, Rating};
 use crate::result::{
-    Answers, Assessment, Cause, ModelAnswers, ObjectModel, Probability, RestraintForce, design_force, reported_force,
+    Answers, Assessment, Cause, InSpace, ModelAnswers, ObjectModel, Probability, Ranked, RestraintForce, Rolled,
+    Stacked, design_force, reported_force,
 };
 use freestand_study::cushion::cushion_words;
 
@@ -126,7 +127,7 @@ pub(crate) const COLUMNS: &[Column] = &[
     number("p_exceed_per_year", "1", "probability per year that a criterion is exceeded or that it falls", |l| {
         of(l, |found| found.per_year.as_ref()?.exceed)
     }),
-    text("model", "its model: rock, rock-wall, compliant, roll, slide", |l| {
+    text("model", "its model: rock, rock-wall, compliant, roll, slide, compliant-3d, stack", |l| {
         of_text(l, |found| found.model.map(ObjectModel::name))
     }),
     share("p_lean", "share of the worlds at whose end it leans on its wall; they count as falls", |l| {
@@ -146,14 +147,33 @@ pub(crate) const COLUMNS: &[Column] = &[
     share("p_overturn_wall_50mm", "the same at a gap of 50 mm", |l| {
         of(l, |found| Some(found.before_wall?.at_50_mm.value))
     }),
-    number(
+    ranked("tilt_rad_median", "rad", "largest tilt in three dimensions, median world", |l| {
+        space(l, |space| space.tilt_rad_median)
+    }),
+    ranked("tilt_rad_p84", "rad", "the same that 84 % of the worlds do not exceed", |l| {
+        space(l, |space| space.tilt_rad_p84)
+    }),
+    ranked(
         "slide_m_median",
         "m",
-        "travel on its casters or sliding, to one side as if nothing were in the way, median world",
-        |l| of(l, |found| Some(found.rolled?.travel_m_median)),
+        "travel on its casters or sliding, to one side as if nothing were in the way, or walk of its base in three \
+         dimensions, median world",
+        |l| slide(l, |rolled| rolled.travel_m_median, |space| space.walk_m_median),
     ),
-    number("slide_m_p84", "m", "the same that 84 % of the worlds do not exceed", |l| {
-        of(l, |found| Some(found.rolled?.travel_m_p84))
+    ranked("slide_m_p84", "m", "the same that 84 % of the worlds do not exceed", |l| {
+        slide(l, |rolled| rolled.travel_m_p84, |space| space.walk_m_p84)
+    }),
+    count("falls_lower", "worlds in which an object with another one on it falls first", |l| {
+        stacked(l, |stacked| stacked.lower_falls)
+    }),
+    count("falls_upper", "worlds in which what stands on it falls first", |l| {
+        stacked(l, |stacked| stacked.upper_falls)
+    }),
+    number("threshold_upper_g", "g", "steady floor acceleration at which what stands on it rocks alone", |l| {
+        of(l, |found| Some(found.stacked?.threshold_upper_g))
+    }),
+    number("threshold_together_g", "g", "the same at which both rock as one body", |l| {
+        of(l, |found| Some(found.stacked?.threshold_together_g))
     }),
     number(
         "trip_margin",
@@ -488,6 +508,19 @@ fn chance<'a>(
 fn lift<'a>(line: &Line<'a>, quantile: usize) -> Cell<'a> {
     let response = line.assessment().and_then(|found| found.response.as_ref());
     Cell::ranked(response.and_then(|response| response.uplift_m.get(quantile)).copied())
+}
+
+fn space<'a>(line: &Line<'a>, of: fn(&InSpace) -> Ranked) -> Cell<'a> {
+    Cell::ranked(line.assessment().and_then(|found| found.in_space.as_ref().map(of)))
+}
+
+fn slide<'a>(line: &Line<'a>, rolls: fn(&Rolled) -> f64, walks: fn(&InSpace) -> Ranked) -> Cell<'a> {
+    let rolled = line.assessment().and_then(|found| found.rolled.as_ref().map(rolls));
+    rolled.map_or_else(|| space(line, walks), |travel_m| Cell::number(Some(travel_m)))
+}
+
+fn stacked<'a>(line: &Line<'a>, of: fn(&Stacked) -> u32) -> Cell<'a> {
+    Cell::count(line.assessment().and_then(|found| found.stacked.as_ref().map(of)).map(|count| count as usize))
 }
 
 fn shock<'a>(line: &Line<'a>, quantile: usize) -> Cell<'a> {

@@ -1,0 +1,110 @@
+//! What the points of a base do where they press on the floor.
+
+use super::equation::{Line, Poses, Role, State};
+use super::track::Seen;
+use crate::compliant::raise;
+
+/// The landings of the base of an object, or of the lower body of a stack.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BaseLandings {
+    /// Largest upward acceleration of a point of the base during contact, in the inertial frame
+    /// \[m/s²\].
+    pub peak_acceleration_m_s2: f64,
+    /// Largest compression of a cushion \[m\].
+    pub peak_compression_m: f64,
+    /// Δv: largest sum, over the contacts, of the speed of the point as it touches and its upward speed
+    /// at the end of its pulse \[m/s\].
+    pub velocity_change_m_s: f64,
+    /// Duration of the pulse with the highest peak, from the touch until the point is no longer
+    /// accelerated upward \[s\]; `None`: no point landed.
+    pub pulse_duration_s: Option<f64>,
+}
+
+/// The pulse of a point in progress.
+#[derive(Debug, Clone, Copy)]
+struct Pulse {
+    start_s: f64,
+    speed_m_s: f64,
+    peak_m_s2: f64,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Landings {
+    /// Of each element.
+    pulses: Vec<Option<Pulse>>,
+    hardest_m_s2: f64,
+    found: BaseLandings,
+}
+
+impl Landings {
+    pub(super) fn new(elements: usize) -> Self {
+        Self { pulses: vec![None; elements], hardest_m_s2: 0.0, found: BaseLandings::default() }
+    }
+
+    /// Evaluates a step.
+    pub(super) fn read(&mut self, seen: &Seen<'_, '_>, line: &Line) {
+        let (world, step) = (seen.world, seen.step);
+        let ends = [world.poses(&step.start), world.poses(&step.end)];
+        for index in 0..world.elements.len() {
+            let element = &world.elements[index];
+            if element.role != Role::Base || !seen.grips[index].carries() {
+                continue;
+            }
+            let [from, to] = ends.map(|poses| world.compression(element, &poses));
+            if from.max(to) > self.found.peak_compression_m {
+                let press = |share: f64| world.compression(element, &world.poses(&seen.state(share)));
+                raise(&mut self.found.peak_compression_m, press);
+            }
+            let up_of = |time_s: f64, poses: &Poses, rates: &State| {
+                line.at(time_s)[2] - world.pressing(element, &world.foot(element, poses), poses, rates)
+            };
+            let end_s = step.start_s + step.length_s;
+            let before = up_of(step.start_s, &ends[0], &step.start_rates);
+            let now = up_of(end_s, &ends[1], &step.end_rates);
+            let up = |share: f64| match share {
+                0.0 => before,
+                1.0 => now,
+                _ => {
+                    let (y, time_s) = (seen.state(share), step.start_s + share * step.length_s);
+                    up_of(time_s, &world.poses(&y), &world.rates(seen.grips, line, time_s, &y))
+                }
+            };
+            let known_m_s2 = self.found.peak_acceleration_m_s2;
+            raise(&mut self.found.peak_acceleration_m_s2, up);
+            let Some(pulse) = &mut self.pulses[index] else { continue };
+            // Of a pulse that is not the hardest so far the ends of steps will do.
+            let top_m_s2 = self.found.peak_acceleration_m_s2;
+            let inner_m_s2 = if top_m_s2 > known_m_s2 { top_m_s2 } else { 0.0 };
+            pulse.peak_m_s2 = pulse.peak_m_s2.max(before).max(now).max(inner_m_s2);
+            if before > 0.0 && now <= 0.0 {
+                let share = before / (before - now);
+                let rate_m_s = world.foot(element, &world.poses(&seen.state(share))).compression_rate;
+                self.leave(index, step.start_s + share * step.length_s, rate_m_s);
+            }
+        }
+    }
+
+    /// A point of the base touches the floor at this speed.
+    pub(super) fn touch(&mut self, index: usize, start_s: f64, speed_m_s: f64) {
+        self.pulses[index] = Some(Pulse { start_s, speed_m_s, peak_m_s2: 0.0 });
+    }
+
+    /// The pulse of an element, if there is one, ends with its cushion pressed at this rate.
+    pub(super) fn leave(&mut self, index: usize, time_s: f64, rate_m_s: f64) {
+        let Some(pulse) = self.pulses[index].take() else { return };
+        let change = pulse.speed_m_s + (-rate_m_s).max(0.0);
+        self.found.velocity_change_m_s = self.found.velocity_change_m_s.max(change);
+        if pulse.peak_m_s2 > self.hardest_m_s2 {
+            self.hardest_m_s2 = pulse.peak_m_s2;
+            self.found.pulse_duration_s = Some(time_s - pulse.start_s);
+        }
+    }
+
+    /// What was found until the end of the history.
+    pub(super) fn close(mut self, end_s: f64) -> BaseLandings {
+        for index in 0..self.pulses.len() {
+            self.leave(index, end_s, 0.0);
+        }
+        self.found
+    }
+}
