@@ -40,6 +40,8 @@ pub(crate) struct Step<const N: usize> {
     pub(crate) end_rates: [f64; N],
     /// Error estimate relative to the scales of the state; above 1 the step was too long.
     pub(crate) error_ratio: f64,
+    /// Number of entries of the state in use.
+    len: usize,
     last: [f64; N],
 }
 
@@ -64,23 +66,23 @@ impl<const N: usize> Step<N> {
         length_s: f64,
         Scales { len, sizes, tolerance }: Scales<N>,
     ) -> Self {
-        let mut slopes = [*start_rates; 7];
+        let mut slopes = [[0.0; N]; 7];
+        slopes[0] = *start_rates;
         let mut y = *start;
         for (stage, row) in STAGES.iter().enumerate() {
-            for (i, value) in y[..len].iter_mut().enumerate() {
-                let mean: f64 = row[..=stage].iter().zip(&slopes).map(|(weight, slope)| weight * slope[i]).sum();
-                *value = start[i] + length_s * mean;
+            let mean = weighted(&row[..=stage], &slopes, len);
+            for ((value, start), mean) in y.iter_mut().zip(start).zip(&mean).take(len) {
+                *value = start + length_s * mean;
             }
             slopes[stage + 1] = rates(start_s + NODES[stage] * length_s, &y);
         }
-        let weighted =
-            |weights: &[f64; 7], i: usize| weights.iter().zip(&slopes).map(|(w, slope)| w * slope[i]).sum::<f64>();
+        let (dense, error) = (weighted(&DENSE, &slopes, len), weighted(&ERROR, &slopes, len));
         let mut last = [0.0; N];
         let mut sum = 0.0;
         for i in 0..len {
-            last[i] = length_s * weighted(&DENSE, i);
+            last[i] = length_s * dense[i];
             let scale = sizes[i] + RELATIVE * start[i].abs().max(y[i].abs());
-            sum += (length_s * weighted(&ERROR, i) / (tolerance * scale)).powi(2);
+            sum += (length_s * error[i] / (tolerance * scale)).powi(2);
         }
         Self {
             start_s,
@@ -90,6 +92,7 @@ impl<const N: usize> Step<N> {
             start_rates: *start_rates,
             end_rates: slopes[6],
             error_ratio: (sum / len as f64).sqrt(),
+            len,
             last,
         }
     }
@@ -98,7 +101,7 @@ impl<const N: usize> Step<N> {
     pub(crate) fn state(&self, share: f64) -> [f64; N] {
         let rest = 1.0 - share;
         let mut y = self.start;
-        for (i, value) in y.iter_mut().enumerate() {
+        for (i, value) in y[..self.len].iter_mut().enumerate() {
             let change = self.end[i] - self.start[i];
             let bend = self.length_s * self.start_rates[i] - change;
             let twist = change - self.length_s * self.end_rates[i] - bend;
@@ -106,4 +109,15 @@ impl<const N: usize> Step<N> {
         }
         y
     }
+}
+
+/// Σ wⱼ sⱼ of the first `len` entries; by slopes rather than by entries, so that it runs in vectors.
+fn weighted<const N: usize>(weights: &[f64], slopes: &[[f64; N]; 7], len: usize) -> [f64; N] {
+    let mut sums = [0.0; N];
+    for (weight, slope) in weights.iter().zip(slopes) {
+        for (sum, slope) in sums.iter_mut().zip(slope).take(len) {
+            *sum += weight * slope;
+        }
+    }
+    sums
 }
