@@ -57,10 +57,10 @@ pub(crate) struct Scales<'a, const N: usize> {
 }
 
 impl<const N: usize> Step<N> {
-    /// A step over `length_s` from a state and its rates; `rates` gives the rates at a time and a
-    /// state.
+    /// A step over `length_s` from a state and its rates; `rates` writes the rates at a time and a
+    /// state into its last argument.
     pub(crate) fn take(
-        rates: impl Fn(f64, &[f64; N]) -> [f64; N],
+        rates: impl Fn(f64, &[f64; N], &mut [f64; N]),
         start_s: f64,
         (start, start_rates): (&[f64; N], &[f64; N]),
         length_s: f64,
@@ -70,11 +70,18 @@ impl<const N: usize> Step<N> {
         slopes[0] = *start_rates;
         let mut y = *start;
         for (stage, row) in STAGES.iter().enumerate() {
-            let mean = weighted(&row[..=stage], &slopes, len);
+            let mean = match stage {
+                0 => weighted(&[row[0]], &slopes, len),
+                1 => weighted(&[row[0], row[1]], &slopes, len),
+                2 => weighted(&[row[0], row[1], row[2]], &slopes, len),
+                3 => weighted(&[row[0], row[1], row[2], row[3]], &slopes, len),
+                4 => weighted(&[row[0], row[1], row[2], row[3], row[4]], &slopes, len),
+                _ => weighted(row, &slopes, len),
+            };
             for ((value, start), mean) in y.iter_mut().zip(start).zip(&mean).take(len) {
                 *value = start + length_s * mean;
             }
-            slopes[stage + 1] = rates(start_s + NODES[stage] * length_s, &y);
+            rates(start_s + NODES[stage] * length_s, &y, &mut slopes[stage + 1]);
         }
         let (dense, error) = (weighted(&DENSE, &slopes, len), weighted(&ERROR, &slopes, len));
         let mut last = [0.0; N];
@@ -111,13 +118,23 @@ impl<const N: usize> Step<N> {
     }
 }
 
-/// Σ wⱼ sⱼ of the first `len` entries; by slopes rather than by entries, so that it runs in vectors.
-fn weighted<const N: usize>(weights: &[f64], slopes: &[[f64; N]; 7], len: usize) -> [f64; N] {
+/// Entries that are summed at once.
+const BLOCK: usize = 8;
+
+/// Σ wⱼ sⱼ of the first `len` entries, by blocks of entries that stay in vectors.
+#[inline(always)]
+fn weighted<const N: usize, const M: usize>(weights: &[f64; M], slopes: &[[f64; N]; 7], len: usize) -> [f64; N] {
     let mut sums = [0.0; N];
-    for (weight, slope) in weights.iter().zip(slopes) {
-        for (sum, slope) in sums.iter_mut().zip(slope).take(len) {
-            *sum += weight * slope;
+    let blocks = slopes.each_ref().map(|slope| slope.as_chunks::<BLOCK>().0);
+    for (at, sums) in sums.as_chunks_mut::<BLOCK>().0.iter_mut().enumerate().take(len.div_ceil(BLOCK)) {
+        for (weight, blocks) in weights.iter().zip(&blocks) {
+            for (sum, slope) in sums.iter_mut().zip(&blocks[at]) {
+                *sum += weight * slope;
+            }
         }
+    }
+    for i in N / BLOCK * BLOCK..len {
+        sums[i] = weights.iter().zip(slopes).map(|(weight, slope)| weight * slope[i]).sum();
     }
     sums
 }

@@ -373,6 +373,13 @@ impl<'a> World<'a> {
     /// The time derivative of the state.
     pub(super) fn rates(&self, grips: &Grips, line: &Line, time_s: f64, y: &State) -> State {
         let mut rates = [0.0; LEN];
+        self.enter_rates(grips, line, (time_s, y), &mut rates);
+        rates
+    }
+
+    /// [`World::rates`] into a state of which only what is in use may differ from zero.
+    pub(super) fn enter_rates(&self, grips: &Grips, line: &Line, (time_s, y): (f64, &State), rates: &mut State) {
+        rates[self.behind()..self.len()].fill(0.0);
         let poses = self.poses(y);
         let (mut forces, mut torques) = ([[0.0; 3]; MAX_BODIES], [[0.0; 3]; MAX_BODIES]);
         let behind = self.behind();
@@ -424,7 +431,6 @@ impl<'a> World<'a> {
             rates[at + TURN..at + TURN + 4].copy_from_slice(&turning(&pose.turn, &spin));
             rates[behind + WORK] -= body.mass * dot(&[x, back_, up], &pose.velocity);
         }
-        rates
     }
 
     /// The force on the body with the point, in floor axes.
