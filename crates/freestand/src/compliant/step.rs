@@ -70,6 +70,7 @@ impl<const N: usize> Step<N> {
         slopes[0] = *start_rates;
         let mut y = *start;
         for (stage, row) in STAGES.iter().enumerate() {
+            // A number of weights that the compiler knows, so that it unrolls the sums.
             let mean = match stage {
                 0 => weighted(&[row[0]], &slopes, len),
                 1 => weighted(&[row[0], row[1]], &slopes, len),

@@ -49,10 +49,10 @@ impl Stuck {
         self.xx += x * x;
         self.xy += x * y;
         self.yy += y * y;
-        for axis in 0..2 {
-            self.anchor[axis] += anchor[axis];
-            self.x_anchor[axis] += x * anchor[axis];
-            self.y_anchor[axis] += y * anchor[axis];
+        for (axis, anchor) in anchor.into_iter().enumerate() {
+            self.anchor[axis] += anchor;
+            self.x_anchor[axis] += x * anchor;
+            self.y_anchor[axis] += y * anchor;
         }
     }
 }

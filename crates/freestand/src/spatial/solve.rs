@@ -1,6 +1,8 @@
 //! The solver: it follows the bodies from step to step and from event to event.
 
-use super::equation::{BODY, Foot, Grip, Grips, LEN, Line, PLACE, Poses, Role, SLIP, SPIN, State, TURN, VELOCITY, World};
+use super::equation::{
+    BODY, Foot, Grip, Grips, LEN, Line, PLACE, Poses, Role, SLIP, SPIN, State, TURN, VELOCITY, World,
+};
 use super::track::{BodyMotion, Seen, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;

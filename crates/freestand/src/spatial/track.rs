@@ -138,7 +138,6 @@ pub(super) struct Track {
     pub(super) wall_contacts: usize,
 }
 
-
 /// The centre of the base: its horizontal displacement squared, and the rate of that.
 fn slide(world: &World<'_>, pose: &Pose, body: usize) -> (f64, f64) {
     let ([x, y, _], [rate_x, rate_y, _]) = pose.point(&[0.0, 0.0, -world.bodies[body].cg_height]);
