@@ -8,6 +8,8 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Base, Effort, RockingOptions, rock, rock_many, rock_many_on};
+use freestand::wall::{Wall, Walls};
+use freestand_benches::time_of;
 use pulp::Arch;
 
 /// 4000 samples every 5 ms, peak 0.45 g: `validation/rocking/records/bench4000.csv`.
@@ -86,5 +88,36 @@ fn rocking(criterion: &mut Criterion) {
     compare(criterion, "4-20 m by 0.4-0.8 m, x 0.5", &record(0.5), &grid([4.0, 20.0], [0.4, 0.8]));
 }
 
-criterion_group!(benches, resting, rocking);
+/// What walls cost: they stop blocks from overturning, and blocks that fall back from them land more
+/// often. Processor time.
+fn between_walls(criterion: &mut Criterion) {
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().unwrap();
+    for (grid_name, record, blocks) in [
+        ("0.3-4 m by 0.1-1 m, as recorded", record(1.0), grid([0.3, 4.0], [0.1, 1.0])),
+        ("4-20 m by 0.4-0.8 m, x 0.5", record(0.5), grid([4.0, 20.0], [0.4, 0.8])),
+    ] {
+        let base = Base { horizontal: Some(&record), vertical: None };
+        let mut group = criterion.benchmark_group(format!("walls, {grid_name} (elements: nominal block-steps)"));
+        let block_steps = (blocks.len() * (record.accel_m_s2().len() - 1)) as u64;
+        group.throughput(Throughput::Elements(block_steps)).sample_size(10);
+        let at = |gap_mm: f64| Some(Wall::at(1e-3 * gap_mm));
+        let mut cases = vec![("no wall".to_owned(), Walls::NONE)];
+        for gap_mm in [50.0, 10.0, 1.0] {
+            cases.push((format!("{gap_mm} mm behind"), Walls { left: at(gap_mm), right: None }));
+            cases.push((format!("{gap_mm} mm on both sides"), Walls { left: at(gap_mm), right: at(gap_mm) }));
+        }
+        for (name, walls) in cases {
+            let options = RockingOptions { walls, ..RockingOptions::default() };
+            let run = || one.install(|| rock_many(&blocks, base, &options));
+            let (floor, wall) = run().iter().flatten().fold((0, 0), |(floor, wall), summary| {
+                (floor + summary.impact_count, wall + summary.wall_impact_count)
+            });
+            println!("{name}: {floor} impacts on the floor, {wall} on walls");
+            group.bench_function(name, |b| b.iter_custom(|rounds| time_of(rounds, run)));
+        }
+        group.finish();
+    }
+}
+
+criterion_group!(benches, resting, rocking, between_walls);
 criterion_main!(benches);

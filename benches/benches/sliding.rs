@@ -1,5 +1,5 @@
-//! Blocks that slide: block-steps per second on one thread, under 1024 coefficients of friction, so
-//! that blocks stick most of the time or slide most of it.
+//! Blocks that slide: block-steps per second of processor time on one thread, under 1024 coefficients
+//! of friction, so that blocks stick most of the time or slide most of it.
 
 #![expect(clippy::unwrap_used, reason = "a benchmark may stop")]
 
@@ -7,6 +7,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use freestand::motion::Motion;
 use freestand::rocking::Base;
 use freestand::sliding::{Clearance, Friction, SlidingOptions, slide_many};
+use freestand_benches::time_of;
 
 /// 4000 samples every 5 ms, peak 0.45 g: `validation/rocking/records/bench4000.csv`.
 fn record() -> Motion {
@@ -26,7 +27,7 @@ fn blocks(from: f64, to: f64) -> Vec<SlidingOptions> {
 fn sliding(criterion: &mut Criterion) {
     let record = record();
     let vertical = record.scaled(0.6).unwrap();
-    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().unwrap();
     let mut group = criterion.benchmark_group("sliding (elements: nominal block-steps)");
     group.throughput(Throughput::Elements(1024 * (record.accel_m_s2().len() as u64 - 1))).sample_size(10);
     for (name, from, to) in [("friction 0.1 to 0.4", 0.1, 0.4), ("casters, 0.005 to 0.05", 0.005, 0.05)] {
@@ -34,7 +35,8 @@ fn sliding(criterion: &mut Criterion) {
             let base = Base { horizontal: Some(&record), vertical };
             let blocks = blocks(from, to);
             let name = format!("{name}, {}", if vertical.is_some() { "vertical" } else { "horizontal only" });
-            group.bench_function(name, |b| b.iter(|| one.install(|| slide_many(base, &blocks))));
+            let run = || one.install(|| slide_many(base, &blocks));
+            group.bench_function(name, |b| b.iter_custom(|rounds| time_of(rounds, run)));
         }
     }
     group.finish();

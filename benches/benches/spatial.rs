@@ -1,5 +1,5 @@
 //! A prism and a cylinder in three dimensions under two components of 24 s, and a stack: one history
-//! each, on one thread.
+//! each, on one thread; processor time.
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark may stop and prints its effort")]
 
@@ -11,6 +11,7 @@ use freestand::rocking::Base;
 use freestand::spatial::{
     Shape, SpatialMotion, SpatialObject, SpatialOptions, Stack, StackBody, Support, rock_spatial, rock_stack,
 };
+use freestand_benches::time_of;
 
 /// 24 s every 5 ms of the record of the other benchmarks, from sample `from` on.
 fn record(from: usize) -> Motion {
@@ -53,7 +54,7 @@ fn histories(criterion: &mut Criterion) {
                         done.effort.evaluations,
                         done.energy.residual_ratio
                     );
-                    group.bench_function(name, |b| b.iter(run));
+                    group.bench_function(name, |b| b.iter_custom(|rounds| time_of(rounds, run)));
                 }
             }
         }
@@ -64,8 +65,8 @@ fn histories(criterion: &mut Criterion) {
             interface: support(&ContactLaw::KelvinVoigt { stiffness_n_m: 8e5, damping_n_s_m: 560.0 }, None),
         };
         let base = Base { horizontal: Some(&x), vertical: None };
-        group
-            .bench_function(format!("stack, {accuracy:?}"), |b| b.iter(|| rock_stack(&stack, base, &options).unwrap()));
+        let run = || rock_stack(&stack, base, &options).unwrap();
+        group.bench_function(format!("stack, {accuracy:?}"), |b| b.iter_custom(|rounds| time_of(rounds, run)));
     }
     group.finish();
 }

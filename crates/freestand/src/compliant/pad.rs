@@ -13,13 +13,18 @@ impl Pad<'_> {
     /// The law of an element, continued into tension, so that the step that finds the end of a
     /// contact sees no kink.
     pub(crate) fn push(&self, d: f64, rate: f64) -> f64 {
+        self.push_and_elastic(d, rate)[0]
+    }
+
+    /// [`Pad::push`] and its elastic part.
+    pub(crate) fn push_and_elastic(&self, d: f64, rate: f64) -> [f64; 2] {
         let elastic = if d < 0.0 { -self.cushion.force_n(-d, 0.0) } else { self.cushion.force_n(d, 0.0) };
         let force = match self.cushion.law() {
             ContactLaw::KelvinVoigt { damping_n_s_m, .. } => elastic + damping_n_s_m * rate,
             ContactLaw::HuntCrossley { dissipation_s_m, .. } => elastic * (1.0 + dissipation_s_m * rate),
             _ => elastic,
         };
-        self.share * force
+        [self.share * force, self.share * elastic]
     }
 
     /// Whether a damped law has no force without compression, so that a contact can end there as
@@ -31,6 +36,17 @@ impl Pad<'_> {
     /// Whether the force depends on the rate of compression.
     pub(crate) fn is_damped(&self) -> bool {
         self.cushion.law().is_damped()
+    }
+
+    /// k and c where the force is k d + c ḋ.
+    pub(crate) fn linear(&self) -> Option<[f64; 2]> {
+        match *self.cushion.law() {
+            ContactLaw::Linear { stiffness_n_m } => Some([self.share * stiffness_n_m, 0.0]),
+            ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+                Some([self.share * stiffness_n_m, self.share * damping_n_s_m])
+            }
+            _ => None,
+        }
     }
 
     /// The elastic part of [`Pad::push`].

@@ -287,7 +287,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
     /// The step of this length from the present state.
     fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
         let scales = Scales { len: self.body.len(), sizes: &self.sizes, tolerance: self.tolerance };
-        let rates = |time_s: f64, y: &State| self.body.rates(&self.grips, line, time_s, y);
+        let rates = |time_s: f64, y: &State, rates: &mut State| *rates = self.body.rates(&self.grips, line, time_s, y);
         Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 

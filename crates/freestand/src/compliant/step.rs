@@ -40,6 +40,8 @@ pub(crate) struct Step<const N: usize> {
     pub(crate) end_rates: [f64; N],
     /// Error estimate relative to the scales of the state; above 1 the step was too long.
     pub(crate) error_ratio: f64,
+    /// Number of entries of the state in use.
+    len: usize,
     last: [f64; N],
 }
 
@@ -55,32 +57,40 @@ pub(crate) struct Scales<'a, const N: usize> {
 }
 
 impl<const N: usize> Step<N> {
-    /// A step over `length_s` from a state and its rates; `rates` gives the rates at a time and a
-    /// state.
+    /// A step over `length_s` from a state and its rates; `rates` writes the rates at a time and a
+    /// state into its last argument.
     pub(crate) fn take(
-        rates: impl Fn(f64, &[f64; N]) -> [f64; N],
+        rates: impl Fn(f64, &[f64; N], &mut [f64; N]),
         start_s: f64,
         (start, start_rates): (&[f64; N], &[f64; N]),
         length_s: f64,
         Scales { len, sizes, tolerance }: Scales<N>,
     ) -> Self {
-        let mut slopes = [*start_rates; 7];
+        let mut slopes = [[0.0; N]; 7];
+        slopes[0] = *start_rates;
         let mut y = *start;
         for (stage, row) in STAGES.iter().enumerate() {
-            for (i, value) in y[..len].iter_mut().enumerate() {
-                let mean: f64 = row[..=stage].iter().zip(&slopes).map(|(weight, slope)| weight * slope[i]).sum();
-                *value = start[i] + length_s * mean;
+            // A number of weights that the compiler knows, so that it unrolls the sums.
+            let mean = match stage {
+                0 => weighted(&[row[0]], &slopes, len),
+                1 => weighted(&[row[0], row[1]], &slopes, len),
+                2 => weighted(&[row[0], row[1], row[2]], &slopes, len),
+                3 => weighted(&[row[0], row[1], row[2], row[3]], &slopes, len),
+                4 => weighted(&[row[0], row[1], row[2], row[3], row[4]], &slopes, len),
+                _ => weighted(row, &slopes, len),
+            };
+            for ((value, start), mean) in y.iter_mut().zip(start).zip(&mean).take(len) {
+                *value = start + length_s * mean;
             }
-            slopes[stage + 1] = rates(start_s + NODES[stage] * length_s, &y);
+            rates(start_s + NODES[stage] * length_s, &y, &mut slopes[stage + 1]);
         }
-        let weighted =
-            |weights: &[f64; 7], i: usize| weights.iter().zip(&slopes).map(|(w, slope)| w * slope[i]).sum::<f64>();
+        let (dense, error) = (weighted(&DENSE, &slopes, len), weighted(&ERROR, &slopes, len));
         let mut last = [0.0; N];
         let mut sum = 0.0;
         for i in 0..len {
-            last[i] = length_s * weighted(&DENSE, i);
+            last[i] = length_s * dense[i];
             let scale = sizes[i] + RELATIVE * start[i].abs().max(y[i].abs());
-            sum += (length_s * weighted(&ERROR, i) / (tolerance * scale)).powi(2);
+            sum += (length_s * error[i] / (tolerance * scale)).powi(2);
         }
         Self {
             start_s,
@@ -90,6 +100,7 @@ impl<const N: usize> Step<N> {
             start_rates: *start_rates,
             end_rates: slopes[6],
             error_ratio: (sum / len as f64).sqrt(),
+            len,
             last,
         }
     }
@@ -98,7 +109,7 @@ impl<const N: usize> Step<N> {
     pub(crate) fn state(&self, share: f64) -> [f64; N] {
         let rest = 1.0 - share;
         let mut y = self.start;
-        for (i, value) in y.iter_mut().enumerate() {
+        for (i, value) in y[..self.len].iter_mut().enumerate() {
             let change = self.end[i] - self.start[i];
             let bend = self.length_s * self.start_rates[i] - change;
             let twist = change - self.length_s * self.end_rates[i] - bend;
@@ -106,4 +117,25 @@ impl<const N: usize> Step<N> {
         }
         y
     }
+}
+
+/// Entries that are summed at once.
+const BLOCK: usize = 8;
+
+/// Σ wⱼ sⱼ of the first `len` entries, by blocks of entries that stay in vectors.
+#[inline(always)]
+fn weighted<const N: usize, const M: usize>(weights: &[f64; M], slopes: &[[f64; N]; 7], len: usize) -> [f64; N] {
+    let mut sums = [0.0; N];
+    let blocks = slopes.each_ref().map(|slope| slope.as_chunks::<BLOCK>().0);
+    for (at, sums) in sums.as_chunks_mut::<BLOCK>().0.iter_mut().enumerate().take(len.div_ceil(BLOCK)) {
+        for (weight, blocks) in weights.iter().zip(&blocks) {
+            for (sum, slope) in sums.iter_mut().zip(&blocks[at]) {
+                *sum += weight * slope;
+            }
+        }
+    }
+    for i in N / BLOCK * BLOCK..len {
+        sums[i] = weights.iter().zip(slopes).map(|(weight, slope)| weight * slope[i]).sum();
+    }
+    sums
 }

@@ -1,5 +1,6 @@
 //! The equations of motion of rigid bodies in space on contact elements.
 
+use super::feet::{self, Feet, Stuck};
 use super::vector::{
     Shift, Turn, UPRIGHT, Vector, cross, difference, dot, moved, moved_back, shift, sum, turned, turned_back, turning,
 };
@@ -122,7 +123,7 @@ pub(super) struct Pose {
     pub(super) velocity: Vector,
     turn: Turn,
     /// Q − I.
-    shift: Shift,
+    pub(super) shift: Shift,
     /// Angular velocity in floor axes.
     pub(super) omega: Vector,
 }
@@ -156,6 +157,11 @@ impl Pose {
         let axis = [x[2], y[2], 1.0 + z[2]];
         (axis, cross(&self.omega, &axis))
     }
+
+    /// The vertical part of that axis.
+    pub(super) fn upright(&self) -> f64 {
+        1.0 + self.shift[2][2]
+    }
 }
 
 pub(super) fn vector(y: &[f64], at: usize) -> Vector {
@@ -184,7 +190,45 @@ pub(super) struct Foot {
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Load {
     pub(super) normal: f64,
+    /// The part of it that is not lost.
+    elastic: f64,
     pub(super) tangential: [f64; 2],
+    /// Cosine and sine of the direction of a sliding spring.
+    pub(super) direction: [f64; 2],
+}
+
+/// The grips of all elements, sorted by how their forces are calculated.
+#[derive(Debug, Clone)]
+pub(super) struct Grips {
+    each: Vec<Grip>,
+    /// The feet that stick together.
+    stuck: Stuck,
+    /// All other elements that carry.
+    alone: Vec<usize>,
+}
+
+impl Grips {
+    pub(super) fn new(world: &World<'_>, each: Vec<Grip>) -> Self {
+        let mut grips = Self { each, stuck: Stuck::default(), alone: Vec::new() };
+        grips.sort(world);
+        grips
+    }
+
+    pub(super) fn each(&self) -> &[Grip] {
+        &self.each
+    }
+
+    /// Gives an element another grip; [`Grips::sort`] comes after all changes.
+    pub(super) fn set(&mut self, index: usize, grip: Grip) {
+        self.each[index] = grip;
+    }
+
+    pub(super) fn sort(&mut self, world: &World<'_>) {
+        self.alone.clear();
+        self.stuck = world.feet.as_ref().map_or(Stuck::default(), |feet| feet.sort(&self.each, &mut self.alone));
+        let others = self.each.iter().enumerate().skip(world.feet());
+        self.alone.extend(others.filter(|(_, grip)| grip.carries()).map(|(index, _)| index));
+    }
 }
 
 /// The bodies and everything that they touch.
@@ -192,6 +236,8 @@ pub(super) struct Load {
 pub(super) struct World<'a> {
     pub(super) bodies: Vec<Rigid>,
     pub(super) elements: Vec<Element<'a>>,
+    /// The first elements, where they are feet of a single body in space.
+    pub(super) feet: Option<Feet<'a>>,
     pub(super) gravity: f64,
     /// Number of elements that may slip.
     pub(super) slots: usize,
@@ -217,7 +263,12 @@ impl<'a> World<'a> {
         let unit_s = units.fold(f64::INFINITY, f64::min);
         let slots = elements.iter().filter(|element| element.friction.is_some()).map(|element| element.slot + 1);
         let slots = slots.fold(0, usize::max);
-        Self { bodies, elements, gravity, slots, is_planar, unit_s }
+        Self { bodies, elements, feet: None, gravity, slots, is_planar, unit_s }
+    }
+
+    /// Number of feet among the elements.
+    pub(super) fn feet(&self) -> usize {
+        self.feet.as_ref().map_or(0, Feet::len)
     }
 
     /// Number of entries of the state in use.
@@ -303,29 +354,42 @@ impl<'a> World<'a> {
         if !grip.carries() {
             return Load::default();
         }
-        let normal = element.pad.push(foot.compression, foot.compression_rate);
-        let tangential = match grip {
+        let [normal, elastic] = element.pad.push_and_elastic(foot.compression, foot.compression_rate);
+        let (tangential, direction) = match grip {
             Grip::Slip => {
                 let (sin, cos) = y[self.direction(element)].sin_cos();
                 let force = element.friction.unwrap_or(0.0) * normal;
-                [-force * cos, -force * sin]
+                ([-force * cos, -force * sin], [cos, sin])
             }
             Grip::Stick { anchor } => {
                 let k = element.tangential_stiffness;
-                [-k * (foot.on_face[0] - anchor[0]), -k * (foot.on_face[1] - anchor[1])]
+                ([-k * (foot.on_face[0] - anchor[0]), -k * (foot.on_face[1] - anchor[1])], [0.0; 2])
             }
-            Grip::Open { .. } | Grip::Gone => [0.0; 2],
+            Grip::Open { .. } | Grip::Gone => ([0.0; 2], [0.0; 2]),
         };
-        Load { normal, tangential }
+        Load { normal, elastic, tangential, direction }
     }
 
     /// The time derivative of the state.
-    pub(super) fn rates(&self, grips: &[Grip], line: &Line, time_s: f64, y: &State) -> State {
+    pub(super) fn rates(&self, grips: &Grips, line: &Line, time_s: f64, y: &State) -> State {
         let mut rates = [0.0; LEN];
+        self.enter_rates(grips, line, (time_s, y), &mut rates);
+        rates
+    }
+
+    /// [`World::rates`] into a state of which only what is in use may differ from zero.
+    pub(super) fn enter_rates(&self, grips: &Grips, line: &Line, (time_s, y): (f64, &State), rates: &mut State) {
+        rates[self.behind()..self.len()].fill(0.0);
         let poses = self.poses(y);
         let (mut forces, mut torques) = ([[0.0; 3]; MAX_BODIES], [[0.0; 3]; MAX_BODIES]);
         let behind = self.behind();
-        for (element, &grip) in self.elements.iter().zip(grips).filter(|(_, grip)| grip.carries()) {
+        if let Some(feet) = self.feet.as_ref().filter(|_| !grips.stuck.is_empty()) {
+            let push = feet.push(&grips.stuck, &poses[0]);
+            feet::add(&push, &mut forces[0], &mut torques[0]);
+            rates[behind + DASHPOT] += push.dissipated_w;
+        }
+        for &index in &grips.alone {
+            let (element, grip) = (&self.elements[index], grips.each[index]);
             let foot = self.foot(element, &poses);
             let load = self.load(element, grip, &foot, y);
             let force = self.force_on_point(element, &load, &poses);
@@ -338,14 +402,13 @@ impl<'a> World<'a> {
                 torques[body] = difference(&torques[body], &cross(&foot.face_arm, &force));
             }
             if element.pad.is_damped() {
-                rates[behind + DASHPOT] +=
-                    (load.normal - element.pad.elastic(foot.compression)) * foot.compression_rate;
+                rates[behind + DASHPOT] += (load.normal - load.elastic) * foot.compression_rate;
             }
             if grip == Grip::Slip {
                 let [t, s] = [load.tangential, foot.sliding];
                 rates[behind + SLIP] -= t[0] * s[0] + t[1] * s[1];
                 let direction = self.direction(element);
-                rates[direction] = self.veering(element, &foot, &load, y[direction]);
+                rates[direction] = self.veering(element, &foot, &load);
             }
         }
         let [x, back_, up] = line.at(time_s);
@@ -368,7 +431,6 @@ impl<'a> World<'a> {
             rates[at + TURN..at + TURN + 4].copy_from_slice(&turning(&pose.turn, &spin));
             rates[behind + WORK] -= body.mass * dot(&[x, back_, up], &pose.velocity);
         }
-        rates
     }
 
     /// The force on the body with the point, in floor axes.
@@ -385,8 +447,8 @@ impl<'a> World<'a> {
 
     /// Rate at which the stretch of a sliding spring turns: σ̇ = v − λσ̂ turns σ, whose length is
     /// μN/k_t, with the velocity across it.
-    fn veering(&self, element: &Element, foot: &Foot, load: &Load, direction: f64) -> f64 {
-        let (sin, cos) = direction.sin_cos();
+    fn veering(&self, element: &Element, foot: &Foot, load: &Load) -> f64 {
+        let [cos, sin] = load.direction;
         let across = cos * foot.sliding[1] - sin * foot.sliding[0];
         let friction = element.friction.unwrap_or(0.0);
         if across == 0.0 || friction == 0.0 {
@@ -400,11 +462,16 @@ impl<'a> World<'a> {
 
     /// λ: the velocity at which the foot of a sliding spring slides along its stretch. The spring
     /// sticks when it is negative. A damped law needs the rates of the state.
-    pub(super) fn slipping(&self, element: &Element, poses: &Poses, (y, rates): (&State, Option<&State>)) -> f64 {
-        let foot = self.foot(element, poses);
-        let (sin, cos) = y[self.direction(element)].sin_cos();
+    pub(super) fn slipping(
+        &self,
+        element: &Element,
+        poses: &Poses,
+        (foot, load): (&Foot, &Load),
+        rates: Option<&State>,
+    ) -> f64 {
+        let [cos, sin] = load.direction;
         let along = cos * foot.sliding[0] + sin * foot.sliding[1];
-        let pressing = rates.map_or(0.0, |rates| self.pressing(element, &foot, poses, rates));
+        let pressing = rates.map_or(0.0, |rates| self.pressing(element, foot, poses, rates));
         let normal_rate = element.pad.push_rate(foot.compression, foot.compression_rate, pressing);
         along - element.friction.unwrap_or(0.0) * normal_rate / element.tangential_stiffness
     }
@@ -434,7 +501,7 @@ impl<'a> World<'a> {
     }
 
     /// Where the energy is.
-    pub(super) fn energies(&self, grips: &[Grip], y: &State) -> Energies {
+    pub(super) fn energies(&self, grips: &[Grip], y: &State, poses: &Poses) -> Energies {
         let (mut kinetic_j, mut potential_j) = (0.0, 0.0);
         for (body, y) in self.bodies.iter().zip(y.chunks_exact(BODY)) {
             let (velocity, spin) = (vector(y, VELOCITY), vector(y, SPIN));
@@ -442,21 +509,21 @@ impl<'a> World<'a> {
             kinetic_j += 0.5 * (0..3).map(|axis| body.inertia[axis] * spin[axis] * spin[axis]).sum::<f64>();
             potential_j += body.mass * self.gravity * y[PLACE + 2];
         }
-        let poses = self.poses(y);
         let stored = |(element, &grip): (&Element, &Grip)| match grip {
             Grip::Open { .. } | Grip::Gone => 0.0,
             // The energy of a slipping spring is counted with the slip.
-            Grip::Slip => element.pad.pressed_j(self.compression(element, &poses)),
+            Grip::Slip => element.pad.pressed_j(self.compression(element, poses)),
             Grip::Stick { .. } => {
-                let foot = self.foot(element, &poses);
+                let foot = self.foot(element, poses);
                 element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
             }
         };
+        let of_feet_j = self.feet.as_ref().map_or(0.0, |feet| feet.stored_j(grips, &poses[0]));
         let behind = self.behind();
         Energies {
             kinetic_j,
             potential_j,
-            stored_j: self.elements.iter().zip(grips).map(stored).sum(),
+            stored_j: of_feet_j + self.elements.iter().zip(grips).skip(self.feet()).map(stored).sum::<f64>(),
             base_work_j: y[behind + WORK],
             cushion_dissipation_j: y[behind + DASHPOT],
             tangential_dissipation_j: 0.0,

@@ -44,10 +44,10 @@ impl Landings {
     /// Evaluates a step.
     pub(super) fn read(&mut self, seen: &Seen<'_, '_>, line: &Line) {
         let (world, step) = (seen.world, seen.step);
-        let ends = [world.poses(&step.start), world.poses(&step.end)];
+        let ends = *seen.ends;
         for index in 0..world.elements.len() {
             let element = &world.elements[index];
-            if element.role != Role::Base || !seen.grips[index].carries() {
+            if element.role != Role::Base || !seen.grips.each()[index].carries() {
                 continue;
             }
             let [from, to] = ends.map(|poses| world.compression(element, &poses));

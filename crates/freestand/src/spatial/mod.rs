@@ -32,6 +32,7 @@
 //! et al. 2021, DOI 10.1177/8755293020988017, on 226 shaking-table tests).
 
 mod equation;
+mod feet;
 mod landings;
 mod solve;
 mod stack;
@@ -44,6 +45,7 @@ mod tests;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use self::equation::{BODY, Element, PLACE, Rigid, Role, SPIN, State, TURN, VELOCITY, World};
+use self::feet::Feet;
 use self::solve::{Ended, follow};
 use self::track::{Seen, tilts, yaw};
 use crate::compliant::pad::Pad;
@@ -515,7 +517,9 @@ impl SpatialObject {
                 });
             }
         }
-        World::new(vec![body], elements, gravity, matches!(self.shape, Shape::Plane { .. }))
+        let is_planar = matches!(self.shape, Shape::Plane { .. });
+        let feet = elements.first().filter(|_| !is_planar).map(|one| Feet::new(feet, -cg_height, one));
+        World { feet, ..World::new(vec![body], elements, gravity, is_planar) }
     }
 
     /// Returns an error if the cushions do not keep the object upright.

@@ -1,6 +1,8 @@
 //! The solver: it follows the bodies from step to step and from event to event.
 
-use super::equation::{BODY, Foot, Grip, LEN, Line, PLACE, Poses, Role, SLIP, SPIN, State, TURN, VELOCITY, World};
+use super::equation::{
+    BODY, Foot, Grip, Grips, LEN, Line, PLACE, Poses, Role, SLIP, SPIN, State, TURN, VELOCITY, World,
+};
 use super::track::{BodyMotion, Seen, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;
@@ -31,11 +33,12 @@ pub(super) struct Ended {
 
 struct Solver<'a, 'b, F> {
     world: &'a World<'b>,
-    grips: Vec<Grip>,
+    grips: Grips,
     /// For each element, the two kinks of its law that enclose its compression.
     lines: Vec<(f64, f64)>,
     kinks_m: Vec<Vec<f64>>,
     y: State,
+    poses: Poses,
     rates: State,
     time_s: f64,
     try_s: f64,
@@ -101,6 +104,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             lines: vec![(f64::NEG_INFINITY, f64::INFINITY); grips.len()],
             kinks_m: world.elements.iter().map(|element| element.pad.cushion.law().kinks_m()).collect(),
             y: *start,
+            poses,
             rates: *start,
             time_s: 0.0,
             try_s: 0.1 * unit_s,
@@ -110,12 +114,12 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             is_resting: true,
             fallen: None,
             track: Track::new(world, start),
-            ledger: Ledger::open(2.0 * rest_j, &world.energies(&grips, start)),
+            ledger: Ledger::open(2.0 * rest_j, &world.energies(&grips, start, &poses)),
             effort: CompliantEffort::default(),
-            grips,
+            grips: Grips::new(world, grips),
             observe,
         };
-        (0..solver.grips.len()).for_each(|index| solver.place_between_kinks(index));
+        (0..world.elements.len()).for_each(|index| solver.place_between_kinks(index));
         solver
     }
 
@@ -147,7 +151,9 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     /// The step of this length from the present state.
     fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
         let scales = Scales { len: self.world.len(), sizes: &self.sizes, tolerance: self.tolerance };
-        let rates = |time_s: f64, y: &State| self.world.rates(&self.grips, line, time_s, y);
+        let rates = |time_s: f64, y: &State, rates: &mut State| {
+            self.world.enter_rates(&self.grips, line, (time_s, y), rates);
+        };
         Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
@@ -171,7 +177,8 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
 
     fn accept(&mut self, line: &Line, step: &Step<LEN>, has_event: bool) -> Result<(), CompliantError> {
         self.effort.steps += 1;
-        let seen = Seen { world: self.world, grips: &self.grips, step };
+        let ends = [self.poses, self.world.poses(&step.end)];
+        let seen = Seen { world: self.world, grips: &self.grips, step, ends: &ends };
         self.track.read(&seen, line);
         (self.observe)(&SpatialPiece { seen });
         (self.y, self.rates) = (step.end, step.end_rates);
@@ -182,32 +189,34 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             turn.iter_mut().for_each(|part| *part /= length);
         }
         let poses = self.world.poses(&self.y);
+        self.poses = poses;
         if !poses[0].place[2].is_finite() {
             return Err(CompliantError::NotFinite { time_s: self.time_s });
         }
         if has_event {
             let mut changed = false;
             let rates = self.rates_of_slip(line, self.time_s, &self.y);
-            for index in 0..self.grips.len() {
+            for index in 0..self.world.elements.len() {
                 if self.margin(index, self.time_s, &poses, (&self.y, rates.as_ref())) < 0.0 {
                     self.change(index, &poses);
                     changed = true;
                 }
             }
             if changed {
+                self.grips.sort(self.world);
                 self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
             }
-            if let Some(body) = (0..self.world.bodies.len()).find(|&body| poses[body].axis().0[2] <= 0.0) {
+            if let Some(body) = (0..self.world.bodies.len()).find(|&body| poses[body].upright() <= 0.0) {
                 self.fallen = Some(Fallen { body, time_s: self.time_s, slid_off: false });
             }
         }
-        self.ledger.enter(&self.world.energies(&self.grips, &self.y));
+        self.ledger.enter(&self.world.energies(self.grips.each(), &self.y, &poses));
         Ok(())
     }
 
     /// How far an element is from its next event, of the order of 1; negative past it.
     fn margin(&self, index: usize, time_s: f64, poses: &Poses, (y, rates): (&State, Option<&State>)) -> f64 {
-        let (element, grip) = (&self.world.elements[index], self.grips[index]);
+        let (element, grip) = (&self.world.elements[index], self.grips.each()[index]);
         if grip == Grip::Gone {
             return 1.0;
         }
@@ -223,7 +232,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let margin = pushes.min(between);
         let Some(friction) = element.friction else { return margin };
         if grip == Grip::Slip {
-            let slipping = self.world.slipping(element, poses, (y, rates));
+            let slipping = self.world.slipping(element, poses, (&foot, &load), rates);
             margin.min(slipping * self.unit_s / element.unit_m)
         } else {
             margin.min((friction * load.normal - length(load.tangential)) / element.weight_n)
@@ -232,7 +241,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
 
     /// The rates that the margins of slipping elements need, if any does.
     fn rates_of_slip(&self, line: &Line, time_s: f64, y: &State) -> Option<State> {
-        let mut both = self.world.elements.iter().zip(&self.grips);
+        let mut both = self.world.elements.iter().zip(self.grips.each());
         let is_needed = both.any(|(element, grip)| *grip == Grip::Slip && element.pad.is_damped());
         is_needed.then(|| self.world.rates(&self.grips, line, time_s, y))
     }
@@ -241,15 +250,18 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn least_margin(&self, line: &Line, time_s: f64, y: &State) -> f64 {
         let poses = self.world.poses(y);
         let rates = self.rates_of_slip(line, time_s, y);
-        let elements = (0..self.grips.len()).map(|index| self.margin(index, time_s, &poses, (y, rates.as_ref())));
-        let bodies = poses.iter().take(self.world.bodies.len()).map(|pose| pose.axis().0[2]);
-        elements.chain(bodies).fold(f64::INFINITY, f64::min)
+        let of = |index: usize| self.margin(index, time_s, &poses, (y, rates.as_ref()));
+        let bodies = poses.iter().take(self.world.bodies.len()).map(|pose| pose.upright());
+        let others = (self.world.feet()..self.world.elements.len()).map(of);
+        let least = bodies.chain(others).fold(f64::INFINITY, f64::min);
+        let Some(feet) = &self.world.feet else { return least };
+        feet.margin(self.grips.each(), (time_s, &poses[0]), least, of)
     }
 
     /// Changes an element that is past its event.
     fn change(&mut self, index: usize, poses: &Poses) {
         self.effort.events += 1;
-        let (element, grip) = (&self.world.elements[index], self.grips[index]);
+        let (element, grip) = (&self.world.elements[index], self.grips.each()[index]);
         let foot = self.world.foot(element, poses);
         if let Grip::Open { .. } = grip {
             if foot.to_end < 0.0 {
@@ -277,7 +289,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn touch(&mut self, index: usize, foot: &Foot) {
         let element = &self.world.elements[index];
         self.ledger.lose(-element.pad.pressed_j(foot.compression));
-        self.grips[index] = Grip::Stick { anchor: foot.on_face };
+        self.grips.set(index, Grip::Stick { anchor: foot.on_face });
         self.place_between_kinks(index);
         self.track.touch(index, element.role, self.time_s, foot.compression_rate);
         let Some(friction) = element.friction else { return };
@@ -288,7 +300,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             let rate = element.pad.push_rate(foot.compression.max(0.0), foot.compression_rate, 0.0);
             let speed = length(foot.sliding);
             if element.tangential_stiffness * speed > friction * rate {
-                self.grips[index] = Grip::Slip;
+                self.grips.set(index, Grip::Slip);
                 self.y[self.world.direction(element)] = foot.sliding[1].atan2(foot.sliding[0]);
             }
         }
@@ -298,20 +310,20 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn leave(&mut self, index: usize, foot: &Foot) {
         let element = &self.world.elements[index];
         self.track.landings.leave(index, self.time_s, foot.compression_rate);
-        let sheared_j = self.world.sheared_j(element, self.grips[index], foot, &self.y);
-        if self.grips[index] == Grip::Slip {
+        let sheared_j = self.world.sheared_j(element, self.grips.each()[index], foot, &self.y);
+        if self.grips.each()[index] == Grip::Slip {
             self.y[self.world.behind() + SLIP] -= sheared_j;
         }
         self.ledger.lose(element.pad.pressed_j(foot.compression) + sheared_j);
-        self.grips[index] = Grip::Open { since_s: self.time_s, compression_m: foot.compression.max(0.0) };
+        self.grips.set(index, Grip::Open { since_s: self.time_s, compression_m: foot.compression.max(0.0) });
     }
 
     /// The point of an element has passed the end of the face; a body without any other support
     /// falls.
     fn lose(&mut self, index: usize) {
-        self.grips[index] = Grip::Gone;
+        self.grips.set(index, Grip::Gone);
         let role = self.world.elements[index].role;
-        let same = self.world.elements.iter().zip(&self.grips).filter(|(element, _)| element.role == role);
+        let same = self.world.elements.iter().zip(self.grips.each()).filter(|(element, _)| element.role == role);
         if role == Role::Interface && same.into_iter().all(|(_, grip)| *grip == Grip::Gone) {
             let body = self.world.bodies.len() - 1;
             self.fallen = Some(Fallen { body, time_s: self.time_s, slid_off: true });
@@ -321,17 +333,17 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     /// Begins or ends a slip. The energy of the spring is counted with the slip in between.
     fn turn(&mut self, index: usize, foot: &Foot) {
         let element = &self.world.elements[index];
-        let (grip, slip) = (self.grips[index], self.world.behind() + SLIP);
+        let (grip, slip) = (self.grips.each()[index], self.world.behind() + SLIP);
         let sheared_j = self.world.sheared_j(element, grip, foot, &self.y);
         let [a, b] = self.world.load(element, grip, foot, &self.y).tangential;
         if grip == Grip::Slip {
             self.y[slip] -= sheared_j;
             let k = element.tangential_stiffness;
-            self.grips[index] = Grip::Stick { anchor: [foot.on_face[0] + a / k, foot.on_face[1] + b / k] };
+            self.grips.set(index, Grip::Stick { anchor: [foot.on_face[0] + a / k, foot.on_face[1] + b / k] });
         } else {
             self.y[slip] += sheared_j;
             self.y[self.world.direction(element)] = (-b).atan2(-a);
-            self.grips[index] = Grip::Slip;
+            self.grips.set(index, Grip::Slip);
         }
     }
 

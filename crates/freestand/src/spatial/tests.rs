@@ -2,6 +2,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;
 
+use super::equation::{Grip, Grips, Line};
 use super::*;
 use crate::G0_M_S2;
 use crate::block::Block;
@@ -181,6 +182,35 @@ fn a_cylinder_answers_alike_in_every_direction() {
         let got = rock(&object, both(&part(angle.cos()), &part(angle.sin()))).body;
         let error = got.peak_tilt_rad / straight.peak_tilt_rad - 1.0;
         assert!(error.abs() < 1e-5, "{turns}: {error}");
+    }
+}
+
+/// Feet that stick are summed together; one by one they do the same. 1e-12 of the largest rate: up to
+/// 48 forces, each rounded to 1e-16 of the largest.
+#[test]
+fn feet_together_are_feet_one_by_one() {
+    let law = ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 5e3 };
+    let support = Support { friction_ratio: Some(0.4), ..Support::new(Cushion::new(law).unwrap()) };
+    for object in [prism(0.5, 0.7, 1.8, 200.0, 4e6), cylinder(0.25, 1.6, 150.0, 4e6)] {
+        let object = SpatialObject { support: support.clone(), ..object };
+        let together = object.world(G0_M_S2);
+        let apart = World { feet: None, ..together.clone() };
+        let y = together.released(vector::tilted(0.05, 0.7), [0.2, -0.1, 0.4]);
+        let line = Line { start: [1.0, -2.0, 0.5], slope: [3.0, 1.0, -2.0], start_s: 0.0 };
+        let grip = |index: usize| match index % 4 {
+            0 => Grip::Slip,
+            3 => Grip::UNTOUCHED,
+            _ => Grip::Stick { anchor: [0.01 * index as f64, -0.02] },
+        };
+        let grips: Vec<Grip> = (0..together.elements.len()).map(grip).collect();
+        let of = |world: &World<'_>| world.rates(&Grips::new(world, grips.clone()), &line, 0.01, &y);
+        let (got, expected) = (of(&together), of(&apart));
+        let largest = expected.iter().fold(0.0, |most: f64, rate| most.max(rate.abs()));
+        for (index, (got, expected)) in got.iter().zip(&expected).enumerate() {
+            assert!((got - expected).abs() <= 1e-12 * largest, "{index}: {got} {expected}");
+        }
+        let stored = |world: &World<'_>| world.energies(&grips, &y, &world.poses(&y)).stored_j;
+        assert!((stored(&together) / stored(&apart) - 1.0).abs() < 1e-12);
     }
 }
 

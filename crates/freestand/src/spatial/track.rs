@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Fallen;
-use super::equation::{BODY, Grip, LEN, Line, Pose, Role, State, TURN, World};
+use super::equation::{BODY, Grips, LEN, Line, Pose, Poses, Role, State, TURN, World};
 use super::landings::Landings;
 use crate::compliant::step::Step;
 use crate::rocking::Outcome;
@@ -66,8 +66,10 @@ pub struct Patterns {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seen<'a, 'b> {
     pub(super) world: &'a World<'b>,
-    pub(super) grips: &'a [Grip],
+    pub(super) grips: &'a Grips,
     pub(super) step: &'a Step<LEN>,
+    /// The poses at its start and at its end.
+    pub(super) ends: &'a [Poses; 2],
 }
 
 impl Seen<'_, '_> {
@@ -87,16 +89,17 @@ impl Seen<'_, '_> {
 
     /// The share of the step at which a value is largest, if it may exceed `best`: at an end, or
     /// where its rate falls through zero. `of` gives the value and its rate.
-    fn crest(&self, best: f64, of: impl Fn(&State) -> (f64, f64)) -> Option<(f64, f64)> {
-        let (from, to) = (of(&self.step.start), of(&self.step.end));
+    fn crest(&self, best: f64, of: impl Fn(&Poses) -> (f64, f64)) -> Option<(f64, f64)> {
+        let [from, to] = [of(&self.ends[0]), of(&self.ends[1])];
         let ends = from.0.max(to.0);
         if ends <= 0.0 || ends < HEADROOM * best {
             return None;
         }
         let mut most = if from.0 > to.0 { (0.0, from.0) } else { (1.0, to.0) };
         if from.1 > 0.0 && to.1 <= 0.0 {
-            let share = bisect(0.0, 1.0, |share| of(&self.step.state(share)).1 <= 0.0);
-            let top = of(&self.step.state(share)).0;
+            let inside = |share: f64| of(&self.world.poses(&self.step.state(share)));
+            let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
+            let top = inside(share).0;
             if top > most.1 {
                 most = (share, top);
             }
@@ -137,22 +140,18 @@ pub(super) struct Track {
     pub(super) landings: Landings,
 }
 
-/// The pose of one body.
-fn pose(world: &World<'_>, y: &State, body: usize) -> Pose {
-    world.poses(y)[body]
-}
-
 /// The centre of the base: its horizontal displacement squared, and the rate of that.
-fn slide(world: &World<'_>, y: &State, body: usize) -> (f64, f64) {
-    let ([x, y, _], [rate_x, rate_y, _]) = pose(world, y, body).point(&[0.0, 0.0, -world.bodies[body].cg_height]);
+fn slide(world: &World<'_>, pose: &Pose, body: usize) -> (f64, f64) {
+    let ([x, y, _], [rate_x, rate_y, _]) = pose.point(&[0.0, 0.0, -world.bodies[body].cg_height]);
     (x * x + y * y, 2.0 * (x * rate_x + y * rate_y))
 }
 
 impl Track {
     pub(super) fn new(world: &World<'_>, start: &State) -> Self {
         let mut peaks = vec![Peaks::default(); world.bodies.len()];
+        let poses = world.poses(start);
         for (body, peaks) in peaks.iter_mut().enumerate() {
-            peaks.tilts = tilts(&pose(world, start, body).axis().0);
+            peaks.tilts = tilts(&poses[body].axis().0);
         }
         Self {
             peaks,
@@ -169,7 +168,7 @@ impl Track {
         for body in 0..seen.world.bodies.len() {
             self.tilts(seen, body);
             let reached = self.peaks[body].slide.powi(2);
-            if let Some((_, square)) = seen.crest(reached, |y| slide(seen.world, y, body)) {
+            if let Some((_, square)) = seen.crest(reached, |poses| slide(seen.world, &poses[body], body)) {
                 self.peaks[body].slide = square.sqrt();
             }
         }
@@ -182,50 +181,65 @@ impl Track {
 
     fn tilts(&mut self, seen: &Seen<'_, '_>, body: usize) {
         let peaks = &mut self.peaks[body];
-        let axis = |y: &State| pose(seen.world, y, body).axis();
+        let axis = |poses: &Poses| poses[body].axis();
+        let axis_at = |share: f64| axis(&seen.world.poses(&seen.state(share))).0;
         // sin²: rises with the tilt up to π/2.
-        let square = |y: &State| {
-            let (axis, rate) = axis(y);
+        let square = |poses: &Poses| {
+            let (axis, rate) = axis(poses);
             (axis[0].powi(2) + axis[1].powi(2), 2.0 * (axis[0] * rate[0] + axis[1] * rate[1]))
         };
         if let Some((share, _)) = seen.crest(peaks.tilt.0.sin().powi(2), square) {
-            let [x, y, z] = axis(&seen.state(share)).0;
+            let [x, y, z] = axis_at(share);
             peaks.tilt = (x.hypot(y).atan2(z), seen.time_s(share));
         }
         for side in 0..2 {
-            let size = |y: &State| {
-                let (axis, rate) = axis(y);
+            // An angle is less than its tangent: far below the largest tilt so far no angle is needed.
+            let is_small = |poses: &Poses| {
+                let [row, up] = [side, 2].map(|axis| poses[body].shift[axis][2]);
+                row.abs() < HEADROOM * peaks.tilts[side].abs() * (1.0 + up)
+            };
+            if seen.ends.iter().all(is_small) {
+                continue;
+            }
+            let size = |poses: &Poses| {
+                let (axis, rate) = axis(poses);
                 let tilt = tilts(&axis)[side];
                 (tilt.abs(), tilt.signum() * (rate[side] * axis[2] - axis[side] * rate[2]))
             };
             if let Some((share, _)) = seen.crest(peaks.tilts[side].abs(), size) {
-                peaks.tilts[side] = tilts(&axis(&seen.state(share)).0)[side];
+                peaks.tilts[side] = tilts(&axis_at(share))[side];
             }
         }
     }
 
     fn uplifts(&mut self, seen: &Seen<'_, '_>) {
-        let ends = [seen.world.poses(&seen.step.start), seen.world.poses(&seen.step.end)];
-        for element in &seen.world.elements {
+        let mut elements = seen.world.elements.as_slice();
+        if let Some(feet) = &seen.world.feet {
+            let highest_m = seen.ends.iter().map(|poses| feet.highest_m(&poses[0])).fold(0.0, f64::max);
+            if highest_m <= HEADROOM * self.peaks[0].uplift {
+                elements = elements.get(feet.len()..).unwrap_or_default();
+            }
+        }
+        for element in elements {
             let body = match element.role {
                 Role::Base => 0,
                 Role::Interface => seen.world.bodies.len() - 1,
                 Role::Wall => continue,
             };
             let peaks = &mut self.peaks[body];
-            let [from, to] = ends.map(|poses| -seen.world.compression(element, &poses));
+            let [from, to] = [0, 1].map(|end| -seen.world.compression(element, &seen.ends[end]));
             if from.max(to) <= HEADROOM * peaks.uplift {
                 continue;
             }
-            let height = |y: &State| {
-                let foot = seen.world.foot(element, &seen.world.poses(y));
+            let height = |poses: &Poses| {
+                let foot = seen.world.foot(element, poses);
                 (-foot.compression, -foot.compression_rate)
             };
             if let Some((_, height_m)) = seen.crest(peaks.uplift, height) {
                 peaks.uplift = height_m;
             }
             if peaks.first_uplift.is_none() {
-                let is_up = |share: f64| height(&seen.state(share)).0 > 0.0;
+                let is_up = |share: f64| height(&seen.world.poses(&seen.state(share))).0 > 0.0;
                 let share = if is_up(0.0) { 0.0 } else { bisect(0.0, 1.0, is_up) };
                 peaks.first_uplift = Some(seen.time_s(share));
             }
@@ -234,8 +248,7 @@ impl Track {
 
     /// The patterns and the relative rotation of two bodies.
     fn stack(&mut self, seen: &Seen<'_, '_>) {
-        let relative = |y: &State| {
-            let poses = seen.world.poses(y);
+        let relative = |poses: &Poses| {
             let [lower, upper] = [poses[0], poses[1]].map(|pose| (tilts(&pose.axis().0)[0], pose.omega[1]));
             let angle = upper.0 - lower.0;
             (angle.abs(), angle.signum() * (upper.1 - lower.1))
@@ -244,7 +257,7 @@ impl Track {
             self.relative = angle;
         }
         let is_open = |role: Role| {
-            seen.world.elements.iter().zip(seen.grips).any(|(element, grip)| element.role == role && !grip.carries())
+            seen.world.elements.iter().zip(seen.grips.each()).any(|(element, grip)| element.role == role && !grip.carries())
         };
         let middle = seen.world.poses(&seen.state(0.5));
         let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
@@ -285,8 +298,9 @@ impl Track {
     }
 
     pub(super) fn finish(&self, world: &World<'_>, y: &State, fallen: Option<Fallen>) -> Vec<BodyMotion> {
+        let poses = world.poses(y);
         let motion = |(body, peaks): (usize, &Peaks)| {
-            let [final_tilt_x_rad, final_tilt_y_rad] = tilts(&pose(world, y, body).axis().0);
+            let [final_tilt_x_rad, final_tilt_y_rad] = tilts(&poses[body].axis().0);
             let fallen = fallen.filter(|fallen| fallen.body == body);
             let is_over = fallen.is_some_and(|fallen| !fallen.slid_off);
             let outcome = if fallen.is_some() {
@@ -306,7 +320,7 @@ impl Track {
                 final_tilt_y_rad,
                 yaw_rad: yaw(&y[BODY * body + TURN..]),
                 base_slide_peak_m: peaks.slide,
-                base_slide_final_m: slide(world, y, body).0.sqrt(),
+                base_slide_final_m: slide(world, &poses[body], body).0.sqrt(),
                 uplift_m: peaks.uplift,
                 first_uplift_time_s: peaks.first_uplift,
                 overturn_time_s: fallen.map(|fallen| fallen.time_s),

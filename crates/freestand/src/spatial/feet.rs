@@ -1,0 +1,232 @@
+//! The feet of a body that stands on the floor alone: they are all alike, so that those that stick
+//! to it on springs and dashpots need a few sums together, however many they are.
+
+use super::equation::{Element, Grip, Pose};
+use super::vector::{Vector, difference, sum, turned};
+use crate::compliant::pad::Pad;
+
+/// The feet of the only body: the first elements of a world.
+#[derive(Debug, Clone)]
+pub(super) struct Feet<'a> {
+    /// Their places on the base.
+    points: Vec<[f64; 2]>,
+    /// Height of all of them from the centre of gravity, and their largest distance from its axis.
+    z: f64,
+    reach: f64,
+    pad: Pad<'a>,
+    /// k and c of the law N = k d + c ḋ; `None` for other laws.
+    linear: Option<[f64; 2]>,
+    tangential_stiffness: f64,
+    friction: Option<f64>,
+    unit_m: f64,
+    weight_n: f64,
+}
+
+/// The feet that stick, p from the centre of gravity and a the anchors of their springs: sums over
+/// them of 1, p, ppᵀ, a and paᵀ, in the plane of the base.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Stuck {
+    count: f64,
+    x: f64,
+    y: f64,
+    xx: f64,
+    xy: f64,
+    yy: f64,
+    anchor: [f64; 2],
+    x_anchor: [f64; 2],
+    y_anchor: [f64; 2],
+}
+
+impl Stuck {
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0.0
+    }
+
+    fn add(&mut self, [x, y]: [f64; 2], anchor: [f64; 2]) {
+        self.count += 1.0;
+        self.x += x;
+        self.y += y;
+        self.xx += x * x;
+        self.xy += x * y;
+        self.yy += y * y;
+        for (axis, anchor) in anchor.into_iter().enumerate() {
+            self.anchor[axis] += anchor;
+            self.x_anchor[axis] += x * anchor;
+            self.y_anchor[axis] += y * anchor;
+        }
+    }
+}
+
+/// What the feet that stick do to the body, in floor axes.
+pub(super) struct Push {
+    pub(super) force: Vector,
+    /// About the centre of gravity.
+    pub(super) torque: Vector,
+    /// Power of their dashpots.
+    pub(super) dissipated_w: f64,
+}
+
+/// A quantity of a foot as a function of its place p on the base: at + x p_x + y p_y.
+#[derive(Debug, Clone, Copy)]
+struct Flat {
+    at: f64,
+    x: f64,
+    y: f64,
+}
+
+impl Flat {
+    fn of(self, [x, y]: [f64; 2]) -> f64 {
+        // In this order nothing changes if x and y are swapped.
+        self.at + (self.x * x + self.y * y)
+    }
+}
+
+impl<'a> Feet<'a> {
+    /// The feet at `points` of the base, which is `z` from the centre of gravity; each is like
+    /// `one`.
+    pub(super) fn new(points: Vec<[f64; 2]>, z: f64, one: &Element<'a>) -> Self {
+        Self {
+            reach: points.iter().map(|[x, y]| (x * x + y * y).sqrt()).fold(0.0, f64::max),
+            points,
+            z,
+            pad: one.pad,
+            linear: one.pad.linear(),
+            tangential_stiffness: one.tangential_stiffness,
+            friction: one.friction,
+            unit_m: one.unit_m,
+            weight_n: one.weight_n,
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The sums over the feet that stick, and the indices of those that carry otherwise.
+    pub(super) fn sort(&self, grips: &[Grip], alone: &mut Vec<usize>) -> Stuck {
+        let mut stuck = Stuck::default();
+        for (index, (point, grip)) in self.points.iter().zip(grips).enumerate() {
+            match grip {
+                Grip::Stick { anchor } if self.linear.is_some() => stuck.add(*point, *anchor),
+                Grip::Stick { .. } | Grip::Slip => alone.push(index),
+                Grip::Open { .. } | Grip::Gone => {}
+            }
+        }
+        stuck
+    }
+
+    /// Displacement of a foot along an axis of the floor.
+    fn place(&self, pose: &Pose, axis: usize) -> Flat {
+        let row = &pose.shift[axis];
+        Flat { at: pose.place[axis] + self.z * row[2], x: row[0], y: row[1] }
+    }
+
+    /// Upward velocity of a foot: v + ω × Qp.
+    fn rising(&self, pose: &Pose) -> Flat {
+        let [[_, xy, xz], [yx, _, yz], _] = pose.shift;
+        let (xx, yy) = (1.0 + pose.shift[0][0], 1.0 + pose.shift[1][1]);
+        let [x, y, _] = pose.omega;
+        Flat { at: pose.velocity[2] + self.z * (x * yz - y * xz), x: x * yx - y * xx, y: x * yy - y * xy }
+    }
+
+    /// What the feet that stick do to the body: with f = f₀ + Mp + k_t a of each, Σf and
+    /// Σ(Qp) × f from Σ f pᵀ.
+    pub(super) fn push(&self, stuck: &Stuck, pose: &Pose) -> Push {
+        let [k, c] = self.linear.unwrap_or_default();
+        let rising = self.rising(pose);
+        let pulled = |axis: usize, stiffness: f64| {
+            let Flat { at, x, y } = self.place(pose, axis);
+            Flat { at: -stiffness * at, x: -stiffness * x, y: -stiffness * y }
+        };
+        let up = pulled(2, k);
+        let up = Flat { at: up.at - c * rising.at, x: up.x - c * rising.x, y: up.y - c * rising.y };
+        let k_t = self.tangential_stiffness;
+        let of = |flat: Flat, anchor: [f64; 3]| {
+            let force = stuck.count * flat.at + (flat.x * stuck.x + flat.y * stuck.y) + k_t * anchor[0];
+            let by_x = flat.at * stuck.x + (flat.x * stuck.xx + flat.y * stuck.xy) + k_t * anchor[1];
+            let by_y = flat.at * stuck.y + (flat.x * stuck.xy + flat.y * stuck.yy) + k_t * anchor[2];
+            (force, [by_x, by_y, self.z * force])
+        };
+        let anchors = [0, 1].map(|axis| [stuck.anchor[axis], stuck.x_anchor[axis], stuck.y_anchor[axis]]);
+        let sums = [of(pulled(0, k_t), anchors[0]), of(pulled(1, k_t), anchors[1]), of(up, [0.0; 3])];
+        // Σ f (Qp)ᵀ.
+        let [x, y, z] = sums.map(|(_, by_place)| turned(&pose.shift, &by_place));
+        let Flat { at, x: rx, y: ry } = rising;
+        let squares = (rx * rx * stuck.xx + ry * ry * stuck.yy) + 2.0 * rx * ry * stuck.xy;
+        Push {
+            force: sums.map(|(force, _)| force),
+            torque: difference(&[z[1], x[2], y[0]], &[y[2], z[0], x[1]]),
+            dissipated_w: c * (at * (stuck.count * at + 2.0 * (rx * stuck.x + ry * stuck.y)) + squares),
+        }
+    }
+
+    /// No foot is higher above its unloaded cushion than this.
+    pub(super) fn highest_m(&self, pose: &Pose) -> f64 {
+        let Flat { at, x, y } = self.place(pose, 2);
+        at + self.reach * (x * x + y * y).sqrt()
+    }
+
+    /// How far the feet are from their next event, if that is less than `least`: the least of both.
+    /// `of` gives it for a foot that carries otherwise than on a spring and a dashpot that stick.
+    pub(super) fn margin(
+        &self,
+        grips: &[Grip],
+        (time_s, pose): (f64, &Pose),
+        mut least: f64,
+        of: impl Fn(usize) -> f64,
+    ) -> f64 {
+        let (right, back, up) = (self.place(pose, 0), self.place(pose, 1), self.place(pose, 2));
+        let rising = self.rising(pose);
+        for (index, (&point, grip)) in self.points.iter().zip(grips).enumerate() {
+            let height = up.of(point);
+            let margin = match (*grip, self.linear) {
+                (Grip::Gone, _) => continue,
+                (Grip::Open { since_s, compression_m }, _) => {
+                    // A surface that still recovers is no lower than the unloaded cushion.
+                    if height / self.unit_m >= least {
+                        continue;
+                    }
+                    (self.pad.surface(since_s, compression_m, time_s) + height) / self.unit_m
+                }
+                (Grip::Stick { anchor }, Some([k, c])) => {
+                    let normal_n = -(k * height + c * rising.of(point));
+                    let pushes = self.pad.pushes(-height, normal_n, (self.unit_m, self.weight_n));
+                    match self.friction {
+                        None => pushes,
+                        Some(friction) => {
+                            let (a, b) = (right.of(point) - anchor[0], back.of(point) - anchor[1]);
+                            let tangential_n = self.tangential_stiffness * (a * a + b * b).sqrt();
+                            pushes.min((friction * normal_n - tangential_n) / self.weight_n)
+                        }
+                    }
+                }
+                (Grip::Stick { .. } | Grip::Slip, _) => of(index),
+            };
+            least = least.min(margin);
+        }
+        least
+    }
+
+    /// Energy in the springs; those of feet that slip are counted with the slip.
+    pub(super) fn stored_j(&self, grips: &[Grip], pose: &Pose) -> f64 {
+        let (right, back, up) = (self.place(pose, 0), self.place(pose, 1), self.place(pose, 2));
+        let of = |(&point, grip): (&[f64; 2], &Grip)| {
+            let sheared_j = match grip {
+                Grip::Open { .. } | Grip::Gone => return 0.0,
+                Grip::Slip => 0.0,
+                Grip::Stick { anchor } => {
+                    let (a, b) = (right.of(point) - anchor[0], back.of(point) - anchor[1]);
+                    0.5 * self.tangential_stiffness * (a * a + b * b)
+                }
+            };
+            sheared_j + self.pad.pressed_j(-up.of(point))
+        };
+        self.points.iter().zip(grips).map(of).sum()
+    }
+}
+
+/// The force and torque of more elements.
+pub(super) fn add(push: &Push, force: &mut Vector, torque: &mut Vector) {
+    *force = sum(force, &push.force);
+    *torque = sum(torque, &push.torque);
+}
