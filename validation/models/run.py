@@ -23,6 +23,10 @@ VARIANTS = [
     ("three dimensions, wall behind at 50 mm", {"dimensions": '"3d"'}, {}, {}, {**NO_SLIP, "wall_gap [mm]": "50"}),
     ("planar, vertical 0.6", {}, {}, {"vertical": "0.6"}, {}),
     ("three dimensions, no slip, vertical 0.6", {"dimensions": '"3d"'}, {}, {"vertical": "0.6"}, NO_SLIP),
+    ("three dimensions, friction 0.5, wall touching", {"dimensions": '"3d"'}, {}, {},
+     {"friction": "0.5", "wall_gap [mm]": "0"}),
+    ("three dimensions, friction 0.5, wall at 50 mm", {"dimensions": '"3d"'}, {}, {},
+     {"friction": "0.5", "wall_gap [mm]": "50"}),
 ]
 # Level and the acceleration of the ground.
 FLOORS = [("ground", "0", "0.3 g"), ("roof", "1", "0.15 g")]

@@ -58,7 +58,7 @@ fn assess(folder: &Path, (ground, settings): (&str, &str), rows: &str, job: &Job
     let none =
         ["restitution", "stiffness", "mass", "geometry", "model", "compliant"].map(|one| format!("{one}_spread = 0\n"));
     let text = format!(
-        "[ground]\nmotions = [\"x.csv\"]\n{ground}[building]\nstoreys = 4\nperiod = \"0.5 s\"\n[worlds]\nfirst = \
+        "[ground]\nmotions = [\"x.csv\"]\n{ground}[building]\nstoreys = 4\nperiod = \"0.1 s\"\ndamping = \"20 %\"\n[worlds]\nfirst = \
          {WORLDS}\nmost = {WORLDS}\nperiod_spread = 0\ndamping_spread = 0\n[assessment]\npad_damping = \
          0.05\ncompliant_factor = 1\n{settings}{}",
         none.concat()

@@ -29,7 +29,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
-use crate::inventory::{Consequences, Item, Rating};
+use crate::inventory::{Casters, Consequences, Item, Rating};
 use crate::output::outcomes_rows;
 use crate::result::{AcceptedFor, Assessment, Decision};
 use crate::worlds::Worlds;
@@ -221,10 +221,11 @@ fn notes(item: &Item) -> Vec<String> {
     notes.extend(item.cushion_source.iter().map(|source| format!("Cushion: {source}.")));
     notes.extend(item.doubts.iter().map(|doubt| format!("Check the input: {} ({}).", doubt.words(), doubt.name())));
     if item.surroundings.upper.is_some() {
-        notes.push(
-            "Another object stands on it: both are followed on pads, which takes mass, stiffness and upper_mass."
-                .to_owned(),
-        );
+        let note = match item.surroundings.casters {
+            Some(Casters::Free) => "What stands on it is not followed: the object rolls.",
+            _ => "Another object stands on it: both are followed on pads, which takes mass, stiffness and upper_mass.",
+        };
+        notes.push(note.to_owned());
     }
     if item.width_m.is_none() {
         notes.push("No width is given, so rocking was computed about one axis only.".to_owned());

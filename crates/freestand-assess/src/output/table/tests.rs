@@ -69,6 +69,7 @@ fn the_columns_of_the_contract_are_there() {
             "N/m" => ends("_n_m"),
             "m/s" => ends("_m_s"),
             "Hz" => ends("_hz"),
+            "rad" => ends("_rad"),
             "1" => {
                 let named = ["p_", "share_", "measure_first_", "softened_p_", "confidence", "trip_margin"];
                 ends("_ratio")
