@@ -16,6 +16,7 @@ mod draw;
 mod object;
 mod outcomes;
 mod per_year;
+mod pulse;
 mod response;
 mod roll;
 mod shares;

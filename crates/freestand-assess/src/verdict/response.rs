@@ -14,6 +14,7 @@ use freestand_study::run::LONGEST_TAIL_S;
 use super::capacity::{Capacity, Demand, Terms};
 use super::draw::Draw;
 use super::object::{Hit, Model, Subject, hit};
+use super::pulse::Pulses;
 
 /// One axis on a rigid base.
 #[derive(Debug, Clone, PartialEq)]
@@ -273,10 +274,14 @@ pub(super) fn pad_motion(subject: &Subject, draw: &Draw, found: &CompliantSummar
 }
 
 /// The same from the solver for any contact law.
-pub(super) fn pad_motion_of(subject: &Subject, draw: &Draw, found: &CompliantRocking, floor_m_s2: f64) -> PadMotion {
-    let hardest = found.touches.iter().max_by(|a, b| a.peak_acceleration_m_s2.total_cmp(&b.peak_acceleration_m_s2));
-    let pulse = hardest.and_then(|touch| Some(touch.end_time_s? - touch.time_s));
-    let changes = found.touches.iter().map(|touch| touch.speed_m_s + touch.rebound_m_s.unwrap_or(0.0).max(0.0));
+pub(super) fn pad_motion_of(
+    subject: &Subject,
+    draw: &Draw,
+    found: &CompliantRocking,
+    pulses: Pulses,
+    floor_m_s2: f64,
+) -> PadMotion {
+    let (velocity_change_m_s, pulse_duration_s) = pulses.found(found);
     let summary = CompliantSummary {
         outcome: pad_outcome(found.outcome),
         pad_uplift_ratio: 0.0,
@@ -284,9 +289,9 @@ pub(super) fn pad_motion_of(subject: &Subject, draw: &Draw, found: &CompliantRoc
         peak_edge_accelerations_m_s2: found.peak_edge_accelerations_m_s2,
         touch_count: found.touches.len(),
         touch_speed_m_s: found.touches.iter().map(|touch| touch.speed_m_s).fold(0.0, f64::max),
-        velocity_change_m_s: changes.fold(0.0, f64::max),
-        pulse_duration_s: pulse,
-        contact_duration_s: pulse,
+        velocity_change_m_s,
+        pulse_duration_s,
+        contact_duration_s: None,
         peak_compression_m: found.peak_compression_m,
         let_go_time_s: None,
         first_uplift_time_s: found.first_uplift_time_s,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use freestand::G0_M_S2;
 use freestand::compliant::{
-    CompliantAccuracy, CompliantBase, CompliantOptions, CompliantWorld, rock_compliant, rock_compliant_many,
+    CompliantAccuracy, CompliantBase, CompliantOptions, CompliantWorld, rock_compliant_many, rock_compliant_observed,
 };
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
@@ -22,6 +22,7 @@ use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, draw};
 use super::object::{Model, Subject, Way};
+use super::pulse::Pulses;
 use super::response::{
     Lived, Lost, PadMotion, PadResponse, RigidResponse, axis_motion, demand_capacity, options, overturned, pad_motion,
     pad_motion_of, pads_demand_capacity,
@@ -523,8 +524,9 @@ pub(super) fn on_any_pads(
     let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion) };
     let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
     let motion = floor.base(draw.is_along_x(axis));
-    match rock_compliant(&block, &base, motion, &options) {
-        Ok(found) => Ok(pad_motion_of(subject, draw, &found, floor.pfa_m_s2)),
+    let mut pulses = Pulses::new(block.base_width_m());
+    match rock_compliant_observed(&block, &base, motion, &options, |piece| pulses.observe(piece)) {
+        Ok(found) => Ok(pad_motion_of(subject, draw, &found, pulses, floor.pfa_m_s2)),
         Err(error) => toppled(&error),
     }
 }
