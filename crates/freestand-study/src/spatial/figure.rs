@@ -48,6 +48,7 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
     let [x, y, height] = report.shape.sizes_m();
     let size = match report.shape {
         Shape::Cylinder { .. } => format!("Cylinder, {} mm × {} m", number(1e3 * x, 4), number(height, 4)),
+        Shape::Plane { .. } => format!("{} mm × {} m", number(1e3 * x, 4), number(height, 4)),
         _ => format!("{} mm × {} mm × {} m", number(1e3 * x, 4), number(1e3 * y, 4), number(height, 4)),
     };
     let tilt = Panel {

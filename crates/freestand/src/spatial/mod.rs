@@ -52,6 +52,7 @@ use crate::compliant::{
 };
 use crate::cushion::Cushion;
 use crate::motion::Motion;
+use crate::rocking::Outcome;
 use crate::search::bisect;
 
 pub use stack::{Stack, StackBody, StackPart, StackRocking, rock_stack, rock_stack_observed};
@@ -295,6 +296,10 @@ pub struct SpatialRocking {
     pub base_contact_count: usize,
     /// Contacts of points of the object with a wall.
     pub wall_contact_count: usize,
+    /// Largest speed of such a point towards the wall when it touches; 0 without a contact \[m/s\].
+    pub wall_speed_max_m_s: f64,
+    /// Largest force of the walls; 0 without a contact \[N\].
+    pub wall_force_max_n: f64,
     /// The energy balance.
     pub energy: EnergyAudit,
     /// Work done.
@@ -428,12 +433,23 @@ pub fn rock_spatial_observed(
     let ended = follow(&world, [motion.x, motion.y, motion.vertical], options, (&start, is_at_rest), &mut observe)?;
     let Ended { end_time_s, bodies, track, energy, effort, .. } = ended;
     let Some(&body) = bodies.first() else { return Err(CompliantError::NotFinite { time_s: end_time_s }) };
+    // Past its balance point and not fallen, it is held by a wall.
+    let balance_rad = object.shape.uplift_thresholds()[0].atan();
+    let leans = body.outcome == Outcome::Rocked
+        && track.wall_contacts > 0
+        && object.walls.iter().any(|wall| {
+            let tilt_rad = body.final_tilt_x_rad;
+            balance_rad <= if wall.side == EdgeSide::Left { -tilt_rad } else { tilt_rad }
+        });
+    let body = BodyMotion { outcome: if leans { Outcome::Leaned } else { body.outcome }, ..body };
     Ok(SpatialRocking {
         body,
         end_time_s,
         static_compression_m: -rest[PLACE + 2],
         base_contact_count: track.base_contacts,
         wall_contact_count: track.wall_contacts,
+        wall_speed_max_m_s: track.wall_speed,
+        wall_force_max_n: track.wall_force,
         energy,
         effort,
     })

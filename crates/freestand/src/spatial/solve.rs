@@ -279,7 +279,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         self.ledger.lose(-element.pad.pressed_j(foot.compression));
         self.grips[index] = Grip::Stick { anchor: foot.on_face };
         self.place_between_kinks(index);
-        self.track.touch(element.role);
+        self.track.touch(element.role, foot.compression_rate);
         let Some(friction) = element.friction else { return };
         let normal_n = element.pad.push(foot.compression, foot.compression_rate);
         // The spring is not stretched yet. At the first contact without dashpots both forces are

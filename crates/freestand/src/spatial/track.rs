@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Fallen;
-use super::equation::{BODY, Grip, LEN, Pose, Role, State, TURN, World};
+use super::equation::{BODY, Element, Grip, LEN, Pose, Role, State, TURN, World};
 use crate::compliant::step::Step;
 use crate::rocking::Outcome;
 use crate::search::bisect;
@@ -133,6 +133,10 @@ pub(super) struct Track {
     times: Patterns,
     pub(super) base_contacts: usize,
     pub(super) wall_contacts: usize,
+    /// Largest speed towards a wall at the begin of a contact.
+    pub(super) wall_speed: f64,
+    /// Largest force of the walls.
+    pub(super) wall_force: f64,
 }
 
 /// The pose of one body.
@@ -152,7 +156,15 @@ impl Track {
         for (body, peaks) in peaks.iter_mut().enumerate() {
             peaks.tilts = tilts(&pose(world, start, body).axis().0);
         }
-        Self { peaks, relative: 0.0, times: Patterns::default(), base_contacts: 0, wall_contacts: 0 }
+        Self {
+            peaks,
+            relative: 0.0,
+            times: Patterns::default(),
+            base_contacts: 0,
+            wall_contacts: 0,
+            wall_speed: 0.0,
+            wall_force: 0.0,
+        }
     }
 
     /// Evaluates a step.
@@ -165,6 +177,10 @@ impl Track {
             }
         }
         self.uplifts(seen);
+        // Before the first contact there is no force.
+        if self.wall_contacts > 0 {
+            self.walls(seen);
+        }
         if seen.world.bodies.len() == 2 {
             self.stack(seen);
         }
@@ -222,6 +238,19 @@ impl Track {
         }
     }
 
+    /// The force of the walls at the end of a step: steps are short compared with the vibration on
+    /// the cushions.
+    fn walls(&mut self, seen: &Seen<'_, '_>) {
+        let poses = seen.world.poses(&seen.step.end);
+        let pressed = seen.world.elements.iter().zip(seen.grips);
+        let pressed = pressed.filter(|(element, grip)| element.role == Role::Wall && grip.carries());
+        let force = |element: &Element<'_>| {
+            let foot = seen.world.foot(element, &poses);
+            element.pad.push(foot.compression, foot.compression_rate)
+        };
+        self.wall_force = self.wall_force.max(pressed.map(|(element, _)| force(element)).sum());
+    }
+
     /// The patterns and the relative rotation of two bodies.
     fn stack(&mut self, seen: &Seen<'_, '_>) {
         let relative = |y: &State| {
@@ -262,11 +291,14 @@ impl Track {
         }
     }
 
-    /// A contact begins.
-    pub(super) fn touch(&mut self, role: Role) {
+    /// A contact begins, with this speed towards the face.
+    pub(super) fn touch(&mut self, role: Role, speed: f64) {
         match role {
             Role::Base => self.base_contacts += 1,
-            Role::Wall => self.wall_contacts += 1,
+            Role::Wall => {
+                self.wall_contacts += 1;
+                self.wall_speed = self.wall_speed.max(speed);
+            }
             Role::Interface => {}
         }
     }

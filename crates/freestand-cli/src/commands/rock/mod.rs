@@ -141,10 +141,6 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         return Err(failure);
     }
     if args.compliant.is_compliant() {
-        if let Some(flag) = args.walls.given.first() {
-            let hint = "leave it out, or use --base rigid";
-            return Err(Failure::usage(format!("--{flag} applies only to a rigid base"), hint));
-        }
         return compliant::run(args, global, printer);
     }
     if args.sliding.is_given()
