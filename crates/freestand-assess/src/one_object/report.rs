@@ -278,7 +278,9 @@ fn assumptions(
         said.push(format!("{}, because no site was given", target.site_words()));
     }
     said.extend(row.item.cushion_source.as_ref().map(|source| format!("under one edge: {source}")));
-    if is_free {
+    if is_free && found.rolled.is_none() {
+        said.push("its casters resist so much that it rocks before it rolls".to_owned());
+    } else if is_free {
         if around.rolling_resistance_ratio.is_none() {
             said.push(format!("a rolling resistance of {DEFAULT_ROLLING_RESISTANCE} of its weight"));
         }

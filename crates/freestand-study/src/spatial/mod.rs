@@ -10,8 +10,8 @@ use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::Base;
 use freestand::signal::rotate::Pair;
 use freestand::spatial::{
-    BodyMotion, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions, SpatialPiece, SpatialStart, Stack,
-    StackRocking, Support, rock_spatial_observed, rock_stack_observed,
+    BodyMotion, Pattern, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions, SpatialPiece, SpatialStart,
+    Stack, StackRocking, Support, rock_spatial_observed, rock_stack_observed,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, significant};
@@ -129,9 +129,16 @@ pub struct StackRequest {
     pub options: SpatialOptions,
 }
 
-/// A sample of the history of a stack: time \[s\], rotations of the lower and of the upper body
-/// \[rad\].
-pub type StackPoint = [f64; 3];
+/// A sample of the history of a stack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StackPoint {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// Rotations of the lower and of the upper body \[rad\].
+    pub rotations_rad: [f64; 2],
+    /// How both move.
+    pub pattern: Pattern,
+}
 
 /// What a stack did.
 #[derive(Debug, Clone, PartialEq)]
@@ -336,7 +343,8 @@ pub fn rock_stacked(request: &StackRequest, record: bool) -> Result<StackReport,
         if record {
             sampler.each(piece, |time_s, share| {
                 let rotation = |body| piece.pose(body, share).map_or(0.0, |pose| pose.tilts_rad[0]);
-                history.push([time_s, rotation(0), rotation(1)]);
+                let pattern = piece.pattern().unwrap_or(Pattern::Rest);
+                history.push(StackPoint { time_s, rotations_rad: [rotation(0), rotation(1)], pattern });
             });
         }
     })
@@ -412,7 +420,8 @@ pub fn spatial_csv(history: &[SpatialPoint]) -> String {
 
 /// The history of a stack as CSV.
 pub fn stack_csv(history: &[StackPoint]) -> String {
-    numbers_csv("time_s,lower_rotation_rad,upper_rotation_rad", history.iter().map(|point| point.to_vec()))
+    let row = |point: &StackPoint| vec![point.time_s, point.rotations_rad[0], point.rotations_rad[1]];
+    numbers_csv("time_s,lower_rotation_rad,upper_rotation_rad", history.iter().map(row))
 }
 
 /// A release of an object in space: to the right, about the lower edge.

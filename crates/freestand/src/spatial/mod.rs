@@ -56,7 +56,7 @@ use crate::rocking::Outcome;
 use crate::search::bisect;
 
 pub use stack::{Stack, StackBody, StackPart, StackRocking, rock_stack, rock_stack_observed};
-pub use track::{BodyMotion, Patterns};
+pub use track::{BodyMotion, Pattern, Patterns};
 
 /// Points of a cylinder's rim that rest on the floor.
 pub const RIM_POINTS: usize = 48;
@@ -355,6 +355,11 @@ impl SpatialPiece<'_, '_> {
         let [x, y, z] = from_base_m;
         let moved = poses[body].point(&[x, y, z - rigid.cg_height]).0;
         Some([x + moved[0], y + moved[1], z + moved[2]])
+    }
+
+    /// How the bodies of a stack move in this step; `None` for one body.
+    pub fn pattern(&self) -> Option<Pattern> {
+        (self.seen.world.bodies.len() == 2).then(|| self.seen.pattern())
     }
 
     /// Where a body is at a share of the step; 0 is the only or the lower body, 1 the upper one.

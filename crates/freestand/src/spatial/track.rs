@@ -61,6 +61,21 @@ pub struct Patterns {
     pub upper_alone_ratio: f64,
 }
 
+/// How the bodies of a stack move at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pattern {
+    /// Neither body has an edge off its support.
+    Rest,
+    /// Both rock, about edges on the same side.
+    Same,
+    /// Both rock, about edges on opposite sides.
+    Opposite,
+    /// The lower body rocks and carries the upper one along.
+    Together,
+    /// The upper body rocks alone.
+    UpperAlone,
+}
+
 /// A step with everything needed to evaluate it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seen<'a, 'b> {
@@ -70,6 +85,22 @@ pub(super) struct Seen<'a, 'b> {
 }
 
 impl Seen<'_, '_> {
+    /// How the bodies of a stack move in the middle of the step.
+    pub(super) fn pattern(&self) -> Pattern {
+        let is_open = |role: Role| {
+            self.world.elements.iter().zip(self.grips).any(|(element, grip)| element.role == role && !grip.carries())
+        };
+        let middle = self.world.poses(&self.state(0.5));
+        let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
+        match (is_open(Role::Base), is_open(Role::Interface)) {
+            (false, false) => Pattern::Rest,
+            (true, false) => Pattern::Together,
+            (false, true) => Pattern::UpperAlone,
+            (true, true) if lower * (upper - lower) >= 0.0 => Pattern::Same,
+            (true, true) => Pattern::Opposite,
+        }
+    }
+
     fn time_s(&self, share: f64) -> f64 {
         self.step.start_s + share * self.step.length_s
     }
@@ -262,18 +293,13 @@ impl Track {
         if let Some((_, angle)) = seen.crest(self.relative, relative) {
             self.relative = angle;
         }
-        let is_open = |role: Role| {
-            seen.world.elements.iter().zip(seen.grips).any(|(element, grip)| element.role == role && !grip.carries())
-        };
-        let middle = seen.world.poses(&seen.state(0.5));
-        let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
         let times = &mut self.times;
-        let time = match (is_open(Role::Base), is_open(Role::Interface)) {
-            (false, false) => &mut times.rest_ratio,
-            (true, false) => &mut times.together_ratio,
-            (false, true) => &mut times.upper_alone_ratio,
-            (true, true) if lower * (upper - lower) >= 0.0 => &mut times.same_ratio,
-            (true, true) => &mut times.opposite_ratio,
+        let time = match seen.pattern() {
+            Pattern::Rest => &mut times.rest_ratio,
+            Pattern::Together => &mut times.together_ratio,
+            Pattern::UpperAlone => &mut times.upper_alone_ratio,
+            Pattern::Same => &mut times.same_ratio,
+            Pattern::Opposite => &mut times.opposite_ratio,
         };
         *time += seen.step.length_s;
     }
