@@ -141,8 +141,8 @@ pub(crate) fn doubts(block: &Block, walls: &Walls, contacts: [Option<Contact>; 2
         };
         (angle_rad >= balance_rad).then(|| {
             format!(
-                "the object touches the wall on the {side} at {} rad, past its balance point at {} rad: the wall \
-                 cannot keep it from falling, only from falling flat",
+                "the object touches the wall on the {side} at {} rad, past its balance point at {} rad: it can \
+                 fall against the wall and lean there",
                 number(angle_rad, 3),
                 number(balance_rad, 3)
             )
