@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use freestand::block::Block;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
+use freestand_assess::inventory::{Casters, Surroundings};
 use freestand_assess::job::{Job, ListRequest, assess_into, inventory_of};
 use freestand_assess::one_object::{
     AnswerKind, Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, Withstood, one_object,
@@ -19,7 +20,17 @@ use freestand_study::run::{LONGEST_TAIL_S, no_progress};
 const GROUND: Floor = Floor { place: FloorPlace::Ground, storeys: None, storey_height_m: None };
 
 fn bare(height_m: f64, thickness_m: f64) -> Object {
-    Object { height_m, thickness_m, width_m: None, cg_height_m: None, mass_kg: None, rests_on: None, tolerance: None }
+    Object {
+        height_m,
+        thickness_m,
+        width_m: None,
+        cg_height_m: None,
+        mass_kg: None,
+        rests_on: None,
+        tolerance: None,
+        friction_ratio: None,
+        surroundings: Surroundings::default(),
+    }
 }
 
 fn request(object: Object, earthquake: Earthquake, floor: Floor) -> ObjectRequest {
@@ -114,6 +125,82 @@ fn a_list_with_this_row_has_the_same_numbers() {
     assert!(report.facts.number("edge_acceleration_g_median").unwrap() > 0.5, "{}", report.answer);
     assert!(report.answer.starts_with("In Wellington (NZS 1170.5, 500 years, site "), "{}", report.answer);
     assert!(report.answer.contains(") on floor 3 of 8 this object "), "{}", report.answer);
+}
+
+/// The same at a wall, on free casters and with friction: what an inventory says about the
+/// surroundings, in its own units.
+#[test]
+fn a_list_with_these_surroundings_has_the_same_numbers() {
+    let at_wall = Object {
+        mass_kg: Some(120.0),
+        friction_ratio: Some((0.3, 0.6)),
+        surroundings: Surroundings {
+            wall_gap_m: Some(0.02),
+            wall_height_m: Some(1.7),
+            wall_stiffness_n_m: Some(2e6),
+            wall_restitution: Some(0.25),
+            ..Surroundings::default()
+        },
+        ..bare(1.95, 0.42)
+    };
+    let wall_row = "id,level_ratio,height [mm],thickness [mm],mass [kg],friction,wall_gap [mm],wall_height [m],\
+                    wall_stiffness [N/mm],wall_restitution\nobject,0.5,1950,420,120,0.3-0.6,20,1.7,2000,25 %\n";
+    let rolling = Object {
+        width_m: Some(0.9),
+        mass_kg: Some(120.0),
+        tolerance: Some(Withstood { peak_m_s2: 8.0 * freestand::G0_M_S2, duration_s: None }),
+        surroundings: Surroundings {
+            wall_stiffness_n_m: Some(5e5),
+            casters: Some(Casters::Free),
+            rolling_resistance_ratio: Some(0.03),
+            clearance_m: Some(0.15),
+            ..Surroundings::default()
+        },
+        ..bare(1.4, 0.6)
+    };
+    let rolling_row = "id,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],tolerance [g],casters,\
+                       rolling_resistance,clearance [mm],wall_stiffness [N/mm]\n\
+                       object,0.5,1400,600,900,120,8,free,3 %,150,500\n";
+    for (object, row, model) in [(at_wall, wall_row, "rock-wall"), (rolling, rolling_row, "roll")] {
+        let folder = tempfile::tempdir().unwrap();
+        let (study, list) = (folder.path().join("study.toml"), folder.path().join("list.csv"));
+        let text = "[ground]\nplace = \"Wellington\"\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 6\n\
+                    most = 6\nshares = false\n";
+        std::fs::write(&study, text).unwrap();
+        std::fs::write(&list, row).unwrap();
+        let earthquake = Earthquake::Study { path: study.clone(), hazard: Words::default() };
+        let floor = Floor { place: FloorPlace::Share(0.5), ..GROUND };
+        let report = answer(&ObjectRequest { worlds: None, ..request(object, earthquake, floor) });
+
+        let study = load(&study, &Overrides::default()).unwrap();
+        let out = folder.path().join("out");
+        let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
+        assess_into(&study, &inventory, &out, &Job::default(), &no_progress).unwrap();
+        let mut reader = csv::Reader::from_path(out.join("objects.csv")).unwrap();
+        let headers = reader.headers().unwrap().clone();
+        let row = reader.records().next().unwrap().unwrap();
+        let cell = |name: &str| row[headers.iter().position(|header| header == name).unwrap()].to_owned();
+        for name in [
+            "motions",
+            "p_overturn",
+            "p_lean",
+            "p_exceed",
+            "wall_speed_m_s_median",
+            "wall_acceleration_g_median",
+            "slide_m_median",
+            "slide_m_p84",
+            "trip_margin",
+        ] {
+            assert_eq!(report.facts.number(name).map(shortest).unwrap_or_default(), cell(name), "{name}");
+        }
+        for name in ["falls", "shock", "model"] {
+            assert_eq!(report.facts.text(name).unwrap(), cell(name), "{name}");
+        }
+        assert_eq!(report.facts.text("model"), Some(model));
+        // Something happens: it strikes its wall, or rolls.
+        let number = |name: &str| report.facts.number(name).unwrap_or(0.0);
+        assert!(number("wall_speed_m_s_median") > 0.1 || number("slide_m_median") > 0.05, "{}", report.answer);
+    }
 }
 
 /// Under given motions every motion counts once, and its history is that of `rock`, at every scale.
@@ -282,6 +369,34 @@ fn what_contradicts_itself_is_refused_at_once() {
     let found = problems(&request(bare(2.0, 0.3), scaled, GROUND));
     assert_eq!(found.len(), 2, "{found:?}");
     assert!(found[1].starts_with("`scales` must be above 0, not 0|"), "{found:?}");
+}
+
+/// What contradicts itself about the surroundings, and what a list refuses under its own column.
+#[test]
+fn surroundings_that_are_not_there() {
+    let found = |surroundings: Surroundings, tolerance: Option<Withstood>| -> Vec<String> {
+        let object = Object { surroundings, tolerance, ..bare(2.0, 0.3) };
+        let error = one_object(&request(object, place("Athens"), GROUND), &|| false).unwrap_err();
+        error.problems.into_iter().map(|problem| problem.message).collect()
+    };
+    let none = Surroundings::default();
+    let all = found(
+        Surroundings {
+            wall_height_m: Some(1.0),
+            wall_stiffness_n_m: Some(1e6),
+            rolling_resistance_ratio: Some(0.02),
+            ..none
+        },
+        None,
+    );
+    assert_eq!(all.len(), 3, "{all:?}");
+    let beside = found(Surroundings { neighbour_gap_m: Some(0.1), ..none }, None);
+    assert!(beside[0].contains("direction of the width, which is not given"), "{beside:?}");
+    let tolerance = Some(Withstood { peak_m_s2: 50.0, duration_s: None });
+    let stop = found(Surroundings { casters: Some(Casters::Free), ..none }, tolerance);
+    assert!(stop[0].contains("needs `mass` and `wall_stiffness`"), "{stop:?}");
+    let elastic = found(Surroundings { wall_gap_m: Some(0.1), wall_restitution: Some(1.0), ..none }, None);
+    assert!(elastic[0].contains("`wall_restitution` \"1\" must be from 0 to below 1"), "{elastic:?}");
 }
 
 /// A stop is a stop.

@@ -57,6 +57,27 @@ fn bad_input_is_refused() {
             with(&["--motion", RECORD, "--floor", "3", "--worlds", "20"]),
             with(&["--study", "gone.toml"]),
             with(&["--study", "examples/hospital/study.toml", "--storeys", "6", "--floor", "2"]),
+            with(&[
+                "--pga",
+                "0.3g",
+                "--wall-gap=-3mm",
+                "--neighbour-gap",
+                "1",
+                "--upper-height",
+                "1m",
+                "--friction=0.5-0.3",
+            ]),
+            with(&[
+                "--pga",
+                "0.3g",
+                "--wall-height",
+                "1m",
+                "--wall-stiffness",
+                "1e6 N/m",
+                "--rolling-resistance",
+                "0.02",
+            ]),
+            with(&["--pga", "0.3g", "--wall-gap", "0 mm", "--wall-restitution", "1", "--neighbor-gap", "0 mm"]),
         ],
     );
 }
@@ -153,7 +174,7 @@ fn the_examples_of_the_help_run() {
     let (_, examples) = help.split_once("\nExamples:\n").unwrap();
     let joined = examples.replace("\\\n", "");
     let commands: Vec<&str> = joined.lines().filter_map(|line| line.trim().strip_prefix("freestand object ")).collect();
-    assert_eq!(commands.len(), 5);
+    assert_eq!(commands.len(), 7);
     for command in commands {
         let command = command
             .replace("floor-1.csv", RECORD)

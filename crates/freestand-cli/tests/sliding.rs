@@ -162,6 +162,31 @@ fn a_history_and_a_figure_of_the_slide_are_written() {
     assert_eq!(got["warnings"][2], "the rolling resistance of 0.02 is assumed: `rolling_resistance` replaces it");
 }
 
+/// v √(k_s/m) at the first clearance, with the values given.
+#[test]
+fn a_stop_has_a_shock() {
+    let size = [
+        "--casters",
+        "--height",
+        "1 m",
+        "--thickness",
+        "0.4 m",
+        "--clearance-left",
+        "5 mm",
+        "--clearance-right",
+        "5 mm",
+        "--json",
+    ];
+    let stop = ["--mass", "120 kg", "--stop-stiffness", "50 N/mm"];
+    let got = document(&freestand("rock", &[&size[..], &stop].concat()));
+    let speed_m_s = got["clearance_speed_m_s"].as_f64().unwrap();
+    let expected = speed_m_s.abs() * (5e4f64 / 120.0).sqrt() / 9.80665;
+    let shock_g = got["stop_acceleration_g"].as_f64().unwrap();
+    assert!(speed_m_s.abs() > 0.01 && (shock_g / expected - 1.0).abs() < 1e-12, "{shock_g} {expected}");
+    let without = document(&freestand("rock", &size));
+    assert!(without["stop_acceleration_g"].is_null() && without["clearance_speed_m_s"].is_number());
+}
+
 /// Exit status 2, the cause, and what to do.
 #[test]
 fn what_does_not_slide_is_refused() {
@@ -183,6 +208,30 @@ fn what_does_not_slide_is_refused() {
             "applies only to an object that rocks",
             "--clearance-left",
         ),
+        (&["--casters", "--wall-stiffness", "5 N/mm"], "applies only to an object that rocks", "--stop-stiffness"),
+        (&["--casters", "--stop-stiffness", "5 N/mm", "--mass", "9 kg"], "there is no stop", "give --clearance-left"),
+        (
+            &["--casters", "--stop-stiffness", "5 N/mm", "--clearance-left", "1 m"],
+            "also needs the mass of the object",
+            "add --mass",
+        ),
+        (
+            &["--sliding", "--friction", "0.1", "--rolling-resistance", "0.1"],
+            "--rolling-resistance applies only to an object on casters",
+            "in place of --sliding",
+        ),
+        (
+            &["--sliding", "--friction", "0.1", "--brakes"],
+            "--brakes applies only to an object on casters",
+            "leave it out",
+        ),
+        (&["--casters", "--friction", "0.1"], "and these roll", "give --rolling-resistance, or add --brakes"),
+        (&["--casters", "--rolling-resistance", "0.5"], "an edge lifts before the object rolls", "a smaller --rolling"),
+        (&["--sliding", "--width", "1 m", "--friction", "0.1"], "applies only to a compliant base", "--base compliant"),
+        (&["--upper-height", "1 m"], "applies only to a compliant base", "add --base compliant"),
+        (&["--wall-gap", "1 cm", "--initial-rotation=-5deg"], "cannot start beyond it", ""),
+        (&["--slope", "1 deg"], "unexpected argument", ""),
+        (&["--stop-stiffness", "5 N/mm"], "applies only to objects that slide or roll", "add --sliding"),
         (&["--sliding", "--casters"], "cannot be used with", "usage"),
     ] {
         let output = freestand("rock", &[&size[..], args].concat());

@@ -75,6 +75,49 @@ fn walls_that_make_no_sense_are_refused_with_a_hint() {
     assert!(refused(&["--wall-height=1m"]).contains("distance"));
     assert!(refused(&["--wall-gap=1m", "--wall-stiffness=2000N/mm"]).contains("mass"));
     assert!(refused(&["--wall-gap-right=10mm"]).contains("cannot start beyond it"));
-    let compliant = ["--wall-gap=1m", "--base=compliant", "--mass=9kg", "--stiffness=400N/mm"];
-    assert!(refused(&compliant).contains("applies only to a rigid base"));
+    let on_cushions =
+        |flags: &[&str]| refused(&[&["--base=compliant", "--mass=9kg", "--stiffness=400N/mm"], flags].concat());
+    let restitution = on_cushions(&["--wall-gap=1m", "--wall-restitution=0.3"]);
+    assert!(restitution.contains("--wall-restitution applies only to a rigid base"), "{restitution}");
+    assert!(restitution.contains("follows from its cushion"), "{restitution}");
+    assert!(on_cushions(&["--wall-gap=1m", "--shape=cylinder"]).contains("a cylinder at a wall is not modelled"));
+    assert!(on_cushions(&["--wall-stiffness=400N/mm"]).contains("there is no wall"));
+    assert!(on_cushions(&["--wall-gap=1m", "--upper-height=1m"]).contains("does not apply to a stack"));
+    let power =
+        on_cushions(&["--law=hunt-crossley", "--dissipation=0.3s/m", "--wall-gap=1m", "--wall-stiffness=9N/mm"]);
+    assert!(power.contains("--wall-stiffness does not describe a cushion of the law"), "{power}");
+}
+
+/// Both solvers between the same walls, with an elastic wall as stiff as what they assume: the same
+/// angles of contact, and speeds at the walls within a third. The foot of the rigid base does not
+/// lift, that on cushions does.
+#[test]
+fn walls_on_cushions_are_a_second_opinion() {
+    let document = |flags: &[&str]| -> Value {
+        let record = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/rocking/records/synthfloor.csv");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_freestand"));
+        command.args(["rock", "--json", "--quiet", "--scale=6", "--height=1.8m", "--thickness=0.4m", "--mass=100kg"]);
+        command.args(["--wall-gap-left=30mm", "--wall-gap-right=200mm", "--wall-stiffness=2000N/mm", "--motion"]);
+        let output = command.arg(record).args(flags).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let number = |document: &Value, key: &str| document[key].as_f64().unwrap();
+    let rigid = document(&[]);
+    let cushions = ["--base=compliant", "--stiffness=4000N/mm", "--law=kelvin-voigt", "--damping=5%"];
+    let plane = document(&cushions);
+    for key in ["wall_angle_left_rad", "wall_angle_right_rad"] {
+        assert_eq!(rigid[key], plane[key], "{key}");
+    }
+    for key in ["wall_speed_max_m_s", "wall_acceleration_g"] {
+        let ratio = number(&plane, key) / number(&rigid, key);
+        assert!((ratio - 1.0).abs() < 0.33, "{key}: {ratio}");
+    }
+    assert_eq!((&plane["model"], &plane["width_m"]), (&Value::from("compliant"), &Value::Null));
+    // In three dimensions, shaken along the thickness alone, it moves as in the plane: 1e-6 of the
+    // solver, times what its impacts on walls amplify.
+    let space = document(&[&cushions[..], &["--width=600mm"]].concat());
+    let [got, expect] = [&space, &plane].map(|document| number(document, "peak_tilt_rad"));
+    assert!((got / expect - 1.0).abs() < 1e-4, "{got} {expect}");
+    assert_eq!(space["model"], "compliant-3d");
 }

@@ -122,6 +122,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     if block.landing_ratio() < 0.0 {
         warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
     }
+    warnings.extend(crate::walls::doubts(block, &request.options.walls, rocking.contacts));
     if let Some((mass, EdgeCushion { cushion, pad_thickness_m, .. })) = request.cushion.as_ref() {
         warnings.extend(stiffness_warnings(*mass, cushion, *pad_thickness_m).iter().map(ToString::to_string));
         let impacts = landings.iter().zip(rocking.sides).map(|(landing, side)| {

@@ -137,10 +137,60 @@ pub struct SlideRequest {
     pub horizontal: Option<Motion>,
     /// Vertical motion of its base.
     pub vertical: Option<Motion>,
+    /// What is at the end of the clearance, for the shock there.
+    pub stop: Option<StopShock>,
     /// g \[m/s²\].
     pub gravity_m_s2: f64,
     /// When to stop.
     pub until: Until,
+}
+
+/// A stop that an object on it strikes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StopShock {
+    /// Mass of the object \[kg\].
+    pub mass_kg: f64,
+    /// k_s \[N/m\].
+    pub stiffness_n_m: f64,
+}
+
+impl StopShock {
+    /// A stop with what it needs; `None` if its stiffness is not given.
+    ///
+    /// # Errors
+    /// A stiffness without a mass, or without a clearance at whose end the stop is.
+    pub fn new(
+        stiffness_n_m: Option<f64>,
+        mass_kg: Option<f64>,
+        clearance: &Clearance,
+    ) -> Result<Option<Self>, Problem> {
+        let Some(stiffness_n_m) = stiffness_n_m else { return Ok(None) };
+        if clearance.left_m.is_none() && clearance.right_m.is_none() {
+            return Err(Problem::value(
+                "there is no stop: its distance from the object is missing",
+                "give `clearance_left` or `clearance_right`; 0 where they touch",
+            ));
+        }
+        let Some(mass_kg) = mass_kg else {
+            let message = "the stiffness of the stop is used for the shock, which also needs the mass of the object";
+            return Err(Problem::value(message, "add `mass`, or leave `stop_stiffness` out"));
+        };
+        Ok(Some(Self { mass_kg, stiffness_n_m }))
+    }
+
+    /// v √(k_s/m): peak of the half-sine with which an elastic stop turns the speed round
+    /// \[m/s²\]. The object does not turn about the stop, which is level with its centre of gravity.
+    ///
+    /// # Example
+    /// 1 m/s onto 100 N/mm with 100 kg: √1000 m/s².
+    /// ```
+    /// use freestand_study::sliding::StopShock;
+    /// let stop = StopShock { mass_kg: 100.0, stiffness_n_m: 1e5 };
+    /// assert!((stop.acceleration_m_s2(-1.0) - 1e3f64.sqrt()).abs() < 1e-12);
+    /// ```
+    pub fn acceleration_m_s2(&self, velocity_m_s: f64) -> f64 {
+        velocity_m_s.abs() * (self.stiffness_n_m / self.mass_kg).sqrt()
+    }
 }
 
 /// The object at one instant.
@@ -172,7 +222,7 @@ pub struct SlideReport {
 /// # Errors
 /// A block that this surface holds until it rocks, free flight, and input that the solver refuses.
 pub fn slide(request: &SlideRequest, record: bool) -> Result<SlideReport, Problem> {
-    let SlideRequest { block, surface, horizontal, vertical, gravity_m_s2, until } = request;
+    let SlideRequest { block, surface, horizontal, vertical, gravity_m_s2, until, .. } = request;
     if !surface.carries(block)? {
         return Err(surface.refused(block));
     }
@@ -215,6 +265,8 @@ fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
         Contact::Casters => ("rolling resistance", ""),
     };
     let none = Vec::<Facts<'static>>::new();
+    let struck = request.stop.zip(sliding.contact);
+    let stop_g = struck.map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2);
     Facts::default()
         .fact("outcome", "outcome", sliding.outcome.name())
         .fact("model", "model", request.surface.contact.model())
@@ -230,6 +282,7 @@ fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {
         .fact("clearance_right_m", "clearance to the right", clearance.right_m)
         .fact("clearance_time_s", "clearance reached at", sliding.contact.map(|(time_s, _)| time_s))
         .fact("clearance_speed_m_s", "  with the velocity", sliding.contact.map(|(_, velocity_m_s)| velocity_m_s))
+        .fact("stop_acceleration_g", "  shock of the stop there", stop_g)
         .fact("trip_speed_m_s", "speed at which a stop trips it", trip_speed_m_s(&request.block, request.gravity_m_s2))
         .fact("friction_ratio", coefficient, friction.static_ratio())
         .fact("friction_kinetic_ratio", kinetic, friction.kinetic_ratio())

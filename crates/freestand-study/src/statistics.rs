@@ -41,9 +41,9 @@ pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>
         done.iter().filter(|(uplift, _)| holds(uplift)).count() as f64 / done.len() as f64
     };
     let survivors: Vec<f64> = done.iter().filter_map(|(_, shock)| shock.edge_acceleration_g).collect();
-    let uplifts = done.iter().map(|(uplift, _)| {
-        if uplift.rocking.outcome == Outcome::Overturned { f64::INFINITY } else { uplift.rocking.uplift_m }
-    });
+    let uplifts = done
+        .iter()
+        .map(|(uplift, _)| if uplift.rocking.outcome.has_fallen() { f64::INFINITY } else { uplift.rocking.uplift_m });
     let shocks = done.iter().map(|(_, shock)| shock.edge_acceleration_g.unwrap_or(f64::INFINITY));
     let impacts = done.iter().map(|(_, shock)| shock.edge_acceleration_impact_velocity_g.unwrap_or(f64::INFINITY));
     Some(ObjectStatistics {
@@ -51,7 +51,7 @@ pub fn object_statistics<'a>(responses: impl Iterator<Item = &'a ObjectResponse>
         thickness_m: first.block.thickness_m(),
         motions: done.len(),
         uplift_share: share(&|uplift| uplift.rocking.outcome != Outcome::NoUplift),
-        overturned_share: share(&|uplift| uplift.rocking.outcome == Outcome::Overturned),
+        overturned_share: share(&|uplift| uplift.rocking.outcome.has_fallen()),
         uplift_m: quantiles(uplifts.collect()),
         edge_acceleration_g: quantiles(shocks.collect()),
         edge_acceleration_impact_velocity_g: quantiles(impacts.collect()),
@@ -110,6 +110,27 @@ mod tests {
         let mut four_of_nine = [0.0, 1.0, 2.0, 3.0, 4.0, FALLEN, FALLEN, FALLEN, FALLEN];
         assert_eq!(ranked_quantile(&mut four_of_nine, 0.5), Ranked::Value(4.0));
         assert_eq!(ranked_quantile(&mut four_of_nine, 0.84), Ranked::Overturned);
+    }
+
+    /// An object that ends leaning on a wall ranks with those that overturn.
+    #[test]
+    fn leaning_counts_as_overturning() {
+        let result = crate::fixture::result(&crate::fixture::study());
+        let responses = result.levels.iter().flat_map(|level| level.responses.iter().flatten());
+        let leaned = responses.filter_map(|response| match response {
+            ObjectResponse::Done { uplift, shock, .. } if uplift.rocking.outcome == Outcome::Rocked => {
+                let (mut uplift, mut shock) = (*uplift, *shock);
+                uplift.rocking.outcome = Outcome::Leaned;
+                // As the shock of every object that has fallen.
+                shock.edge_acceleration_g = None;
+                Some(ObjectResponse::Done { uplift, shock, direction_deg: None })
+            }
+            _ => None,
+        });
+        let leaned: Vec<ObjectResponse> = leaned.take(1).collect();
+        let statistics = object_statistics(leaned.iter()).unwrap();
+        assert_eq!((statistics.overturned_share, statistics.uplift_m[1]), (1.0, Ranked::Overturned));
+        assert!(statistics.exceeds(1e9));
     }
 
     #[test]

@@ -88,7 +88,7 @@ pub fn level_summary(level: &LevelResult, tolerance_m_s2: Option<f64>) -> LevelS
         histories,
         failed: histories - done,
         uplift_share: share(count(&|o| o != Outcome::NoUplift)),
-        overturned_share: share(count(&|o| o == Outcome::Overturned)),
+        overturned_share: share(count(&|o| o.has_fallen())),
         exceeded_objects: tolerance_m_s2
             .map(|tolerance| statistics().filter(|s| s.exceeds(tolerance / G0_M_S2)).count()),
         overturned_objects: statistics().filter(|s| s.edge_acceleration_g[1] == Ranked::Overturned).count(),

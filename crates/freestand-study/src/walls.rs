@@ -6,6 +6,7 @@ use freestand::rocking::{Rocking, SideExtremes, WallImpact};
 use freestand::wall::{Contact, DEFAULT_WALL_RESTITUTION_RATIO, Wall, WallError, Walls};
 use freestand::wall_shock::{WallShock, largest};
 use freestand_input::problem::Problem;
+use freestand_input::words::number;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 
@@ -120,6 +121,36 @@ pub(crate) fn wall_facts(block: &Block, rocking: &Rocking, stiffness: WallStiffn
         .fact("leaning", leans, rocking.leaning)
 }
 
+/// What is said of walls that hold nothing: beyond the reach of the object, or past its balance
+/// point.
+pub(crate) fn doubts(block: &Block, walls: &Walls, contacts: [Option<Contact>; 2]) -> Vec<String> {
+    let [right, left] = contacts;
+    let sides = [
+        ("left", walls.left, left, block.pivot().slenderness_angle_rad),
+        ("right", walls.right, right, block.right_pivot().slenderness_angle_rad),
+    ];
+    let doubt = |(side, wall, contact, balance_rad): (&str, Option<Wall>, Option<Contact>, f64)| {
+        let gap_m = wall?.gap_m;
+        let Some(Contact { angle_rad, .. }) = contact else {
+            return Some(format!(
+                "the wall on the {side} is {} m away and the object {} m high: it cannot touch it, so there is no wall \
+                 within reach",
+                number(gap_m, 4),
+                number(block.height_m(), 4)
+            ));
+        };
+        (angle_rad >= balance_rad).then(|| {
+            format!(
+                "the object touches the wall on the {side} at {} rad, past its balance point at {} rad: it can \
+                 fall against the wall and lean there",
+                number(angle_rad, 3),
+                number(balance_rad, 3)
+            )
+        })
+    };
+    sides.into_iter().filter_map(doubt).collect()
+}
+
 /// The largest speed of an impact on a wall; `None` without one.
 pub(crate) fn speed_m_s(block: &Block, contacts: [Option<Contact>; 2], sides: [SideExtremes; 2]) -> Option<f64> {
     largest(WallShock::of_sides(block, contacts), sides, WallShock::speed_m_s)
@@ -136,4 +167,26 @@ pub(crate) fn acceleration_g(
     let (mass_kg, stiffness_n_m) = stiffness.mass_kg.zip(stiffness.stiffness_n_m)?;
     let of = |shock: &WallShock, omega: f64| shock.acceleration_m_s2(omega, mass_kg, stiffness_n_m) / G0_M_S2;
     largest(WallShock::of_sides(block, contacts), sides, of)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A gap of the height or more is out of reach; a low obstacle is met past the balance point.
+    #[test]
+    fn walls_that_hold_nothing_are_said() {
+        let block = Block::uniform(2.0, 0.4).unwrap();
+        let doubts = |left_gap_m, height_m| {
+            let walls = GivenWalls { left_gap_m: Some(left_gap_m), height_m, ..GivenWalls::default() };
+            let walls = walls.walls(&block).unwrap();
+            doubts(&block, &walls, walls.contacts(&block).unwrap())
+        };
+        assert!(doubts(12.0, None)[0].contains("the wall on the left is 12 m away"), "{:?}", doubts(12.0, None));
+        assert!(doubts(2.0, None)[0].contains("no wall within reach"));
+        // asin(0.5/2) = 0.253 > atan(0.4/2) = 0.197; atan(0.01/0.005) = 1.107.
+        assert!(doubts(0.5, None)[0].contains("at 0.253 rad, past its balance point at 0.197 rad"));
+        assert!(doubts(0.01, Some(0.005))[0].contains("at 1.11 rad, past its balance point"));
+        assert_eq!((doubts(0.3, None), doubts(0.0, None)), (Vec::new(), Vec::new()));
+    }
 }

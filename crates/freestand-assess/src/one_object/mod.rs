@@ -16,6 +16,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::facts::Facts;
 use freestand_study::recorded::ReadMotion;
 
+use crate::inventory::{Casters, Surroundings};
 use crate::output::words::listed;
 use crate::result::Assessment;
 use crate::verdict::{Context, Member, Subject, Tally, assess_one};
@@ -64,6 +65,11 @@ pub struct Object {
     pub rests_on: Option<RestsOn>,
     /// What it withstands.
     pub tolerance: Option<Withstood>,
+    /// Coefficient of friction on the floor, from the first to the second; `None`: drawn as in an
+    /// assessment.
+    pub friction_ratio: Option<(f64, f64)>,
+    /// What is beside it and on it, and whether it rolls.
+    pub surroundings: Surroundings,
 }
 
 /// What is under one edge of an object.
@@ -182,7 +188,7 @@ pub fn one_object(
 
 /// Everything that the parts of a request contradict.
 fn check(request: &ObjectRequest) -> Result<(), Problems> {
-    let Object { height_m, thickness_m, mass_kg, rests_on, tolerance, .. } = &request.object;
+    let Object { height_m, thickness_m, width_m, mass_kg, rests_on, tolerance, surroundings, .. } = &request.object;
     let mut problems = Problems::default();
     let mut note = |message: &str, hint: &str| problems.push(Problem::value(message, hint));
     if thickness_m > height_m {
@@ -192,10 +198,19 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
              with freestand assess",
         );
     }
+    surroundings_agree(surroundings, *width_m, &mut note);
     if rests_on.is_some() && mass_kg.is_none() {
         note("`on` needs `mass`: pads move with the mass on them", "add `mass`, or leave `on` out");
     }
-    if tolerance.is_some() && (mass_kg.is_none() || rests_on.is_none()) {
+    if surroundings.casters == Some(Casters::Free) {
+        if tolerance.is_some() && (mass_kg.is_none() || surroundings.wall_stiffness_n_m.is_none()) {
+            note(
+                "`tolerance` of an object on free casters needs `mass` and `wall_stiffness`: its shock is that of its \
+                 stop",
+                "add what is missing, or leave `tolerance` out: whether it falls needs no tolerance",
+            );
+        }
+    } else if tolerance.is_some() && (mass_kg.is_none() || rests_on.is_none()) {
         note(
             "`tolerance` needs `mass` and `on`: without them no shock can be calculated",
             "add what is missing, such as `on = \"rubber-foot\"`, or leave `tolerance` out: whether it falls needs no \
@@ -256,4 +271,31 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         note(&format!("`level_ratio` must be from 0 (the ground) to 1 (the roof), not {ratio}"), "50 % is 0.5");
     }
     problems.finish(Some(()))
+}
+
+/// What is said of a wall, a neighbour or casters that the object does not have.
+fn surroundings_agree(around: &Surroundings, width_m: Option<f64>, note: &mut impl FnMut(&str, &str)) {
+    let is_free = around.casters == Some(Casters::Free);
+    let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
+    if !has_wall && (around.wall_height_m.is_some() || around.wall_restitution.is_some()) {
+        note(
+            "`wall_height` and `wall_restitution` describe a wall, but there is none",
+            "add `wall_gap` or `neighbour_gap` (0 where they touch), or leave them out",
+        );
+    }
+    if around.wall_stiffness_n_m.is_some() && !has_wall && !is_free {
+        note(
+            "`wall_stiffness` describes a wall or the stop of free casters, but there is neither",
+            "add `wall_gap`, `neighbour_gap` or `casters = \"free\"`, or leave it out",
+        );
+    }
+    if around.neighbour_gap_m.is_some() && width_m.is_none() && !is_free {
+        note(
+            "`neighbour_gap` is measured in the direction of the width, which is not given",
+            "add `width`; a wall behind the object is `wall_gap`",
+        );
+    }
+    if around.rolling_resistance_ratio.is_some() && !is_free {
+        note("`rolling_resistance` is that of free casters", "add `casters = \"free\"`, or leave it out");
+    }
 }

@@ -1,10 +1,12 @@
 //! What is said about one object: the sentence, its numbers, and the document.
 
 use freestand::G0_M_S2;
+use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::words::{number, percent_significant};
 use freestand_output::facts::{Facts, Value};
 use freestand_study::places::Place;
 use freestand_study::result::Ranked;
+use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::Study;
 use freestand_study::target::Target;
 
@@ -12,7 +14,8 @@ use super::row::Row;
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands};
 use super::shaking::{Shaken, building_words};
 use super::{Earthquake, FloorPlace, ObjectReport, ObjectRequest};
-use crate::result::{Assessment, FallsAnswer, Probability, SlidingVerdict};
+use crate::inventory::Casters;
+use crate::result::{Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict};
 use crate::verdict::Tally;
 
 /// Makes the report; `scales` are the factors with what was found at each.
@@ -63,7 +66,7 @@ pub(super) fn report(
         .key("level_ratio", level_ratio)
         .key("place", place)
         .key("scales", (!scales.is_empty()).then(|| scales.clone()))
-        .fact("assumptions", "assumed", assumptions(request, row, target, is_given));
+        .fact("assumptions", "assumed", assumptions(request, row, &found, target, is_given));
     ObjectReport { answer: sentence, kind: answer.kind, facts, scales, warnings }
 }
 
@@ -78,7 +81,14 @@ fn counts(found: &Assessment, tally: &Tally) -> Counts {
         shock_g_max: tally.shock_g_max,
         floor_g_max: found.floor.as_ref().map_or(0.0, |floor| floor.pfa_g_max),
         lift_g: tally.lift_g,
+        leaning: leaning(found, tally),
+        rolled: found.rolled,
     }
+}
+
+/// The worlds at whose end it leans on a wall.
+fn leaning(found: &Assessment, tally: &Tally) -> u32 {
+    found.at_wall.as_ref().map_or(0, |wall| (wall.lean_share * f64::from(tally.worlds)).round() as u32)
 }
 
 /// The floor as people call it.
@@ -138,7 +148,7 @@ fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, no
         .key("accepted_for", found.accepted_for.name())
         .key("confidence", confidence)
         .fact("floor_acceleration_g", "", floor_acceleration(found))
-        .fact("lift_acceleration_g", "acceleration that lifts an edge", tally.lift_g)
+        .and(around(found, tally))
         .key("uplift_m_max", tally.uplift_m_max)
         .line(
             "largest uplift without a fall",
@@ -168,7 +178,40 @@ fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, no
         .key("models_agree", answers.and_then(|answers| answers.models_agree))
         .key("clearance_m", found.clearance_m)
         .key("sliding", sliding.map(SlidingVerdict::name))
-        .line("slides", sliding.filter(|one| *one != SlidingVerdict::No).map(|one| one.name().to_owned()))
+        .line(
+            "slides",
+            sliding.filter(|one| found.rolled.is_none() && *one != SlidingVerdict::No).map(|one| one.name().to_owned()),
+        )
+}
+
+/// Its model, its wall and its casters, with the names of `objects.csv`.
+fn around(found: &Assessment, tally: &Tally) -> Facts<'static> {
+    let (wall, rolled) = (found.at_wall.as_ref(), found.rolled.as_ref());
+    let millimetres = |length_m: f64| format!("{} mm", number(1e3 * length_m, 3));
+    let lift = "acceleration that lifts an edge";
+    let shock_g = wall.and_then(|wall| wall.acceleration_g_median);
+    let facts = Facts::default().key("model", found.model.map(ObjectModel::name));
+    // Its casters let an object roll before an edge lifts.
+    let facts = match rolled {
+        Some(_) => facts.key("lift_acceleration_g", tally.lift_g),
+        None => facts.fact("lift_acceleration_g", lift, tally.lift_g),
+    };
+    facts
+        .key("motions_leaning", wall.map(|_| u64::from(leaning(found, tally))))
+        .key("p_lean", wall.map(|wall| wall.lean_share))
+        .line("strikes its wall in", wall.map(|wall| percent_significant(wall.strike_share, 2)))
+        .key("wall_strike_share", wall.map(|wall| wall.strike_share))
+        .key("wall_speed_m_s_median", wall.map(|wall| wall.speed_m_s_median))
+        .line("  speed there, median", wall.map(|wall| format!("{} m/s", number(wall.speed_m_s_median, 3))))
+        .key("wall_acceleration_g_median", shock_g)
+        .line("  shock there, median", shock_g.and_then(|shock_g| shock_words(Ranked::Value(shock_g))))
+        .key("slide_m_median", rolled.map(|rolled| rolled.travel_m_median))
+        .key("slide_m_p84", rolled.map(|rolled| rolled.travel_m_p84))
+        .line("rolls, median", rolled.map(|rolled| millimetres(rolled.travel_m_median)))
+        .line("  in 84 % up to", rolled.map(|rolled| millimetres(rolled.travel_m_p84)))
+        .key("stop_share", rolled.map(|rolled| rolled.stop_share))
+        .fact("trip_speed_m_s", "speed at which a stop trips it", rolled.map(|rolled| rolled.trip_speed_m_s))
+        .key("trip_margin", rolled.and_then(Rolled::trip_margin))
 }
 
 /// A number, `overturned`, or nothing.
@@ -210,8 +253,18 @@ fn floor_acceleration(found: &Assessment) -> Facts<'static> {
 }
 
 /// What nobody stated, in sentences.
-fn assumptions(request: &ObjectRequest, row: &Row, target: Option<&Target>, is_given: bool) -> Vec<String> {
+fn assumptions(
+    request: &ObjectRequest,
+    row: &Row,
+    found: &Assessment,
+    target: Option<&Target>,
+    is_given: bool,
+) -> Vec<String> {
     let object = &request.object;
+    let around = &object.surroundings;
+    let is_free = around.casters == Some(Casters::Free);
+    let names_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
+    let is_at_wall = found.at_wall.is_some();
     let mut said = Vec::new();
     said.push(match (object.cg_height_m, object.width_m) {
         (None, None) => "centre of gravity at half the height; without a width it rocks about one axis only".to_owned(),
@@ -225,10 +278,28 @@ fn assumptions(request: &ObjectRequest, row: &Row, target: Option<&Target>, is_g
         said.push(format!("{}, because no site was given", target.site_words()));
     }
     said.extend(row.item.cushion_source.as_ref().map(|source| format!("under one edge: {source}")));
-    if object.rests_on.is_none() || object.mass_kg.is_none() {
+    if is_free && found.rolled.is_none() {
+        said.push("its casters resist so much that it rocks before it rolls".to_owned());
+    } else if is_free {
+        if around.rolling_resistance_ratio.is_none() {
+            said.push(format!("a rolling resistance of {DEFAULT_ROLLING_RESISTANCE} of its weight"));
+        }
+    } else if is_at_wall && row.item.cushion.is_some() && found.on_pads.is_none() {
+        said.push("on a rigid floor: beside a wall its pads are not followed".to_owned());
+    } else if object.rests_on.is_none() || object.mass_kg.is_none() {
         said.push("a rigid floor: without mass and pads no shock is calculated".to_owned());
     } else {
         said.push("on a rigid floor and on its pads: the worse of the two counts".to_owned());
+    }
+    if names_wall && !is_at_wall && !is_free {
+        said.push("no wall: what is named is farther away than the object reaches".to_owned());
+    }
+    if is_at_wall && is_given {
+        let restitution = match around.wall_restitution {
+            None => format!("; a restitution of {DEFAULT_WALL_RESTITUTION_RATIO} there"),
+            Some(_) => String::new(),
+        };
+        said.push(format!("the side of its wall is drawn for each motion{restitution}"));
     }
     if is_given {
         said.push("the object as given, without uncertainty; every motion counts once".to_owned());

@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_study::study::{FirstFloor, Study};
 
 use super::{Earthquake, FloorPlace, Object, ObjectRequest, RestsOn};
-use crate::inventory::{Column, Finding, Item, Mapping, ReadOptions, Severity, parse_inventory};
+use crate::inventory::{Column, Finding, Item, Mapping, ReadOptions, Severity, Surroundings, parse_inventory};
 use crate::job::floors_of;
 use crate::library::Libraries;
 
@@ -54,13 +55,36 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
     if let Earthquake::Motions { .. } = request.earthquake {
         // Under given motions nothing is drawn.
         item.cushion_log_sd = None;
+        let restitution = &mut item.surroundings.wall_restitution;
+        *restitution = restitution.or(Some(DEFAULT_WALL_RESTITUTION_RATIO));
     }
     Ok(Row { item, warnings })
 }
 
 /// The list, in SI with all digits.
 fn list(request: &ObjectRequest) -> Result<Vec<u8>, Problem> {
-    let Object { height_m, thickness_m, width_m, cg_height_m, mass_kg, rests_on, tolerance } = &request.object;
+    let Object {
+        height_m,
+        thickness_m,
+        width_m,
+        cg_height_m,
+        mass_kg,
+        rests_on,
+        tolerance,
+        friction_ratio,
+        surroundings,
+    } = &request.object;
+    let Surroundings {
+        wall_gap_m,
+        neighbour_gap_m,
+        wall_height_m,
+        wall_stiffness_n_m,
+        wall_restitution,
+        casters,
+        rolling_resistance_ratio,
+        clearance_m,
+        upper,
+    } = surroundings;
     let with = |unit: &'static str| move |value: f64| format!("{value} {unit}");
     let (stiffness, entry) = match rests_on {
         Some(RestsOn::Stiffness(stiffness_n_m)) => (Some(format!("{stiffness_n_m} N/m")), None),
@@ -83,6 +107,18 @@ fn list(request: &ObjectRequest) -> Result<Vec<u8>, Problem> {
         (Column::Cushion, entry),
         (Column::Tolerance, tolerance.map(|one| format!("{} m/s2", one.peak_m_s2))),
         (Column::ToleranceDuration, tolerance.and_then(|one| one.duration_s).map(with("s"))),
+        (Column::Friction, friction_ratio.map(|(low, high)| format!("{low} to {high}"))),
+        (Column::WallGap, wall_gap_m.map(with("m"))),
+        (Column::NeighbourGap, neighbour_gap_m.map(with("m"))),
+        (Column::WallHeight, wall_height_m.map(with("m"))),
+        (Column::WallStiffness, wall_stiffness_n_m.map(with("N/m"))),
+        (Column::WallRestitution, wall_restitution.map(|ratio| ratio.to_string())),
+        (Column::Casters, casters.map(|casters| casters.name().to_owned())),
+        (Column::RollingResistance, rolling_resistance_ratio.map(|ratio| ratio.to_string())),
+        (Column::Clearance, clearance_m.map(with("m"))),
+        (Column::UpperHeight, upper.map(|body| body.height_m).map(with("m"))),
+        (Column::UpperThickness, upper.map(|body| body.thickness_m).map(with("m"))),
+        (Column::UpperMass, upper.and_then(|body| body.mass_kg).map(with("kg"))),
         (Column::Floor, floor),
         (Column::LevelRatio, level),
     ];

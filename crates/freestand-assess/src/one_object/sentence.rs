@@ -2,13 +2,15 @@
 
 use freestand_input::words::{number, percent_significant};
 
-use crate::result::Probability;
+use crate::result::{Probability, Rolled};
 
 /// What the answer says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AnswerKind {
     /// Nothing lifts an edge.
     DoesNotRock,
+    /// It is on free casters: it rolls, and no stop overturns it.
+    Rolls,
     /// Something lifts an edge, nothing overturns it.
     Rocks,
     /// It is overturned, at most as often as is accepted.
@@ -21,12 +23,14 @@ pub enum AnswerKind {
 
 impl AnswerKind {
     /// Every kind, from the best to the worst.
-    pub const ALL: [Self; 5] = [Self::DoesNotRock, Self::Rocks, Self::ProbablyStands, Self::MayFall, Self::Falls];
+    pub const ALL: [Self; 6] =
+        [Self::DoesNotRock, Self::Rolls, Self::Rocks, Self::ProbablyStands, Self::MayFall, Self::Falls];
 
     /// The kind that belongs to these counts.
     pub(super) fn of(counts: &Counts, accepted_ratio: f64) -> Self {
         let share = f64::from(counts.overturned) / f64::from(counts.asked.max(1));
         match (counts.overturned, counts.lifted) {
+            (0, _) if counts.rolled.is_some() => Self::Rolls,
             (0, 0) => Self::DoesNotRock,
             (0, _) => Self::Rocks,
             _ if share <= accepted_ratio => Self::ProbablyStands,
@@ -39,6 +43,7 @@ impl AnswerKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::DoesNotRock => "does-not-rock",
+            Self::Rolls => "rolls",
             Self::Rocks => "rocks",
             Self::ProbablyStands => "probably-stands",
             Self::MayFall => "may-fall",
@@ -49,6 +54,7 @@ impl AnswerKind {
     fn words(self) -> &'static str {
         match self {
             Self::DoesNotRock => "does not rock",
+            Self::Rolls => "rolls and stays standing",
             Self::Rocks => "stays standing",
             Self::ProbablyStands => "will probably stay standing",
             Self::MayFall => "may fall over",
@@ -135,6 +141,10 @@ pub(super) struct Counts {
     pub(super) floor_g_max: f64,
     /// Acceleration that lifts an edge \[g\].
     pub(super) lift_g: f64,
+    /// Those that leave it leaning on a wall, past its balance point: they count as overturning it.
+    pub(super) leaning: u32,
+    /// How it rolls; `None`: it does not.
+    pub(super) rolled: Option<Rolled>,
 }
 
 /// What an object withstands.
@@ -167,8 +177,9 @@ impl Answer {
             text if text.is_empty() => text,
             text => format!(": {text}"),
         };
-        let (under, kind, landings) = (self.under(), self.kind.words(), self.landings());
-        format!("{under}{comma} this object {kind}{evidence}{landings}.")
+        let (under, kind, leaning) = (self.under(), self.kind.words(), self.leaning());
+        let rest = if self.counts.rolled.is_some() { self.rolling() } else { self.landings() };
+        format!("{under}{comma} this object {kind}{evidence}{leaning}{rest}.")
     }
 
     /// `In Melbourne (AS 1170.4, 500 years, site De) on the ground`.
@@ -225,6 +236,7 @@ impl Answer {
                     _ => format!("{} an edge{by}{none}", self.count(lifted, motions, ("lifts", "lift"))),
                 }
             }
+            AnswerKind::Rolls => String::new(),
             AnswerKind::Falls if motions == 1 && self.earthquake == Told::Motions => String::new(),
             AnswerKind::ProbablyStands | AnswerKind::MayFall | AnswerKind::Falls => {
                 let counted = self.count(overturned, asked, ("overturns", "overturn"));
@@ -251,6 +263,68 @@ impl Answer {
             _ if hits == of => format!("all {of} {noun} {verb}"),
             _ => format!("{hits} of {of} {noun} {verb}"),
         }
+    }
+
+    /// `; in 3 of them it ends leaning on its wall`.
+    fn leaning(&self) -> String {
+        let Counts { leaning, overturned, asked, .. } = self.counts;
+        match leaning {
+            0 => String::new(),
+            _ if overturned == 1 && asked == 1 => "; it ends leaning on its wall".to_owned(),
+            _ if leaning == overturned && overturned == 1 => "; it then leans on its wall".to_owned(),
+            _ if leaning == overturned => "; in all of these it ends leaning on its wall".to_owned(),
+            _ => format!("; in {leaning} of these it ends leaning on its wall"),
+        }
+    }
+
+    /// Its travel against its clearance, and the speed at the stop against the trip speed.
+    fn rolling(&self) -> String {
+        let Some(rolled) = &self.counts.rolled else { return String::new() };
+        let Counts { motions, exceeded, .. } = self.counts;
+        let millimetres = |length_m: f64| format!("{} mm", number((1e3 * length_m).ceil(), 6));
+        let times = |count: u32| match (&self.earthquake, count) {
+            (Told::Motions, 1) if motions == 1 => String::new(),
+            (_, count) => format!(" in {count} of {motions}"),
+        };
+        // After what overturns it, or after its kind.
+        let begin = if self.kind == AnswerKind::Rolls { ": " } else { "; it rolls " };
+        let share = if motions == 1 { "" } else { " in 84 % of them" };
+        let first = match &self.earthquake {
+            Told::Motions => share.to_owned(),
+            earthquake if self.kind == AnswerKind::Rolls && motions > 1 => {
+                format!(" in 84 % of {motions} {}", earthquake.noun())
+            }
+            _ => share.to_owned(),
+        };
+        let mut told = format!("{begin}by up to {}{first}", millimetres(rolled.travel_m_p84));
+        match (rolled.clearance_m, (rolled.stop_share * f64::from(motions)).round() as u32) {
+            (None, _) => told.push_str(", and nothing that was named stops it"),
+            (Some(clearance_m), 0) => {
+                told.push_str(&format!(", less than its clearance of {}", millimetres(clearance_m)));
+            }
+            (Some(clearance_m), stops) => {
+                let clearance = millimetres(clearance_m);
+                let speed = rolled
+                    .stop_speed_m_s_p84
+                    .map_or_else(String::new, |speed_m_s| format!(" at up to {} m/s{share}", number(speed_m_s, 2)));
+                let trip = number(rolled.trip_speed_m_s, 2);
+                told.push_str(&format!(
+                    "; it meets the stop at {clearance}{}{speed}, and a stop overturns it from {trip} m/s",
+                    times(stops)
+                ));
+            }
+        }
+        match (&self.withstands, exceeded) {
+            (Some(withstands), Some(exceeded)) if exceeded > 0 => {
+                let limit = withstands.words();
+                told.push_str(&format!(
+                    "; the shock of the stop exceeds the {limit} that it withstands{}",
+                    times(exceeded)
+                ));
+            }
+            _ => {}
+        }
+        told
     }
 
     /// `; its landings reach 6.4 g, under the 10 g that it withstands`.
@@ -344,6 +418,61 @@ mod tests {
 
     fn p(value: f64, low: f64, high: f64) -> Option<Probability> {
         Some(Probability { value, low, high })
+    }
+
+    const ROLLED: Rolled = Rolled {
+        travel_m_median: 0.2,
+        travel_m_p84: 0.31,
+        clearance_m: None,
+        stop_share: 0.0,
+        stop_speed_m_s_p84: None,
+        trip_speed_m_s: 1.92,
+    };
+
+    /// What rolls is told by its travel, against its clearance and the speed that trips it.
+    #[test]
+    fn travel_against_clearance() {
+        let tell = |rolled: Rolled, counts: Counts| {
+            let counts = Counts { rolled: Some(rolled), exceeded: Some(2), ..counts };
+            Answer { withstands: TEN_G, ..answer(Told::GroundAcceleration { peak_g: 0.5 }, counts) }.sentence()
+        };
+        let still = Counts { exceeded: Some(0), ..counts(20, 0, 0) };
+        let room = Rolled { clearance_m: Some(0.4), ..ROLLED };
+        let said = tell(room, still);
+        assert!(said.contains(
+            "stays standing: by up to 310 mm in 84 % of 20 simulated earthquakes, less than its clearance of 400 mm"
+        ));
+        let stops = Rolled { clearance_m: Some(0.2), stop_share: 0.45, stop_speed_m_s_p84: Some(1.1), ..ROLLED };
+        assert_eq!(
+            tell(stops, counts(20, 0, 0)),
+            "At a ground acceleration of 0.5 g this object rolls and stays standing: by up to 310 mm in 84 % of 20 \
+             simulated earthquakes; it meets the stop at 200 mm in 9 of 20 at up to 1.1 m/s in 84 % of them, and a stop \
+             overturns it from 1.9 m/s; the shock of the stop exceeds the 10 g that it withstands in 2 of 20."
+        );
+        let trips = tell(stops, counts(20, 3, 3));
+        assert!(
+            trips.contains("may fall over: 3 of 20 simulated earthquakes overturn it; it rolls by up to 310 mm"),
+            "{trips}"
+        );
+        let one = Counts { rolled: Some(Rolled { stop_share: 1.0, ..stops }), ..counts(1, 0, 0) };
+        assert_eq!(
+            answer(Told::Motions, one).sentence(),
+            "Under this motion this object rolls and stays standing: by up to 310 mm; it meets the stop at 200 mm at up to \
+             1.1 m/s, and a stop overturns it from 1.9 m/s."
+        );
+    }
+
+    /// Leaning counts as a fall, and is told apart.
+    #[test]
+    fn leaning_is_told() {
+        let tell = |leaning, counts: Counts| {
+            answer(Told::GroundAcceleration { peak_g: 0.5 }, Counts { leaning, ..counts }).sentence()
+        };
+        assert!(tell(3, counts(20, 18, 9)).ends_with("overturn it; in 3 of these it ends leaning on its wall."));
+        assert!(tell(9, counts(20, 18, 9)).ends_with("overturn it; in all of these it ends leaning on its wall."));
+        assert!(tell(1, counts(20, 18, 1)).ends_with("overturns it; it then leans on its wall."));
+        let one = answer(Told::Motions, Counts { leaning: 1, ..counts(1, 1, 1) }).sentence();
+        assert_eq!(one, "Under this motion this object falls over; it ends leaning on its wall.");
     }
 
     const TEN_G: Option<Withstands> = Some(Withstands { peak_g: 10.0, duration_s: None });
@@ -443,6 +572,7 @@ mod tests {
         ];
         let of_kind = [
             (counts(40, 0, 0), "does not rock: none"),
+            (Counts { rolled: Some(ROLLED), ..counts(40, 0, 0) }, "rolls and stays standing: by up to 310 mm"),
             (counts(40, 1, 0), "stays standing: 1"),
             (counts(40, 9, 2), "will probably stay standing: 2"),
             (counts(40, 30, 12), "may fall over: 12"),

@@ -212,6 +212,8 @@ mod tests {
             mass_kg: None,
             rests_on: None,
             tolerance: None,
+            friction_ratio: None,
+            surroundings: Default::default(),
         };
         let floor = Floor { place: FloorPlace::Ground, storeys: None, storey_height_m: None };
         shaken(&ObjectRequest { object, earthquake, floor, worlds: Some(7), seed }).unwrap()

@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand_assess::inventory::{Casters, Surroundings, UpperBody};
 use freestand_assess::one_object::{
     Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA, Withstood, one_object,
 };
@@ -20,7 +21,7 @@ use crate::keys::{Key, KeySet, Keys, key};
 use crate::printer::{Printer, lines, table};
 use crate::reading::ReadArgs;
 use crate::stop::Stop;
-use crate::values::{Given, Reads, Values};
+use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Say in one sentence whether an earthquake rocks one object and whether it falls over
 ///
@@ -40,6 +41,10 @@ Examples:
       --tolerance 10g --pga 0.3g --json
   In the building and the earthquake of a study:
     freestand object --height 1.8m --thickness 0.5m --study hospital.toml --floor 2
+  Beside its wall, 20 mm away:
+    freestand object --height 1.95m --thickness 0.42m --wall-gap 20mm --place Wellington
+  On free casters, with 400 mm of room until its stop:
+    freestand object --height 1.4m --thickness 0.6m --casters free --clearance 400mm --pga 0.4g
   Under motions of its floor, also weaker and stronger ones:
     freestand object --height 1.8m --thickness 0.5m --motion floor-1.csv floor-2.csv \\
       --scales \"0.5, 1, 2\"
@@ -70,6 +75,12 @@ pub(crate) struct ObjectArgs {
     /// "15 g 11 ms"; needs --mass and --on
     #[arg(long, value_name = "ACCELERATION", read = withstood, help_heading = "The object")]
     tolerance: Option<Given<Withstood>>,
+
+    /// Coefficient of friction on the floor, one value or a range [default: drawn from 0.2 to 0.8]
+    #[arg(long, value_name = "RATIO", read = ratios, help_heading = "The object")]
+    friction: Option<Given<(f64, f64)>>,
+    #[command(flatten)]
+    around: AroundArgs,
 
     #[command(flatten)]
     hazard: Keys<HazardKeys>,
@@ -107,6 +118,94 @@ pub(crate) struct ObjectArgs {
     /// Largest number of simulated earthquakes [default: until the answer is settled, at most 1280]
     #[arg(long, value_name = "N", value_parser = at_least_one)]
     worlds: Option<NonZeroUsize>,
+}
+
+/// What a list says in the columns of the same names.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "What is around it")]
+struct AroundArgs {
+    /// Distance from its back to the wall; 0 where they touch [default: no wall]
+    #[arg(long, non_negative = Dimension::Length)]
+    wall_gap: Option<Given>,
+    /// Distance to what is on both sides of it, in the direction of the width [default: nothing]
+    #[arg(long, alias = "neighbor-gap", non_negative = Dimension::Length)]
+    neighbour_gap: Option<Given>,
+    /// Height of the wall and of the neighbours [default: taller than the object]
+    #[arg(long, positive = Dimension::Length)]
+    wall_height: Option<Given>,
+    /// Stiffness of the wall where the top of the object strikes it, or of the stop of free casters
+    #[arg(long, positive = Dimension::Stiffness)]
+    wall_stiffness: Option<Given>,
+    /// Angular velocity after an impact at the wall divided by the one before, at least 0 and less
+    /// than 1 [default: drawn from 0 to 0.5; under given motions 0.5]
+    #[arg(long, non_negative = Dimension::Ratio)]
+    wall_restitution: Option<Given>,
+    /// Casters: free ones roll, and only a stop can overturn the object
+    #[arg(long, alias = "castors", value_parser = choice(CASTERS))]
+    casters: Option<Casters>,
+    /// Rolling resistance of free casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
+    #[arg(long, positive = Dimension::Ratio)]
+    rolling_resistance: Option<Given>,
+    /// How far it may slide or roll before it strikes something
+    #[arg(long, non_negative = Dimension::Length)]
+    clearance: Option<Given>,
+    /// Height of what stands on the object
+    #[arg(long, positive = Dimension::Length)]
+    upper_height: Option<Given>,
+    /// Thickness of what stands on the object
+    #[arg(long, positive = Dimension::Length)]
+    upper_thickness: Option<Given>,
+    /// Mass of what stands on the object
+    #[arg(long, positive = Dimension::Mass)]
+    upper_mass: Option<Given>,
+}
+
+/// The casters by name, as lists have them.
+const CASTERS: Choices<Casters> = &[
+    (Casters::None, "no", "It has none"),
+    (Casters::Free, "free", "They roll"),
+    (Casters::Braked, "braked", "They hold: it rocks as without"),
+];
+
+impl AroundArgs {
+    /// What is around the object; problems are added to `values`.
+    fn read(&self, values: &mut Values) -> Surroundings {
+        let upper =
+            (values.read(&self.upper_height), values.read(&self.upper_thickness), values.read(&self.upper_mass));
+        let is_given = [&self.upper_height, &self.upper_thickness, &self.upper_mass].map(Option::is_some);
+        if is_given.contains(&true) && !(is_given[0] && is_given[1]) {
+            let message = "what stands on the object lacks its height or its thickness";
+            values.push(Problem::value(
+                message,
+                "give --upper-height and --upper-thickness, or leave out all three --upper flags",
+            ));
+        }
+        Surroundings {
+            wall_gap_m: values.read(&self.wall_gap),
+            neighbour_gap_m: values.read(&self.neighbour_gap),
+            wall_height_m: values.read(&self.wall_height),
+            wall_stiffness_n_m: values.read(&self.wall_stiffness),
+            wall_restitution: values.read(&self.wall_restitution),
+            casters: self.casters,
+            rolling_resistance_ratio: values.read(&self.rolling_resistance),
+            clearance_m: values.read(&self.clearance),
+            upper: match upper {
+                (Some(height_m), Some(thickness_m), mass_kg) => Some(UpperBody { height_m, thickness_m, mass_kg }),
+                _ => None,
+            },
+        }
+    }
+}
+
+/// One ratio, or the two ends of a range: `0.4`, `0.3-0.5`, `0.3 to 0.5`.
+fn ratios(text: &str) -> Result<(f64, f64), Problem> {
+    let positive = |text: &str| quantity::parse_positive(text, Dimension::Ratio, "the value");
+    let (low, high) = text.split_once(" to ").or_else(|| text.split_once('-')).unwrap_or((text, text));
+    let (low, high) = (positive(low)?, positive(high)?);
+    if low > high {
+        return Err(Problem::value(format!("the range from {low} to {high} falls"), "write the smaller value first"));
+    }
+    Ok((low, high))
 }
 
 #[derive(Debug, Clone)]
@@ -173,6 +272,7 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
     let (width, cg_height) = (values.read(&args.width), values.read(&args.cg_height));
     let mass_kg = values.read(&args.mass);
     let (rests_on, tolerance) = (values.read(&args.on), values.read(&args.tolerance));
+    let (friction_ratio, surroundings) = (values.read(&args.friction), args.around.read(&mut values));
     let peak_m_s2 = values.read(&args.pga);
     let scales = values.read(&args.scales);
     let storey_height_m = values.read(&args.storey_height);
@@ -201,7 +301,17 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
         Earthquake::Motions { motions: args.read.read_all(&args.motion)?, scales: scales.unwrap_or_default() }
     };
     Ok(ObjectRequest {
-        object: Object { height_m, thickness_m, width_m: width, cg_height_m: cg_height, mass_kg, rests_on, tolerance },
+        object: Object {
+            height_m,
+            thickness_m,
+            width_m: width,
+            cg_height_m: cg_height,
+            mass_kg,
+            rests_on,
+            tolerance,
+            friction_ratio,
+            surroundings,
+        },
         earthquake,
         floor: Floor { place, storeys: args.storeys, storey_height_m },
         worlds: args.worlds.map(|worlds| u32::try_from(worlds.get()).unwrap_or(u32::MAX)),

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use freestand::sliding::Clearance;
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_study::sliding::{Contact, Surface, SurfaceGiven};
 
@@ -37,6 +38,9 @@ pub(crate) struct SlidingArgs {
     /// Room to the right
     #[arg(long, non_negative = Dimension::Length)]
     clearance_right: Option<Given>,
+    /// Stiffness of what it reaches there; with --mass it gives the shock of that stop
+    #[arg(long, positive = Dimension::Stiffness)]
+    pub(super) stop_stiffness: Option<Given>,
 }
 
 impl SlidingArgs {
@@ -56,8 +60,19 @@ impl SlidingArgs {
 
     /// What is under the object; problems are added to `values`.
     pub(crate) fn surface(&self, friction: Option<f64>, values: &mut Values) -> Option<Surface> {
+        let contact = self.contact()?;
+        // clap does not ask for --casters where --sliding excludes them.
+        let of_casters = [(self.rolling_resistance.is_some(), "rolling-resistance"), (self.brakes, "brakes")];
+        if let Some((_, flag)) = of_casters.into_iter().find(|(is_given, _)| *is_given && contact == Contact::Base) {
+            let message = format!("--{flag} applies only to an object on casters");
+            values.push(Problem::value(message, "give --casters in place of --sliding, or leave it out"));
+        }
+        if contact == Contact::Casters && (friction.is_some() || self.friction_kinetic.is_some()) {
+            let message = "--friction and --friction-kinetic are those of a base or of braked wheels, and these roll";
+            values.push(Problem::value(message, "give --rolling-resistance, or add --brakes"));
+        }
         let given = SurfaceGiven {
-            contact: self.contact()?,
+            contact,
             friction,
             friction_kinetic: values.read(&self.friction_kinetic),
             rolling_resistance: values.read(&self.rolling_resistance),

@@ -178,6 +178,14 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     }
     let friction = values.read(&args.friction);
     let surface = args.sliding.surface(friction, &mut values);
+    if args.sliding.stop_stiffness.is_some() {
+        let message = "--stop-stiffness is used by freestand rock only: rows have no shock of a stop";
+        values.push(Problem::value(message, "leave it out"));
+    }
+    if args.sliding.stop_stiffness.is_some() {
+        let message = "--stop-stiffness is used by freestand rock only: rows have no shock of a stop";
+        values.push(Problem::value(message, "leave it out"));
+    }
     if args.sliding.is_given() && (args.mass.is_some() || args.sensitivity) {
         let message = "the shock and the sensitivity are those of rocking objects, and these slide or roll";
         values.push(Problem::value(message, "leave --mass, the cushion and --sensitivity out"));

@@ -25,10 +25,11 @@ pub(crate) struct WallArgs {
     #[arg(long, positive = Dimension::Length)]
     wall_height: Option<Given>,
     /// Angular velocity after an impact on a wall divided by the one before, at least 0 and less
-    /// than 1 [default: 0.5]
+    /// than 1, on a rigid base [default: 0.5]
     #[arg(long, any = Dimension::Ratio)]
     wall_restitution: Option<Given>,
-    /// Stiffness of the walls at the point of contact; with --mass it gives the shock there
+    /// Stiffness of the walls at the point of contact; with --mass it gives the shock there [default
+    /// on a compliant base: that of the cushion under an edge]
     #[arg(long, positive = Dimension::Stiffness)]
     wall_stiffness: Option<Given>,
 }

@@ -180,7 +180,7 @@ fn larger(first: Vec<ObjectResponse>, second: Vec<ObjectResponse>) -> Vec<Object
     let rank = |response: &ObjectResponse| match response {
         ObjectResponse::FreeFlight(_) | ObjectResponse::Failed(_) => (2, 0.0),
         ObjectResponse::Done { uplift, .. } => {
-            (u8::from(uplift.rocking.outcome == Outcome::Overturned), uplift.rocking.cg_rise_m)
+            (u8::from(uplift.rocking.outcome.has_fallen()), uplift.rocking.cg_rise_m)
         }
     };
     let governs = |one: &ObjectResponse, other: &ObjectResponse| {

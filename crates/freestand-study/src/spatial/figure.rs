@@ -1,9 +1,11 @@
 //! Figures of an object in space: its tilt against time and its base from above; and the rotations
 //! of a stack.
 
+use kuva::plot::BandPlot;
 use kuva::plot::scatter::MarkerShape;
+use kuva::render::plots::Plot;
 
-use freestand::spatial::Shape;
+use freestand::spatial::{Pattern, Shape};
 
 use super::{SpatialPoint, SpatialReport, StackPoint, StackReport, feet};
 use freestand_input::words::number;
@@ -15,8 +17,15 @@ use freestand_output::figure::{Figure, FigureError};
 
 /// Heights of the two panels in space: tilt, plan \[px\].
 const PANELS_PX: [f64; 2] = [230.0, 400.0];
-/// Heights of the two panels of a stack \[px\].
-const STACK_PX: [f64; 2] = [200.0, 230.0];
+/// Heights of the three panels of a stack: rotations, patterns, difference \[px\].
+const STACK_PX: [f64; 3] = [200.0, 60.0, 230.0];
+/// The patterns in which a stack moves, from the bottom of their panel, with their colours.
+const PATTERNS: [(Pattern, &str, &str); 4] = [
+    (Pattern::UpperAlone, "the upper body alone", "#e69f00"),
+    (Pattern::Together, "together", "#56b4e9"),
+    (Pattern::Opposite, "both, opposite sense", "#cc79a7"),
+    (Pattern::Same, "both, same sense", "#444444"),
+];
 /// Room that the labels take beside and around a stacked panel \[px\].
 const BESIDE_PX: f64 = 76.0 + 18.0;
 const AROUND_PX: f64 = 8.0 + LABELS_PX;
@@ -48,6 +57,7 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
     let [x, y, height] = report.shape.sizes_m();
     let size = match report.shape {
         Shape::Cylinder { .. } => format!("Cylinder, {} mm × {} m", number(1e3 * x, 4), number(height, 4)),
+        Shape::Plane { .. } => format!("{} mm × {} m", number(1e3 * x, 4), number(height, 4)),
         _ => format!("{} mm × {} mm × {} m", number(1e3 * x, 4), number(1e3 * y, 4), number(height, 4)),
     };
     let tilt = Panel {
@@ -123,15 +133,15 @@ fn plan(report: &SpatialReport) -> Panel {
 /// What the plot library says when it cannot draw.
 pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>, FigureError> {
     let (Some(first), Some(last)) = (report.history.first(), report.history.last()) else { return Ok(None) };
-    let (from, to) = (first[0], last[0]);
+    let (from, to) = (first.time_s, last.time_s);
     if to <= from {
         return Ok(None);
     }
     let degrees = |of: &dyn Fn(&StackPoint) -> f64| {
-        thin(report.history.iter().map(|point| (point[0], of(point).to_degrees())), from, to)
+        thin(report.history.iter().map(|point| (point.time_s, of(point).to_degrees())), from, to)
     };
-    let both = [degrees(&|p| p[1]), degrees(&|p| p[2])];
-    let apart = degrees(&|p| p[2] - p[1]);
+    let both = [0, 1].map(|body| degrees(&|p| p.rotations_rad[body]));
+    let apart = degrees(&|p| p.rotations_rad[1] - p.rotations_rad[0]);
     let most = |points: &[(f64, f64)]| points.iter().fold(0.0f64, |most, point| most.max(point.1.abs()));
     let (lower, upper) = (&report.stack.lower, &report.stack.upper);
     let size = |body: &freestand::spatial::StackBody| {
@@ -150,14 +160,46 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
         title: plain(&format!("{} on {}, {motion}", size(upper), size(lower))),
         caption: format!(
             "A body of {} on one of {} under the motion “{motion}”. Top: rotations of both, positive to the right. \
-             Bottom: their difference, the rotation of the upper body on the lower one.",
+             Middle: when they rock in which pattern; nothing while both are on their edges. Bottom: the difference of \
+             the rotations, that of the upper body on the lower one.",
             size(upper),
             size(lower)
         ),
-        panels: vec![top, below],
+        panels: vec![top, patterns(&report.history, time_axis(from, to)), below],
         columns: 1,
         row_heights_px: STACK_PX.to_vec(),
-        legend: vec![curve(0, "lower body"), curve(1, "upper body"), curve(2, "upper relative to lower")],
+        legend: [curve(0, "lower body"), curve(1, "upper body"), curve(2, "upper relative to lower")]
+            .into_iter()
+            .chain(PATTERNS.iter().rev().map(|&(_, words, colour)| entry(Sign::Shade { colour, opacity: 1.0 }, words)))
+            .collect(),
     };
     draw(page).map(Some)
+}
+
+/// When a stack moves in which pattern: one row for each.
+fn patterns(history: &[StackPoint], x: Axis) -> Panel {
+    let band = |(row, (pattern, _, colour)): (usize, &(Pattern, &str, &str))| -> Plot {
+        let low = row as f64;
+        let high = |point: &StackPoint| if point.pattern == *pattern { low + 1.0 } else { low };
+        // A corner before and after each change.
+        let mut steps: Vec<(f64, f64)> = Vec::new();
+        for point in history {
+            let height = high(point);
+            match steps.as_slice() {
+                [.., last] if last.1 != height => steps.push((point.time_s, last.1)),
+                [.., before, last] if before.1 == last.1 => steps.truncate(steps.len() - 1),
+                _ => {}
+            }
+            steps.push((point.time_s, height));
+        }
+        let times = steps.iter().map(|step| step.0);
+        BandPlot::new(times, steps.iter().map(|_| low), steps.iter().map(|step| step.1))
+            .with_color(*colour)
+            .with_opacity(1.0)
+            .into()
+    };
+    let y = Axis { from: 0.0, to: PATTERNS.len() as f64, step: Some(1.0), label: "Pattern".into() };
+    let mut layout = stacked(x, y, false);
+    layout.suppress_y_ticks = true;
+    Panel { plots: PATTERNS.iter().enumerate().map(band).collect(), layout }
 }

@@ -1,6 +1,7 @@
 //! One history of an object in three dimensions, or of a stack of two: request → report.
 
 mod figure;
+mod wall;
 
 use freestand::compliant::CompliantEffort;
 use freestand::cushion::{ContactLaw, Cushion};
@@ -9,8 +10,8 @@ use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::Base;
 use freestand::signal::rotate::Pair;
 use freestand::spatial::{
-    BodyMotion, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions, SpatialPiece, SpatialStart, Stack,
-    StackRocking, Support, rock_spatial_observed, rock_stack_observed,
+    BodyMotion, Pattern, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions, SpatialPiece, SpatialStart,
+    Stack, StackRocking, Support, rock_spatial_observed, rock_stack_observed,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, significant};
@@ -20,6 +21,7 @@ use freestand_output::rows::numbers_csv;
 use freestand_records::horizontal::HorizontalMotion;
 
 pub use figure::{spatial_figure, stack_figure};
+pub use wall::walls_on_cushions;
 
 use crate::compliant::{damped, energy_warning, problem, ringing_warning};
 use crate::cushion::EdgeCushion;
@@ -127,9 +129,16 @@ pub struct StackRequest {
     pub options: SpatialOptions,
 }
 
-/// A sample of the history of a stack: time \[s\], rotations of the lower and of the upper body
-/// \[rad\].
-pub type StackPoint = [f64; 3];
+/// A sample of the history of a stack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StackPoint {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// Rotations of the lower and of the upper body \[rad\].
+    pub rotations_rad: [f64; 2],
+    /// How both move.
+    pub pattern: Pattern,
+}
 
 /// What a stack did.
 #[derive(Debug, Clone, PartialEq)]
@@ -156,16 +165,24 @@ pub fn interface(
     upper_kg: f64,
 ) -> Result<Cushion, Problem> {
     let Some(interface_n_m) = stiffness_n_m else { return Ok(cushion.clone()) };
-    match *cushion.law() {
-        ContactLaw::Linear { .. } => damped(upper_kg, interface_n_m, 0.0),
-        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
-            let ratio = damping_n_s_m / (2.0 * (stiffness_n_m * lower_kg).sqrt());
-            damped(upper_kg, interface_n_m, ratio)
-        }
-        ref law => Err(Problem::value(
-            format!("`interface_stiffness` does not describe a cushion of the law {}", law.name()),
+    with_stiffness(cushion, interface_n_m, [lower_kg, upper_kg]).unwrap_or_else(|| {
+        Err(Problem::value(
+            format!("`interface_stiffness` does not describe a cushion of the law {}", cushion.law().name()),
             "leave it out: the bodies then have the same cushion between them as below; or use a linear law",
-        )),
+        ))
+    })
+}
+
+/// The law of a cushion with another stiffness, and the damping ratio that it has under the first of
+/// two masses under the second; `None` for a law without a stiffness.
+fn with_stiffness(cushion: &Cushion, other_n_m: f64, masses_kg: [f64; 2]) -> Option<Result<Cushion, Problem>> {
+    let [from_kg, to_kg] = masses_kg;
+    match *cushion.law() {
+        ContactLaw::Linear { .. } => Some(damped(to_kg, other_n_m, 0.0)),
+        ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+            Some(damped(to_kg, other_n_m, damping_n_s_m / (2.0 * (stiffness_n_m * from_kg).sqrt())))
+        }
+        _ => None,
     }
 }
 
@@ -225,6 +242,7 @@ fn turned(request: &SpatialRequest) -> Result<[Option<Motion>; 2], Problem> {
 /// The errors of the solver, each with a hint; motions that differ in step or length; a history that
 /// is too long to sample.
 pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialReport, Problem> {
+    wall::check(&request.object)?;
     let [x, y] = turned(request)?;
     let motion = SpatialMotion { x: x.as_ref(), y: y.as_ref(), vertical: request.vertical.as_ref() };
     let given = motion.x.or(motion.vertical);
@@ -249,27 +267,31 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
     let (object, options) = (&request.object, &request.options);
     let [size_x, size_y, height_m] = object.shape.sizes_m();
     let thresholds = object.shape.uplift_thresholds();
-    let name = match object.shape {
-        Shape::Cylinder { .. } => "cylinder",
-        _ => "prism",
+    let (model, name) = match object.shape {
+        Shape::Prism { .. } => ("compliant-3d", "prism"),
+        Shape::Cylinder { .. } => ("compliant-3d", "cylinder"),
+        Shape::Plane { .. } => ("compliant", "prism in the plane of its thickness"),
     };
+    // In the plane there is no width.
+    let in_space = |value: f64| (!matches!(object.shape, Shape::Plane { .. })).then_some(value);
     let body = rocking.body;
     let facts = Facts::default()
         .key("base", "compliant")
-        .key("model", "compliant-3d")
+        .key("model", model)
         .fact("shape", "shape", name)
         .fact("outcome", "outcome", body.outcome.name())
         .fact("end_time_s", "end", rocking.end_time_s)
         .and(tilt_facts(&body))
         .fact("impact_count", "contacts with the floor", rocking.base_contact_count)
+        .and(wall::facts(object, &rocking))
         .fact("threshold_x_g", "uplift threshold, thickness", thresholds[0])
-        .fact("threshold_y_g", "uplift threshold, width", thresholds[1])
+        .fact("threshold_y_g", "uplift threshold, width", in_space(thresholds[1]))
         .fact("static_compression_m", "compression at rest", rocking.static_compression_m)
         .fact("energy_error_ratio", "error of the energy balance", rocking.energy.residual_ratio)
         .and(facts!(rocking.energy; cushion_dissipation_j, friction_j, lost_at_separation_j, base_work_j, turnover_j))
         .key("height_m", height_m)
         .key("thickness_m", size_x)
-        .key("width_m", size_y)
+        .key("width_m", in_space(size_y))
         .key("orientation_rad", request.orientation_rad)
         .and(support_facts(object.mass_kg, &object.support, options, rocking.effort))
         .fact("notes", "note", notes(&request.edge));
@@ -321,7 +343,8 @@ pub fn rock_stacked(request: &StackRequest, record: bool) -> Result<StackReport,
         if record {
             sampler.each(piece, |time_s, share| {
                 let rotation = |body| piece.pose(body, share).map_or(0.0, |pose| pose.tilts_rad[0]);
-                history.push([time_s, rotation(0), rotation(1)]);
+                let pattern = piece.pattern().unwrap_or(Pattern::Rest);
+                history.push(StackPoint { time_s, rotations_rad: [rotation(0), rotation(1)], pattern });
             });
         }
     })
@@ -397,7 +420,8 @@ pub fn spatial_csv(history: &[SpatialPoint]) -> String {
 
 /// The history of a stack as CSV.
 pub fn stack_csv(history: &[StackPoint]) -> String {
-    numbers_csv("time_s,lower_rotation_rad,upper_rotation_rad", history.iter().map(|point| point.to_vec()))
+    let row = |point: &StackPoint| vec![point.time_s, point.rotations_rad[0], point.rotations_rad[1]];
+    numbers_csv("time_s,lower_rotation_rad,upper_rotation_rad", history.iter().map(row))
 }
 
 /// A release of an object in space: to the right, about the lower edge.

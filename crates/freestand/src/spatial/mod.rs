@@ -55,11 +55,12 @@ use crate::compliant::{
 };
 use crate::cushion::Cushion;
 use crate::motion::Motion;
+use crate::rocking::Outcome;
 use crate::search::bisect;
 
 pub use landings::BaseLandings;
 pub use stack::{Stack, StackBody, StackPart, StackRocking, rock_stack, rock_stack_observed};
-pub use track::{BodyMotion, Patterns};
+pub use track::{BodyMotion, Pattern, Patterns};
 
 /// Points of a cylinder's rim that rest on the floor.
 pub const RIM_POINTS: usize = 48;
@@ -301,6 +302,10 @@ pub struct SpatialRocking {
     pub wall_contact_count: usize,
     /// How its base landed.
     pub landings: BaseLandings,
+    /// Largest speed of such a point towards the wall when it touches; 0 without a contact \[m/s\].
+    pub wall_speed_max_m_s: f64,
+    /// Largest force of the walls; 0 without a contact \[N\].
+    pub wall_force_max_n: f64,
     /// The energy balance.
     pub energy: EnergyAudit,
     /// Work done.
@@ -356,6 +361,11 @@ impl SpatialPiece<'_, '_> {
         let [x, y, z] = from_base_m;
         let moved = poses[body].point(&[x, y, z - rigid.cg_height]).0;
         Some([x + moved[0], y + moved[1], z + moved[2]])
+    }
+
+    /// How the bodies of a stack move in this step; `None` for one body.
+    pub fn pattern(&self) -> Option<Pattern> {
+        (self.seen.world.bodies.len() == 2).then(|| self.seen.pattern())
     }
 
     /// Where a body is at a share of the step; 0 is the only or the lower body, 1 the upper one.
@@ -434,6 +444,15 @@ pub fn rock_spatial_observed(
     let ended = follow(&world, [motion.x, motion.y, motion.vertical], options, (&start, is_at_rest), &mut observe)?;
     let Ended { end_time_s, bodies, track, energy, effort, .. } = ended;
     let Some(&body) = bodies.first() else { return Err(CompliantError::NotFinite { time_s: end_time_s }) };
+    // Past its balance point and not fallen, it is held by a wall.
+    let balance_rad = object.shape.uplift_thresholds()[0].atan();
+    let leans = body.outcome == Outcome::Rocked
+        && track.wall_contacts > 0
+        && object.walls.iter().any(|wall| {
+            let tilt_rad = body.final_tilt_x_rad;
+            balance_rad <= if wall.side == EdgeSide::Left { -tilt_rad } else { tilt_rad }
+        });
+    let body = BodyMotion { outcome: if leans { Outcome::Leaned } else { body.outcome }, ..body };
     Ok(SpatialRocking {
         body,
         end_time_s,
@@ -441,6 +460,8 @@ pub fn rock_spatial_observed(
         base_contact_count: track.base_contacts,
         wall_contact_count: track.wall_contacts,
         landings: track.landings.close(end_time_s),
+        wall_speed_max_m_s: track.wall_speed,
+        wall_force_max_n: track.wall_force,
         energy,
         effort,
     })

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Fallen;
-use super::equation::{BODY, Grips, LEN, Line, Pose, Poses, Role, State, TURN, World};
+use super::equation::{BODY, Element, Grips, LEN, Line, Pose, Poses, Role, State, TURN, World};
 use super::landings::Landings;
 use crate::compliant::step::Step;
 use crate::rocking::Outcome;
@@ -62,6 +62,21 @@ pub struct Patterns {
     pub upper_alone_ratio: f64,
 }
 
+/// How the bodies of a stack move at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pattern {
+    /// Neither body has an edge off its support.
+    Rest,
+    /// Both rock, about edges on the same side.
+    Same,
+    /// Both rock, about edges on opposite sides.
+    Opposite,
+    /// The lower body rocks and carries the upper one along.
+    Together,
+    /// The upper body rocks alone.
+    UpperAlone,
+}
+
 /// A step with everything needed to evaluate it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seen<'a, 'b> {
@@ -73,6 +88,26 @@ pub(super) struct Seen<'a, 'b> {
 }
 
 impl Seen<'_, '_> {
+    /// How the bodies of a stack move in the middle of the step.
+    pub(super) fn pattern(&self) -> Pattern {
+        let is_open = |role: Role| {
+            self.world
+                .elements
+                .iter()
+                .zip(self.grips.each())
+                .any(|(element, grip)| element.role == role && !grip.carries())
+        };
+        let middle = self.world.poses(&self.state(0.5));
+        let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
+        match (is_open(Role::Base), is_open(Role::Interface)) {
+            (false, false) => Pattern::Rest,
+            (true, false) => Pattern::Together,
+            (false, true) => Pattern::UpperAlone,
+            (true, true) if lower * (upper - lower) >= 0.0 => Pattern::Same,
+            (true, true) => Pattern::Opposite,
+        }
+    }
+
     fn time_s(&self, share: f64) -> f64 {
         self.step.start_s + share * self.step.length_s
     }
@@ -138,6 +173,10 @@ pub(super) struct Track {
     pub(super) base_contacts: usize,
     pub(super) wall_contacts: usize,
     pub(super) landings: Landings,
+    /// Largest speed towards a wall at the begin of a contact.
+    pub(super) wall_speed: f64,
+    /// Largest force of the walls.
+    pub(super) wall_force: f64,
 }
 
 /// The centre of the base: its horizontal displacement squared, and the rate of that.
@@ -160,6 +199,8 @@ impl Track {
             base_contacts: 0,
             wall_contacts: 0,
             landings: Landings::new(world.elements.len()),
+            wall_speed: 0.0,
+            wall_force: 0.0,
         }
     }
 
@@ -174,6 +215,10 @@ impl Track {
         }
         self.uplifts(seen);
         self.landings.read(seen, line);
+        // Before the first contact there is no force.
+        if self.wall_contacts > 0 {
+            self.walls(seen);
+        }
         if seen.world.bodies.len() == 2 {
             self.stack(seen);
         }
@@ -246,6 +291,19 @@ impl Track {
         }
     }
 
+    /// The force of the walls at the end of a step: steps are short compared with the vibration on
+    /// the cushions.
+    fn walls(&mut self, seen: &Seen<'_, '_>) {
+        let poses = &seen.ends[1];
+        let pressed = seen.world.elements.iter().zip(seen.grips.each());
+        let pressed = pressed.filter(|(element, grip)| element.role == Role::Wall && grip.carries());
+        let force = |element: &Element<'_>| {
+            let foot = seen.world.foot(element, poses);
+            element.pad.push(foot.compression, foot.compression_rate)
+        };
+        self.wall_force = self.wall_force.max(pressed.map(|(element, _)| force(element)).sum());
+    }
+
     /// The patterns and the relative rotation of two bodies.
     fn stack(&mut self, seen: &Seen<'_, '_>) {
         let relative = |poses: &Poses| {
@@ -256,18 +314,13 @@ impl Track {
         if let Some((_, angle)) = seen.crest(self.relative, relative) {
             self.relative = angle;
         }
-        let is_open = |role: Role| {
-            seen.world.elements.iter().zip(seen.grips.each()).any(|(element, grip)| element.role == role && !grip.carries())
-        };
-        let middle = seen.world.poses(&seen.state(0.5));
-        let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
         let times = &mut self.times;
-        let time = match (is_open(Role::Base), is_open(Role::Interface)) {
-            (false, false) => &mut times.rest_ratio,
-            (true, false) => &mut times.together_ratio,
-            (false, true) => &mut times.upper_alone_ratio,
-            (true, true) if lower * (upper - lower) >= 0.0 => &mut times.same_ratio,
-            (true, true) => &mut times.opposite_ratio,
+        let time = match seen.pattern() {
+            Pattern::Rest => &mut times.rest_ratio,
+            Pattern::Together => &mut times.together_ratio,
+            Pattern::UpperAlone => &mut times.upper_alone_ratio,
+            Pattern::Same => &mut times.same_ratio,
+            Pattern::Opposite => &mut times.opposite_ratio,
         };
         *time += seen.step.length_s;
     }
@@ -285,14 +338,17 @@ impl Track {
         }
     }
 
-    /// A contact begins, at this speed.
-    pub(super) fn touch(&mut self, index: usize, role: Role, time_s: f64, speed_m_s: f64) {
+    /// A contact begins, with this speed towards the face.
+    pub(super) fn touch(&mut self, index: usize, role: Role, time_s: f64, speed: f64) {
         match role {
             Role::Base => {
                 self.base_contacts += 1;
-                self.landings.touch(index, time_s, speed_m_s);
+                self.landings.touch(index, time_s, speed);
             }
-            Role::Wall => self.wall_contacts += 1,
+            Role::Wall => {
+                self.wall_contacts += 1;
+                self.wall_speed = self.wall_speed.max(speed);
+            }
             Role::Interface => {}
         }
     }

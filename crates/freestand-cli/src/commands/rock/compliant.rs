@@ -66,8 +66,17 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
             let hint = "leave one of them out: a stack moves in the plane of the thickness";
             return Err(Failure::usage(format!("--{space} does not apply to a stack (--{upper})"), hint));
         }
+        (None, Some(upper)) => {
+            if let Some(wall) = args.walls.given.first() {
+                let hint = "leave one of them out: a stack stands freely";
+                return Err(Failure::usage(format!("--{wall} does not apply to a stack (--{upper})"), hint));
+            }
+            return stack::run(args, global, printer);
+        }
         (Some(_), None) => return spatial::run(args, global, printer),
-        (None, Some(_)) => return stack::run(args, global, printer),
+        // At a wall, the object is followed by the solver that has walls, without a width in the
+        // plane.
+        (None, None) if !args.walls.given.is_empty() => return spatial::run(args, global, printer),
         (None, None) => {}
     }
     if args.motion.len() > 1 || args.plot.is_given() {

@@ -141,16 +141,13 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         return Err(failure);
     }
     if args.compliant.is_compliant() {
-        if let Some(flag) = args.walls.given.first() {
-            let hint = "leave it out, or use --base rigid";
-            return Err(Failure::usage(format!("--{flag} applies only to a rigid base"), hint));
-        }
         return compliant::run(args, global, printer);
     }
     if args.sliding.is_given()
         && let Some(flag) = args.walls.given.first()
     {
-        let hint = "leave it out, and give the room beside it as --clearance-left and --clearance-right";
+        let hint = "leave it out: the room beside it is --clearance-left and --clearance-right, what it strikes there \
+                    --stop-stiffness";
         return Err(Failure::usage(format!("--{flag} applies only to an object that rocks"), hint));
     }
     let compliant = args.compliant.given.iter().filter(|flag| *flag != "base");

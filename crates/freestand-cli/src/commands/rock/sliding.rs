@@ -4,7 +4,7 @@ use freestand::G0_M_S2;
 use freestand::rocking::Until;
 use freestand_output::facts::Facts;
 use freestand_study::figures::slide_figure;
-use freestand_study::sliding::{SlideReport, SlideRequest, history_csv, slide};
+use freestand_study::sliding::{SlideReport, SlideRequest, StopShock, history_csv, slide};
 
 use super::{Reading, RockArgs, place};
 use crate::args::GlobalArgs;
@@ -84,6 +84,10 @@ fn request(args: &RockArgs) -> Result<Option<SlideRequest>, Failure> {
     let block = height.zip(thickness).and_then(|size| args.shape.block(size, mass, &mut values));
     let friction = values.read(&args.friction);
     let surface = args.sliding.surface(friction, &mut values);
+    let stop = surface.and_then(|surface| {
+        let stiffness_n_m = values.read(&args.sliding.stop_stiffness);
+        values.take(StopShock::new(stiffness_n_m, mass, &surface.clearance))
+    });
     let gravity = values.read(&args.gravity);
     let duration = values.read(&args.duration);
     let slides = block.zip(surface).and_then(|(block, surface)| values.take(surface.carries(&block)));
@@ -104,5 +108,6 @@ fn request(args: &RockArgs) -> Result<Option<SlideRequest>, Failure> {
         return Err(Failure::usage("nothing moves the object", "give --motion FILE"));
     }
     let (gravity_m_s2, until) = (gravity.unwrap_or(G0_M_S2), duration.map_or(Until::EndOfMotion, Until::Time));
-    Ok(Some(SlideRequest { block, surface, horizontal: None, vertical: None, gravity_m_s2, until }))
+    let stop = stop.flatten();
+    Ok(Some(SlideRequest { block, surface, horizontal: None, vertical: None, stop, gravity_m_s2, until }))
 }

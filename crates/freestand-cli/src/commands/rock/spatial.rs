@@ -6,13 +6,15 @@ use clap::Args;
 use freestand::G0_M_S2;
 use freestand::compliant::CompliantBase;
 use freestand::motion::Motion;
-use freestand::spatial::{SpatialObject, SpatialOptions, Support};
+use freestand::rocking::RockingModel;
+use freestand::spatial::{Shape, SpatialObject, SpatialOptions, Support, Wall};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_study::compliant::{accuracy, with_tangential_stiffness};
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::recorded::{Second, read_all};
 use freestand_study::spatial::{
-    SHAPES, ShapeName, SpatialRequest, release, rock_in_space, shape, spatial_csv, spatial_figure,
+    SHAPES, ShapeName, SpatialRequest, release, rock_in_space, shape, spatial_csv, spatial_figure, walls_on_cushions,
 };
 
 use super::{Reading, RockArgs};
@@ -120,14 +122,22 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let width = values.read(&args.spatial.width);
     let orientation = values.read(&args.spatial.orientation);
     let second = values.read(&args.spatial.components);
-    let common = Common::read(args, "an object in three dimensions", values)?;
+    // Flags of three dimensions, or a wall in the plane of the thickness.
+    let is_planar = args.spatial.given.is_empty();
+    let kind = if is_planar { "an object on cushions at a wall" } else { "an object in three dimensions" };
+    let common = Common::read(args, kind, values)?;
     let named = args.spatial.shape.unwrap_or_default();
     let mut values = Values::default();
-    let shape = values.take(shape(named, common.height_m, common.thickness_m, width));
-    let shape = values.finish_with(shape)?;
+    let shape = if is_planar {
+        Some(Shape::Plane { thickness_m: common.thickness_m, height_m: common.height_m })
+    } else {
+        values.take(shape(named, common.height_m, common.thickness_m, width))
+    };
+    let walls = walls(args, &common, &mut values);
+    let (shape, walls) = values.finish_with(shape.zip(walls))?;
     let (name, motions, mut reading) = motions(args, second)?;
     let request = SpatialRequest {
-        object: SpatialObject { shape, mass_kg: common.mass_kg, support: common.support, walls: Vec::new() },
+        object: SpatialObject { shape, mass_kg: common.mass_kg, support: common.support, walls },
         edge: common.edge,
         motions,
         vertical: reading.vertical.take(),
@@ -144,6 +154,22 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     }
     let history = || spatial_csv(&report.history);
     reading.finish(args.history.as_deref(), history, (facts, report.warnings.clone()), files, printer)
+}
+
+/// The walls beside the object; problems are added to `values`.
+fn walls(args: &RockArgs, common: &Common, values: &mut Values) -> Option<Vec<Wall>> {
+    if args.walls.given.iter().any(|flag| flag == "wall-restitution") {
+        let message = "--wall-restitution applies only to a rigid base";
+        let hint = "leave it out: on cushions, what an impact at a wall returns follows from its cushion, which \
+                    --wall-stiffness describes";
+        values.push(Problem::value(message, hint));
+        return None;
+    }
+    let block = args.shape.block((common.height_m, common.thickness_m), Some(common.mass_kg), values)?;
+    let model = RockingModel::Rigid;
+    let (walls, stiffness) = args.walls.read(Some(&block), Some(common.mass_kg), model, values);
+    let cushion = &common.support.cushion;
+    values.take(walls_on_cushions(&walls, stiffness.stiffness_n_m, cushion, common.mass_kg))
 }
 
 /// The name of the motion, both horizontal components, and the rest of what was read.

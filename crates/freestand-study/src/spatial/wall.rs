@@ -1,0 +1,91 @@
+//! Walls beside an object on its cushions.
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::compliant::EdgeSide;
+use freestand::cushion::Cushion;
+use freestand::spatial::{Shape, SpatialObject, SpatialRocking, Wall};
+use freestand::wall::{self, Contact, Walls};
+use freestand_input::problem::Problem;
+use freestand_output::facts::Facts;
+
+use super::with_stiffness;
+
+/// The walls of an object on these cushions: an edge of it meets the cushion of an edge, or the same
+/// law with the stiffness of the wall and the same damping ratio. Their restitution is not used: on
+/// cushions it follows from the cushion.
+///
+/// # Errors
+/// A stiffness for a law that has none.
+pub fn walls_on_cushions(
+    walls: &Walls,
+    stiffness_n_m: Option<f64>,
+    cushion: &Cushion,
+    mass_kg: f64,
+) -> Result<Vec<Wall>, Problem> {
+    let cushion = stiffness_n_m
+        .map(|stiffness_n_m| {
+            with_stiffness(cushion, stiffness_n_m, [mass_kg; 2]).unwrap_or_else(|| {
+                Err(Problem::value(
+                    format!("`wall_stiffness` does not describe a cushion of the law {}", cushion.law().name()),
+                    "leave it out: the walls then have the cushion of an edge; or use a linear law",
+                ))
+            })
+        })
+        .transpose()?;
+    let wall = |side: EdgeSide, given: Option<wall::Wall>| {
+        given.map(|given| Wall {
+            side,
+            gap_m: given.gap_m,
+            height_m: given.height_m.unwrap_or(f64::INFINITY),
+            cushion: cushion.clone(),
+        })
+    };
+    Ok([wall(EdgeSide::Left, walls.left), wall(EdgeSide::Right, walls.right)].into_iter().flatten().collect())
+}
+
+/// Refuses an object that cannot stand at a wall.
+///
+/// # Errors
+/// A cylinder: its rim would roll along the wall, and the elements of a wall are those of an edge.
+pub(super) fn check(object: &SpatialObject) -> Result<(), Problem> {
+    if object.walls.is_empty() || !matches!(object.shape, Shape::Cylinder { .. }) {
+        return Ok(());
+    }
+    let hint = "leave the wall out, or give the cylinder as a prism with its diameter as thickness and width";
+    Err(Problem::value("a cylinder at a wall is not modelled: its rim would roll along it", hint)
+        .of(&["wall_gap_left"]))
+}
+
+/// The contact of the object with one of its walls where it turns about an edge that does not give.
+fn contact(object: &SpatialObject, wall: &Wall) -> Option<Contact> {
+    let [thickness_m, _, height_m] = object.shape.sizes_m();
+    let block = Block::uniform(height_m, thickness_m).ok()?;
+    let height_m = Some(wall.height_m).filter(|height_m| height_m.is_finite());
+    let given = wall::Wall { height_m, ..wall::Wall::at(wall.gap_m) };
+    given.contact(&block, block.pivot()).ok()?
+}
+
+/// What a history says about walls; nothing without one.
+pub(super) fn facts(object: &SpatialObject, rocking: &SpatialRocking) -> Facts<'static> {
+    if object.walls.is_empty() {
+        return Facts::default();
+    }
+    let of = |side: EdgeSide| object.walls.iter().find(|wall| wall.side == side);
+    let angle = |side| of(side).and_then(|wall| contact(object, wall)).map(|contact| contact.angle_rad);
+    let [thickness_m, _, height_m] = object.shape.sizes_m();
+    // The effective mass where the object strikes; with two walls both have the same height.
+    let mass_kg = object.walls.iter().find_map(|wall| contact(object, wall)).and_then(|contact| {
+        let block = Block::uniform(height_m, thickness_m).ok()?;
+        Some(object.mass_kg * contact.effective_mass_ratio(&block))
+    });
+    let has_struck = rocking.wall_contact_count > 0;
+    let shock_g = mass_kg.map(|mass_kg| rocking.wall_force_max_n / (mass_kg * G0_M_S2));
+    Facts::default()
+        .fact("wall_angle_left_rad", "touches the left wall at", angle(EdgeSide::Left))
+        .fact("wall_angle_right_rad", "touches the right wall at", angle(EdgeSide::Right))
+        .fact("wall_impact_count", "contacts with walls", rocking.wall_contact_count)
+        .fact("wall_speed_max_m_s", "  largest speed", has_struck.then_some(rocking.wall_speed_max_m_s))
+        .fact("wall_acceleration_g", "  shock at the point of contact", shock_g.filter(|_| has_struck))
+        .key("wall_force_max_n", has_struck.then_some(rocking.wall_force_max_n))
+}
