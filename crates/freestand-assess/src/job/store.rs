@@ -5,6 +5,7 @@
 
 use std::fs;
 use std::io::{self, BufRead, BufReader};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use crate::result::Assessment;
@@ -21,12 +22,52 @@ const PLAN: &str = "plan";
 /// The file that the writing run locks.
 const LOCK: &str = "lock";
 
+/// Objects of a part: some seconds of work, which is what a killed run loses.
+pub(super) const PART: usize = 256;
+
+/// Rows of an inventory that are assessed and stored together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Part {
+    /// The name of its files, without their endings.
+    pub(super) name: String,
+    /// Its rows, counted from 0.
+    pub(super) rows: Range<usize>,
+}
+
+impl Part {
+    /// The parts of a run over this many rows.
+    pub(super) fn of_run(rows: usize) -> Vec<Self> {
+        ranges(0..rows).enumerate().map(|(part, rows)| Self { name: format!("{part:06}"), rows }).collect()
+    }
+
+    /// The parts of a shard with these rows.
+    pub(super) fn of_shard(shard: usize, rows: Range<usize>) -> Vec<Self> {
+        ranges(rows).enumerate().map(|(part, rows)| Self { name: format!("{shard:05}-{part:03}"), rows }).collect()
+    }
+
+    /// The file with its results.
+    pub(super) fn results_name(&self) -> String {
+        format!("{}.jsonl", self.name)
+    }
+
+    /// The file with its outcomes.
+    pub(super) fn outcomes_name(&self) -> String {
+        format!("{}.csv", self.name)
+    }
+}
+
+fn ranges(rows: Range<usize>) -> impl Iterator<Item = Range<usize>> {
+    let end = rows.end;
+    rows.step_by(PART).map(move |first| first..end.min(first + PART))
+}
+
 /// A folder of parts.
 #[derive(Debug)]
 pub(super) struct Store {
     folder: PathBuf,
-    /// Locked as long as this lives: two runs in one folder would read each other's parts.
-    _lock: fs::File,
+    /// Locked as long as this lives: two runs in one folder would read each other's parts. `None`: the
+    /// folder of a plan, in which each shard has files of its own.
+    _lock: Option<fs::File>,
 }
 
 impl Store {
@@ -42,7 +83,7 @@ impl Store {
                 .in_file(folder)
                 .hint("wait until it has finished, or give another folder with `out`"));
         }
-        let store = Self { folder: folder.to_path_buf(), _lock: lock };
+        let store = Self { folder: folder.to_path_buf(), _lock: Some(lock) };
         let is_same = fs::read_to_string(folder.join(PLAN)).is_ok_and(|found| found == key);
         if !(is_same && resume) {
             store.clear().map_err(failed)?;
@@ -51,9 +92,15 @@ impl Store {
         Ok(store)
     }
 
-    /// The names of the files of a run in `parts` parts.
-    pub(super) fn names(parts: usize) -> impl Iterator<Item = String> {
-        let of_parts = (0..parts).flat_map(|part| [part_name(part), outcomes_name(part)]);
+    /// The folder of the shards of a plan, which is made where it does not exist.
+    pub(super) fn of_shards(folder: &Path) -> Result<Self, Problem> {
+        fs::create_dir_all(folder).map_err(|error| io_problem(folder, "cannot write the finished parts", &error))?;
+        Ok(Self { folder: folder.to_path_buf(), _lock: None })
+    }
+
+    /// The names of the files of a run in these parts.
+    pub(super) fn names(parts: &[Part]) -> impl Iterator<Item = String> + '_ {
+        let of_parts = parts.iter().flat_map(|part| [part.results_name(), part.outcomes_name()]);
         [LOCK, PLAN].map(str::to_owned).into_iter().chain(of_parts)
     }
 
@@ -70,8 +117,8 @@ impl Store {
     }
 
     /// Stores a part, which is then complete or absent.
-    pub(super) fn write(&self, part: usize, found: &[Assessment]) -> Result<(), Problem> {
-        let path = self.folder.join(part_name(part));
+    pub(super) fn write(&self, part: &Part, found: &[Assessment]) -> Result<(), Problem> {
+        let path = self.folder.join(part.results_name());
         let mut lines = Vec::new();
         for one in found {
             serde_json::to_writer(&mut lines, one)
@@ -82,18 +129,18 @@ impl Store {
     }
 
     /// Stores the outcomes of a part, before the part itself.
-    pub(super) fn write_outcomes(&self, part: usize, rows: &[u8]) -> Result<(), Problem> {
-        write_file(&self.folder.join(outcomes_name(part)), rows, &[])
+    pub(super) fn write_outcomes(&self, part: &Part, rows: &[u8]) -> Result<(), Problem> {
+        write_file(&self.folder.join(part.outcomes_name()), rows, &[])
     }
 
     /// The outcomes of a part; `None` where they are absent.
-    pub(super) fn outcomes(&self, part: usize) -> Option<Vec<u8>> {
-        fs::read(self.folder.join(outcomes_name(part))).ok()
+    pub(super) fn outcomes(&self, part: &Part) -> Option<Vec<u8>> {
+        fs::read(self.folder.join(part.outcomes_name())).ok()
     }
 
     /// Whether the outcomes of a part are stored.
-    pub(super) fn has_outcomes(&self, part: usize) -> bool {
-        self.has(&outcomes_name(part))
+    pub(super) fn has_outcomes(&self, part: &Part) -> bool {
+        self.has(&part.outcomes_name())
     }
 
     /// Whether there is a file of this name.
@@ -111,20 +158,12 @@ impl Store {
     }
 
     /// A stored part; `None` where it is absent, incomplete or of other objects.
-    pub(super) fn read<'a>(&self, part: usize, ids: impl ExactSizeIterator<Item = &'a str>) -> Option<Vec<Assessment>> {
-        let file = fs::File::open(self.folder.join(part_name(part))).ok()?;
+    pub(super) fn read<'a>(&self, part: &Part, ids: impl ExactSizeIterator<Item = &'a str>) -> Option<Vec<Assessment>> {
+        let file = fs::File::open(self.folder.join(part.results_name())).ok()?;
         let lines = BufReader::new(file).lines();
         let found: Option<Vec<Assessment>> = lines.map(|line| serde_json::from_str(&line.ok()?).ok()).collect();
         found.filter(|found| found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id))
     }
-}
-
-fn part_name(part: usize) -> String {
-    format!("{part:06}.jsonl")
-}
-
-fn outcomes_name(part: usize) -> String {
-    format!("{part:06}.csv")
 }
 
 fn is_ours(name: &str) -> bool {
