@@ -161,8 +161,10 @@ fn shards_in_any_order_give_the_bytes_of_one_process() {
 /// are computed, however few rows a shard has.
 #[test]
 fn a_long_list_is_the_same_in_shards_of_several_parts() {
-    let place =
-        Place::new("[building]\nstoreys = 8\n[worlds]\nfirst = 2\nmost = 2\n[assessment]\ncompliant = false\npages = 3\n", 510);
+    let place = Place::new(
+        "[building]\nstoreys = 8\n[worlds]\nfirst = 2\nmost = 2\n[assessment]\ncompliant = false\npages = 3\n",
+        510,
+    );
     let whole = place.whole();
     for shards in [1, 5] {
         let plan = format!("plan-{shards}");
