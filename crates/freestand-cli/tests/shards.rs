@@ -16,7 +16,7 @@ fn place(rows: usize) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let mut list = "id,floor,height [m],thickness [m],mass [kg]\n".to_owned();
     for i in 0..rows {
-        let height = if i == 2 { "tall".to_owned() } else { format!("{}", 1.0 + 0.1 * (i % 12) as f64) };
+        let height = if i == 2 { "tall0x".to_owned() } else { format!("{}", 1.0 + 0.1 * (i % 12) as f64) };
         list += &format!("o{i},{},{height},{},80\n", i % 9, 0.25 + 0.03 * (i % 7) as f64);
     }
     fs::write(folder.path().join("city.toml"), STUDY).unwrap();
