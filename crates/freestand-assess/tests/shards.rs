@@ -1,7 +1,7 @@
 //! An assessment in shards: the bytes of one process, whatever the number of shards, their order, the
 //! threads, and what was damaged or killed in between.
 
-#![expect(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may stop")]
+#![expect(clippy::unwrap_used, reason = "helpers of tests may stop")]
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -174,6 +174,43 @@ fn a_long_list_is_the_same_in_shards_of_several_parts() {
         }
         assert_same(&whole, &place.merged(&plan).unwrap(), &plan);
     }
+}
+
+/// Shards that run at the same time make the same motions, and do not disturb each other.
+#[test]
+fn shards_at_the_same_time_give_the_bytes_of_one_process() {
+    let place = Place::new(STUDY, 10);
+    let whole = place.whole();
+    place.plan("plan", 5).unwrap();
+    let dir = place.path("plan");
+    std::thread::scope(|scope| {
+        // Each shard twice.
+        for shard in (0..5).chain(0..5) {
+            let dir = &dir;
+            scope.spawn(move || run_shard(dir, shard, &no_progress).unwrap());
+        }
+    });
+    assert_same(&whole, &place.merged("plan").unwrap(), "at once");
+    let left = tree(&dir).into_keys().filter(|path| path.to_string_lossy().contains("partial"));
+    assert_eq!(left.collect::<Vec<_>>(), Vec::<PathBuf>::new());
+}
+
+/// A plan that was killed while its files moved into place is made again.
+#[test]
+fn a_plan_that_was_killed_is_made_again() {
+    let place = Place::new(STUDY, 4);
+    place.plan("plan", 2).unwrap();
+    let dir = place.path("plan");
+    let good = tree(&dir);
+    let mut manifest: serde_json::Value = serde_json::from_slice(&good[&dir.join("plan.json")]).unwrap();
+    manifest["schema"] = "freestand.incomplete/1".into();
+    manifest["command"] = "freestand.shard-plan".into();
+    manifest["in_progress"] = manifest["files"].clone();
+    fs::write(dir.join("plan.json"), manifest.to_string()).unwrap();
+    fs::remove_file(dir.join("in/00001.jsonl")).unwrap();
+    assert!(message(place.run("plan", 0)).contains("plan.json is not a plan of freestand, or is damaged"));
+    assert!(!place.plan("plan", 2).unwrap().was_planned);
+    assert_eq!(tree(&dir), good);
 }
 
 /// Records, one of them named from the root of the file system, are kept with the plan: the originals

@@ -160,18 +160,17 @@ pub fn plan_shards(request: &PlanRequest, dir: &Path, force: bool) -> Result<Pla
         warnings: said.warnings,
     };
     let key = plan_key(request);
-    if let Ok(bytes) = fs::read(dir.join(PLAN)) {
-        return match parsed(&bytes) {
-            Some(found) if found.key == key => Ok(PlanReport { was_planned: true, ..report }),
-            _ => Err(Problem::new(ProblemKind::Io, "the folder has another plan")
-                .in_file(dir)
-                .hint(ANOTHER_FOLDER)
-                .into()),
-        };
+    // What was killed while it was written is written again.
+    if let Some(found) = fs::read(dir.join(PLAN)).ok().and_then(|bytes| parsed(&bytes)) {
+        if found.key == key {
+            return Ok(PlanReport { was_planned: true, ..report });
+        }
+        let another = Problem::new(ProblemKind::Io, "the folder has another plan");
+        return Err(another.in_file(dir).hint(ANOTHER_FOLDER).into());
     }
     for name in [OUT, MOTIONS] {
         if dir.join(name).exists() {
-            let message = format!("the folder has results of shards ({name}), but no plan");
+            let message = format!("the folder has results of shards ({name}), but no complete plan");
             return Err(Problem::new(ProblemKind::Io, message).in_file(dir).hint(ANOTHER_FOLDER).into());
         }
     }
