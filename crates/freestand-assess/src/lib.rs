@@ -16,5 +16,6 @@ mod restraint;
 pub mod result;
 pub mod validate;
 
+mod kept_motions;
 mod verdict;
 mod worlds;

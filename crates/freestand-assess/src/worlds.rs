@@ -15,6 +15,7 @@ use freestand::worlds::{
 };
 use rayon::prelude::*;
 
+use crate::kept_motions::KeptMotions;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::run::ground_motions;
@@ -38,6 +39,8 @@ pub(crate) struct Worlds<'a> {
     intensity_ratio: f64,
     /// At the intensity of the study.
     kept: Arc<Mutex<Kept>>,
+    /// Those of other processes too.
+    on_disk: Option<Arc<KeptMotions>>,
 }
 
 /// Ground motions by the number of their world, and how often they were drawn again.
@@ -140,7 +143,13 @@ impl<'a> Worlds<'a> {
             building: BuildingSpread::new(period_spread, damping_spread).map_err(refused)?,
             intensity_ratio: 1.0,
             kept: Arc::default(),
+            on_disk: None,
         })
+    }
+
+    /// The same worlds, with ground motions that several processes make once.
+    pub(crate) fn kept_in(self, folder: KeptMotions) -> Self {
+        Self { on_disk: Some(Arc::new(folder)), ..self }
     }
 
     /// The motions that the worlds use in turn; `None`: each world has its own.
@@ -186,6 +195,7 @@ impl<'a> Worlds<'a> {
             building: self.building,
             intensity_ratio: ratio,
             kept: Arc::clone(&self.kept),
+            on_disk: self.on_disk.clone(),
         }
     }
 
@@ -210,7 +220,11 @@ impl<'a> Worlds<'a> {
                 GroundOfWorld { motion: motion.clone(), vertical: vertical.clone(), record: Some(name.clone()) }
             }
             Source::Synthetic(synthetic) => {
-                let (motion, vertical) = self.synthetic(synthetic, world, again)?;
+                let make = || self.synthetic(synthetic, world, again);
+                let (motion, vertical) = match &self.on_disk {
+                    Some(folder) => folder.motion((world, again), make)?,
+                    None => make()?,
+                };
                 GroundOfWorld { motion, vertical, record: None }
             }
         };

@@ -41,6 +41,11 @@ fn main() -> ExitCode {
             printer::print_failure(&Failure::usage("stopped", hint));
             ExitCode::from(stop::EXIT_STATUS)
         }
+        Err(Failure::StoppedInShard) => {
+            let hint = "the finished parts of the shard are kept; the same command continues it";
+            printer::print_failure(&Failure::usage("stopped", hint));
+            ExitCode::from(stop::EXIT_STATUS)
+        }
         Err(Failure::StoppedAfterWriting) => {
             let hint = "the finished part was written; continue with --resume";
             printer::print_failure(&Failure::usage("stopped", hint));

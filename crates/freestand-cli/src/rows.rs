@@ -3,10 +3,13 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand_output::facts::{csv_header, csv_rows, json_rows};
+use freestand_input::file::{load, sha256_hex};
+use freestand_output::facts::{csv_header, csv_rows, json_rows, parquet_columns, parquet_values};
+use freestand_output::parquet::ParquetFile;
 use freestand_output::streamed::{StreamedFile, rows_head, rows_tail};
-use freestand_study::spectrum::SpectrumChunk;
+use freestand_study::spectrum::{SpectrumChunk, column_type};
 use serde::Serialize;
+use serde_json::json;
 
 use crate::failure::Failure;
 use crate::files::{Files, RESULT};
@@ -16,14 +19,50 @@ use crate::printer::{Printer, print_bytes};
 pub(crate) const ROWS: &str = "rows.csv";
 
 /// The outputs that receive the rows.
-#[derive(Debug)]
 pub(crate) struct Rows {
     schema: &'static str,
     tables: Vec<StreamedFile>,
     documents: Vec<StreamedFile>,
+    parquet: Option<Parquet>,
     print: bool,
     /// Whether nothing has been written yet.
     first: bool,
+}
+
+/// A Parquet table, whose columns are known with its first row.
+enum Parquet {
+    Waiting(StreamedFile, Vec<PathBuf>),
+    Begun(Box<ParquetFile<StreamedFile>>),
+}
+
+impl Parquet {
+    /// Appends the rows of a chunk.
+    fn write(self, schema: &str, chunk: &SpectrumChunk) -> Result<Self, Failure> {
+        let mut file = match self {
+            Self::Begun(file) => file,
+            Self::Waiting(file, _) if chunk.objects() == 0 => return Ok(Self::Waiting(file, Vec::new())),
+            Self::Waiting(file, inputs) => {
+                let columns = parquet_columns(&chunk.row(0), column_type);
+                let facts = [("freestand.inputs".to_owned(), fingerprints(&inputs)?)];
+                Box::new(ParquetFile::begin(file, schema, &columns, facts)?)
+            }
+        };
+        for row in chunk.rows() {
+            file.row(parquet_values(&row))?;
+        }
+        Ok(Self::Begun(file))
+    }
+}
+
+/// The files that a command reads, by name and SHA-256, as JSON.
+fn fingerprints(inputs: &[PathBuf]) -> Result<String, Failure> {
+    let mut all = Vec::new();
+    for path in inputs {
+        // A pipe cannot be read again.
+        let sha256 = if path.is_file() { Some(sha256_hex(&load(path)?)) } else { None };
+        all.push(json!({"name": path.file_name().map(|name| name.to_string_lossy()), "sha256": sha256}));
+    }
+    Ok(serde_json::Value::from(all).to_string())
 }
 
 impl Rows {
@@ -32,13 +71,15 @@ impl Rows {
         schema: &'static str,
         printer: &Printer,
         files: &Files,
-        csv: Option<&Path>,
+        (csv, parquet): (Option<&Path>, Option<&Path>),
         inputs: &[PathBuf],
     ) -> Result<Self, Failure> {
         let csv = csv.map(|path| StreamedFile::begin(path, inputs)).transpose()?;
         let tables = csv.into_iter().chain(files.begin_file(ROWS)?).collect();
         let documents = files.begin_file(RESULT)?.into_iter().collect();
-        Ok(Self { schema, tables, documents, print: printer.json(), first: true })
+        let parquet = parquet.map(|path| StreamedFile::begin(path, inputs)).transpose()?;
+        let parquet = parquet.map(|file| Parquet::Waiting(file, inputs.to_vec()));
+        Ok(Self { schema, tables, documents, parquet, print: printer.json(), first: true })
     }
 
     /// Appends the rows of a chunk to every output.
@@ -50,6 +91,9 @@ impl Rows {
             for piece in chunk.pieces(|rows| csv_rows(rows)) {
                 self.table(&piece?)?;
             }
+        }
+        if let Some(parquet) = self.parquet.take() {
+            self.parquet = Some(parquet.write(self.schema, chunk)?);
         }
         if self.print || !self.documents.is_empty() {
             for (i, piece) in chunk.pieces(|rows| json_rows(rows)).into_iter().enumerate() {
@@ -85,6 +129,10 @@ impl Rows {
         for file in self.tables.into_iter().chain(self.documents) {
             file.finish()?;
         }
+        match self.parquet {
+            Some(Parquet::Begun(file)) => file.finish()?.finish()?,
+            Some(Parquet::Waiting(..)) | None => {}
+        }
         files.finish_result(self.schema, warnings)?;
         if !printer.json() {
             print_bytes(text().as_bytes())?;
@@ -111,7 +159,11 @@ impl Rows {
         }
         match print_bytes(piece) {
             // The reader has closed the pipe, but the files must be completed.
-            Err(Failure::BrokenPipe) if !self.tables.is_empty() || !self.documents.is_empty() => self.print = false,
+            Err(Failure::BrokenPipe)
+                if !self.tables.is_empty() || !self.documents.is_empty() || self.parquet.is_some() =>
+            {
+                self.print = false
+            }
             other => other?,
         }
         Ok(())

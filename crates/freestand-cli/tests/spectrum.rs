@@ -280,3 +280,53 @@ fn a_spectrum_that_is_stopped_leaves_no_file() {
     assert_eq!(names(), before);
     assert_eq!(std::fs::read_to_string(folder.path().join("rows.csv")).unwrap(), "before");
 }
+
+/// The Parquet table has the fields of the CSV with their types, the same bytes on any number of
+/// threads, and says what it was made from.
+#[test]
+fn a_parquet_table_has_the_values_of_the_csv() {
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+    let folder = folder();
+    let file = |name: &str| folder.path().join(name);
+    let write = |threads: &str, name: &str| {
+        let more = ["--sensitivity", "--parquet", name, "--csv", "rows.csv", "--threads", threads];
+        let output = spectrum(folder.path(), ["0.5 m:3 m:9", "0.2 m:1 m:8"], &[&SHOCK[..], &more].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        std::fs::read(file(name)).unwrap()
+    };
+    assert!(write("1", "one.parquet") == write("2", "two.parquet"));
+    let reader = SerializedFileReader::new(std::fs::File::open(file("one.parquet")).unwrap()).unwrap();
+    let csv = std::fs::read_to_string(file("rows.csv")).unwrap();
+    let mut lines = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let header = lines.next().unwrap();
+    let (mut rows, mut types) = (0, std::collections::BTreeSet::new());
+    for row in reader.get_row_iter(None).unwrap() {
+        let (row, fields) = (row.unwrap(), lines.next().unwrap());
+        let columns: Vec<_> = row.get_column_iter().collect();
+        assert_eq!(columns.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), header);
+        for ((name, found), field) in columns.into_iter().zip(fields) {
+            let is_same = match found {
+                Field::Null => field.is_empty(),
+                Field::Double(value) => field.parse::<f64>().unwrap() == *value,
+                Field::Long(value) => field.parse::<i64>().unwrap() == *value,
+                Field::Bool(value) => field == value.to_string(),
+                Field::Str(value) => field == value,
+                _ => false,
+            };
+            assert!(is_same, "{name}: {found} {field}");
+            types.insert(format!("{:?}", std::mem::discriminant(found)));
+        }
+        rows += 1;
+    }
+    // Null, double, long, Boolean and text.
+    assert_eq!((rows, types.len(), lines.next()), (72, 5, None));
+    let values = reader.metadata().file_metadata().key_value_metadata().unwrap();
+    let value = |key: &str| -> Value {
+        let text = values.iter().find(|one| one.key == key).and_then(|one| one.value.clone()).unwrap();
+        serde_json::from_str(&text).unwrap()
+    };
+    assert_eq!(value("freestand.columns")["uplift_m"]["unit"], "m");
+    assert_eq!(value("freestand.inputs")[0]["name"], "r.csv");
+    assert_eq!(value("freestand.inputs")[0]["sha256"].as_str().unwrap().len(), 64);
+}

@@ -10,6 +10,7 @@ use freestand_input::words::{push_shortest, shortest, significant};
 use freestand_input::{Problem, ProblemKind};
 use serde::{Serialize, Serializer};
 
+use crate::parquet::{ColumnType, ParquetColumn, ParquetValue};
 use crate::rows::{broken, csv, csv_writer};
 
 /// A list of facts, in the order in which they are written.
@@ -181,6 +182,28 @@ impl<'a> Facts<'a> {
         let is_field = |fact: &&Fact| !(fact.name.is_empty() || matches!(fact.value, Value::List(_) | Value::Facts(_)));
         self.0.iter().filter(is_field).map(|fact| (fact.name, &fact.value))
     }
+}
+
+/// The fields of a row as columns of a Parquet table; `holds` says what a column of this name holds,
+/// because a value that is missing does not.
+pub fn parquet_columns(row: &Facts, holds: impl Fn(&str) -> ColumnType) -> Vec<ParquetColumn> {
+    let column = |(name, _): (&'static str, _)| {
+        let unit = unit_of(name).map_or("", |(unit, _)| unit);
+        let described = Some((if unit.is_empty() { "–" } else { unit }.to_owned(), String::new()));
+        ParquetColumn { name: name.to_owned(), holds: holds(name), described }
+    };
+    row.fields().map(column).collect()
+}
+
+/// The fields of a row as values of a Parquet table.
+pub fn parquet_values<'r>(row: &'r Facts<'_>) -> impl Iterator<Item = ParquetValue<'r>> {
+    row.fields().map(|(_, value)| match value {
+        Value::Text(text) => ParquetValue::Text(Cow::Borrowed(text)),
+        Value::Number(value) => ParquetValue::Number(*value),
+        Value::Count(count) => ParquetValue::Count(*count),
+        Value::Flag(flag) => ParquetValue::Flag(*flag),
+        Value::Missing | Value::List(_) | Value::Facts(_) => ParquetValue::Missing,
+    })
 }
 
 impl Value<'_> {

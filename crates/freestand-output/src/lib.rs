@@ -6,6 +6,7 @@ pub mod figure;
 pub mod folder;
 pub mod html;
 pub mod json;
+pub mod parquet;
 pub mod paths;
 pub mod rows;
 pub mod streamed;

@@ -91,6 +91,17 @@ impl StreamedFile {
     }
 }
 
+/// For writers of binary formats, which have a buffer of their own.
+impl Write for StreamedFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
 /// The [`document`] of a body `{"rows": […], …}`, up to and including the opening of its rows.
 ///
 /// # Errors

@@ -25,6 +25,7 @@ use crate::sliding::{Surface, slide_under};
 use crate::walls::{WallStiffness, acceleration_g, speed_m_s};
 use freestand_input::problem::Problem;
 use freestand_output::facts::Facts;
+use freestand_output::parquet::ColumnType;
 
 /// Block-steps of a chunk: seconds of work, after which a request to stop is noticed.
 const CHUNK_STEPS: usize = 200_000_000;
@@ -318,6 +319,16 @@ impl SpectrumChunk<'_> {
             words(&mut (start..(start + ROWS_AT_A_TIME).min(self.objects())).map(|index| self.row(index)))
         };
         starts.par_iter().map(piece).collect()
+    }
+}
+
+/// What a column of the rows holds; its name has the unit.
+pub fn column_type(name: &str) -> ColumnType {
+    match name {
+        "motion" | "outcome" | "reason" => ColumnType::Text,
+        "impact_count" => ColumnType::Count,
+        "sensitive" => ColumnType::Flag,
+        _ => ColumnType::Number,
     }
 }
 

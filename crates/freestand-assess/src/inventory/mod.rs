@@ -19,6 +19,7 @@ mod encoding;
 mod floors;
 mod headings;
 mod item;
+mod kept;
 mod layout;
 mod mapping;
 mod marked;
@@ -42,10 +43,12 @@ mod write;
 use std::path::PathBuf;
 
 use freestand::rocking::Restitution;
+use serde::{Deserialize, Serialize};
 
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
 pub use floors::Floors;
+pub use kept::{items_from_lines, lines_of_items};
 pub use layout::{LeftOut, RowKind};
 pub use mapping::Mapping;
 pub use marked::marked_copy;
@@ -60,7 +63,7 @@ use freestand_study::cushion::EdgeCushion;
 use freestand_study::study::assessment::Questions;
 
 /// The ratings of the three consequences of FEMA E-74; `None`: not rated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Consequences {
     /// LS: risk that somebody is hurt.
     pub life_safety: Option<Rating>,
@@ -71,7 +74,7 @@ pub struct Consequences {
 }
 
 /// A rating of a consequence.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Rating {
     /// `L`: low.
     Low,
@@ -94,7 +97,7 @@ impl Rating {
 
 /// One row of an inventory. `None` is an empty cell: missing data cost the object its verdict, but
 /// do not stop the reading.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Item {
     /// Its row in the sheet or file, counted from 1 as in a spreadsheet.
     pub row: u32,
@@ -135,6 +138,7 @@ pub struct Item {
     /// Mass \[kg\].
     pub mass_kg: Option<f64>,
     /// The cushion under one edge.
+    #[serde(with = "kept::cushion")]
     pub cushion: Option<EdgeCushion>,
     /// Half of the 16–84 % range of ln k, where a library entry gives a range of stiffness in place
     /// of a value.
@@ -144,12 +148,14 @@ pub struct Item {
     /// Its tolerance.
     pub tolerance: Option<Tolerance>,
     /// Restitution of the motion.
+    #[serde(with = "kept::KeptRestitution")]
     pub restitution: Restitution,
     /// Coefficient of friction, lowest and highest.
     pub friction_ratio: Option<(f64, f64)>,
     /// Probability of overturning or damage that the owner accepts, in place of that of the study.
     pub accepted_ratio: Option<f64>,
     /// What is asked of it; `None`: what the study and its ratings ask.
+    #[serde(with = "kept::questions")]
     pub questions: Option<Questions>,
     /// Whether it is anchored; `None`: the list does not say.
     pub anchored: Option<bool>,
@@ -166,7 +172,7 @@ pub struct Item {
 }
 
 /// What is around an object and on it, and whether it rolls.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Surroundings {
     /// Distance from its back to the wall, in the direction of the thickness; `None`: no wall \[m\].
     pub wall_gap_m: Option<f64>,
@@ -189,7 +195,7 @@ pub struct Surroundings {
 }
 
 /// The casters of an object.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Casters {
     /// It has none.
     None,
@@ -211,7 +217,7 @@ impl Casters {
 }
 
 /// A body that stands on an object.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct UpperBody {
     /// Height \[m\].
     pub height_m: f64,

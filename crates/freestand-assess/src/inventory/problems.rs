@@ -29,7 +29,7 @@ impl Severity {
 macro_rules! kinds {
     ($($kind:ident $severity:ident $name:literal $what:literal $hint:literal;)*) => {
         /// The kind of a problem.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
         pub enum Kind {
             $(#[doc = $what] $kind,)*
         }

@@ -3,16 +3,21 @@
 
 mod key;
 mod portfolio;
+mod shards;
 mod store;
+
+pub use shards::{
+    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards, plan_shards, run_shard,
+};
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use key::resume_key;
-use portfolio::{Portfolio, assess, part_of, progress_names, shake};
+use portfolio::{Portfolio, assess, progress_names, shake};
 use serde::Serialize;
 use serde_json::json;
-use store::PROGRESS;
+use store::{PROGRESS, Part, Store, part_size};
 
 use crate::inventory::{Floors, Inventory, Mapping, ReadOptions, read_inventory};
 use crate::library::{Libraries, Lookup};
@@ -204,24 +209,56 @@ pub fn assess_into(
     job: &Job,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    let part = part_of(study, inventory);
-    let key = resume_key(study, inventory, part);
+    let size = part_size(study, inventory);
+    let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume
         && let Some(report) = finished(target, &key, (study, inventory), job, &head)
     {
         return Ok(report);
     }
-    let names = progress_names(inventory.items.len(), part);
+    let parts = Part::of_run(inventory.items.len(), size);
+    let names = progress_names(&parts);
     announce(target, job.force, SCHEMA, &names)?;
+    let folder = staged(study, inventory, target, job)?;
+    let store = Store::open(&target.join(PROGRESS), &key, job.resume)?;
+    let portfolio = assess(study, inventory, (store, parts), (job.outcomes, None), progress)?;
+    let run = Run { study, inventory, head: &head, job, key: &key, motions: None };
+    written(&run, (target, folder), portfolio, progress)
+}
+
+/// The folder for the outputs, which are checked to have a place in it.
+fn staged(study: &Study, inventory: &Inventory, target: &Path, job: &Job) -> Result<OutputFolder, Problem> {
     let inputs = study.source.iter().cloned().chain(motion_paths(study)).chain([inventory.path.clone()]);
     let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
     let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?.of_command(SCHEMA)?;
     folder.check(&OUTPUTS.map(str::to_owned))?;
-    let mut portfolio = assess(study, inventory, (&target.join(PROGRESS), &key), (job.resume, job.outcomes), progress)?;
+    Ok(folder)
+}
+
+/// What the outputs of a run are made from, besides its results.
+struct Run<'r> {
+    study: &'r Study,
+    inventory: &'r Inventory,
+    head: &'r Head,
+    job: &'r Job,
+    key: &'r str,
+    /// Where the ground motions of worlds are kept, in a merge: one that is stopped is repeated, not
+    /// resumed.
+    motions: Option<&'r Path>,
+}
+
+/// Writes the outputs of a finished or interrupted run.
+fn written(
+    run: &Run,
+    (target, folder): (&Path, OutputFolder),
+    mut portfolio: Portfolio,
+    progress: Progress,
+) -> Result<JobReport, Problems> {
+    let Run { study, inventory, head, job, key, motions } = *run;
     let settings = &study.assessment;
     let wanted = Wanted { parquet: job.parquet, workbook: true, report: true, pages: settings.pages };
-    let first = write_all(&folder, &head, inventory, wanted, &mut portfolio.rows())?;
+    let first = write_all(&folder, head, inventory, wanted, &mut portfolio.rows())?;
     if job.outcomes {
         let mut file = folder.begin(OUTCOMES_NAME)?;
         file.write(&outcomes_head()?)?;
@@ -231,20 +268,20 @@ pub fn assess_into(
         file.finish()?;
     }
     if !portfolio.interrupted {
-        match worlds_into(&folder, study, &mut portfolio, progress) {
-            Err(error) if error.is_stopped() => portfolio.interrupted = true,
+        match worlds_into(&folder, (study, motions), &mut portfolio, progress) {
+            Err(error) if error.is_stopped() && motions.is_none() => portfolio.interrupted = true,
             written => written?,
         }
     }
     if portfolio.interrupted {
         portfolio.keep_in(&folder)?;
     }
-    let mut report = report(&portfolio, study, inventory, &head, target);
+    let mut report = report(&portfolio, study, inventory, head, target);
     report.first = first;
     report.files = folder.names()?;
     report.files.push(MANIFEST.to_owned());
     report.files.sort_unstable();
-    folder.write(MANIFEST, manifest(study, inventory, &report, &key)?.as_bytes())?;
+    folder.write(MANIFEST, manifest(study, inventory, &report, key)?.as_bytes())?;
     report.removed = folder.commit()?.removed;
     report.files.retain(|name| !name.starts_with(PROGRESS));
     Ok(report)
@@ -254,14 +291,14 @@ pub fn assess_into(
 /// that was stopped has none: whoever stops a run does not wait for its motions.
 fn worlds_into(
     folder: &OutputFolder,
-    study: &Study,
+    (study, motions): (&Study, Option<&Path>),
     portfolio: &mut Portfolio,
     progress: Progress,
 ) -> Result<(), Problems> {
     let lived = &portfolio.lived;
     let worlds = match portfolio.worlds.take() {
         Some(worlds) => worlds,
-        None => shake(study, progress)?,
+        None => shake(study, motions, progress)?,
     };
     let total = lived.worlds as usize;
     let go_on = |done: u32| match progress(Step { stage: Some(Stage::FloorMotions), done: done as usize, total }) {

@@ -1,10 +1,10 @@
 //! A whole inventory: assessed part by part, each part stored when it is done, then ranked.
 
 use std::ops::ControlFlow;
-
 use std::path::Path;
 
 use crate::inventory::{Inventory, Item};
+use crate::kept_motions::KeptMotions;
 use crate::output::words::listed;
 use crate::output::{Lived, Row};
 use crate::rank::Urgency;
@@ -15,29 +15,14 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
-use freestand_study::study::assessment::Dimensions;
 
-use super::store::{PROGRESS, Store};
-
-/// Objects of a part: some seconds of work, which is what a killed run loses.
-const PART: usize = 256;
-
-/// The same where histories are followed one by one, for a tenth of a second and more: some minutes.
-const SLOW_PART: usize = 4;
-
-/// Objects of a part of an inventory.
-pub(super) fn part_of(study: &Study, inventory: &Inventory) -> usize {
-    let is_slow = study.assessment.dimensions == Dimensions::Three
-        || inventory.items.iter().any(|item| item.surroundings.upper.is_some());
-    if is_slow { SLOW_PART } else { PART }
-}
+use super::store::{PROGRESS, Part, Store};
 
 /// A finished assessment, or the finished part of one that was stopped.
 pub(super) struct Portfolio<'a> {
     inventory: &'a Inventory,
-    /// Objects of a part.
-    part: usize,
     store: Store,
+    parts: Vec<Part>,
     /// The rank of each row of the inventory; further rows were not assessed.
     ranks: Vec<u32>,
     /// Objects that an earlier run finished.
@@ -63,16 +48,15 @@ pub(super) struct Portfolio<'a> {
 }
 
 /// The files that a run keeps in its output folder until it is finished.
-pub(super) fn progress_names(items: usize, part: usize) -> Vec<String> {
-    Store::names(items.div_ceil(part)).map(|name| format!("{}/{name}", PROGRESS)).collect()
+pub(super) fn progress_names(parts: &[Part]) -> Vec<String> {
+    Store::names(parts).map(|name| format!("{}/{name}", PROGRESS)).collect()
 }
 
-/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool.
-/// Finished parts are stored in a folder with the key of the run; with `resume` those of an earlier
-/// run with the same key are used.
+/// Assesses every object of `inventory` on its floor of `study`, on the current thread pool, part by
+/// part. Parts that are in the store are read from it, the others are computed and stored.
 ///
 /// The result of an object depends on its own row, the study and the seed, but not on other rows,
-/// their order, the number of threads or interruptions.
+/// their order, the number of threads or interruptions, nor on what parts the rows are in.
 ///
 /// # Errors
 /// A motion that cannot be generated, or a folder that cannot be written. A stop is not an error:
@@ -80,18 +64,16 @@ pub(super) fn progress_names(items: usize, part: usize) -> Vec<String> {
 pub(super) fn assess<'a>(
     study: &'a Study,
     inventory: &'a Inventory,
-    (folder, key): (&Path, &str),
-    (resume, wants_outcomes): (bool, bool),
+    (store, parts): (Store, Vec<Part>),
+    (wants_outcomes, motions): (bool, Option<&Path>),
     progress: Progress,
 ) -> Result<Portfolio<'a>, Problems> {
-    let store = Store::open(folder, key, resume)?;
     let total = inventory.items.len();
     let wants_to_stop = || progress(Step { stage: None, done: 0, total: 0 }).is_break();
-    let size = part_of(study, inventory);
     let mut portfolio = Portfolio {
         inventory,
-        part: size,
         store,
+        parts: Vec::new(),
         ranks: Vec::new(),
         resumed: 0,
         computed: 0,
@@ -104,65 +86,123 @@ pub(super) fn assess<'a>(
         lived: Lived::default(),
         worlds: None,
     };
-    let mut context: Option<Context> = None;
+    let mut assessor = Assessor::new((study, total), (wants_outcomes, motions), &wants_to_stop);
     let mut list = Vec::with_capacity(total);
-    for (part, items) in inventory.items.chunks(size).enumerate() {
-        if progress(Step { stage: Some(Stage::Objects), done: part * size, total }).is_break() {
+    for part in parts {
+        let items = inventory.items.get(part.rows.clone()).unwrap_or_default();
+        if progress(Step { stage: Some(Stage::Objects), done: part.rows.start, total }).is_break() {
             portfolio.interrupted = true;
             break;
         }
-        let is_complete = !wants_outcomes || portfolio.store.has_outcomes(part);
-        let stored = portfolio.store.read(part, items.iter().map(|item| item.id.as_str()));
-        let found = match stored.filter(|_| is_complete) {
-            Some(found) => {
+        let found = match assessor.part(&portfolio.store, &part, items, progress) {
+            Ok(Assessed { found, is_stored: true }) => {
                 portfolio.resumed += found.len();
                 found
             }
-            None => {
-                let ready = match context.take() {
-                    Some(ready) => Ok(ready),
-                    None => shake(study, progress).map(|worlds| {
-                        portfolio.worlds = Some(worlds.at_intensity(1.0));
-                        Context::new(study, worlds, total, &wants_to_stop)
-                    }),
-                };
-                let mut rows = wants_outcomes.then(Vec::new);
-                let assessed = ready.and_then(|ready| assess_part(context.insert(ready), items, rows.as_mut()));
-                match assessed {
-                    Ok(found) => {
-                        if let Some(rows) = rows {
-                            portfolio.store.write_outcomes(part, &rows)?;
-                        }
-                        portfolio.store.write(part, &found)?;
-                        portfolio.computed += found.len();
-                        found
-                    }
-                    Err(error) if error.is_stopped() => {
-                        portfolio.interrupted = true;
-                        break;
-                    }
-                    Err(error) => return Err(error),
-                }
+            Ok(Assessed { found, is_stored: false }) => {
+                portfolio.computed += found.len();
+                found
             }
+            Err(error) if error.is_stopped() => {
+                portfolio.interrupted = true;
+                break;
+            }
+            Err(error) => return Err(error),
         };
         portfolio.count(items, &found);
         list.extend(items.iter().zip(&found).map(|(item, found)| Urgency::new(item, found)));
+        portfolio.parts.push(part);
     }
-    portfolio.histories = context.map_or(0, |context| context.histories());
+    portfolio.histories = assessor.histories();
+    portfolio.worlds = assessor.worlds;
     portfolio.rank(list);
     Ok(portfolio)
 }
 
-/// The worlds of a study.
+/// Assesses parts of an inventory; the worlds are made for the first part that needs them.
+pub(super) struct Assessor<'a, 's> {
+    study: &'a Study,
+    /// Rows of the whole inventory.
+    total: usize,
+    wants_outcomes: bool,
+    /// Where the ground motions of worlds are kept, if they are.
+    motions: Option<&'s Path>,
+    wants_to_stop: &'s (dyn Fn() -> bool + Sync),
+    context: Option<Context<'s>>,
+    /// The worlds, once a part needed them.
+    worlds: Option<Worlds<'a>>,
+}
+
+/// The results of a part.
+pub(super) struct Assessed {
+    pub(super) found: Vec<Assessment>,
+    /// Whether they were in the store already.
+    pub(super) is_stored: bool,
+}
+
+impl<'a: 's, 's> Assessor<'a, 's> {
+    /// For a study and an inventory with `total` rows.
+    pub(super) fn new(
+        (study, total): (&'a Study, usize),
+        (wants_outcomes, motions): (bool, Option<&'s Path>),
+        wants_to_stop: &'s (dyn Fn() -> bool + Sync),
+    ) -> Self {
+        Self { study, total, wants_outcomes, motions, wants_to_stop, context: None, worlds: None }
+    }
+
+    /// Rocking histories that were computed.
+    pub(super) fn histories(&self) -> u64 {
+        self.context.as_ref().map_or(0, Context::histories)
+    }
+
+    /// A part from the store, or computed and stored.
+    ///
+    /// # Errors
+    /// A motion that cannot be generated, a folder that cannot be written, or a stop.
+    pub(super) fn part(
+        &mut self,
+        store: &Store,
+        part: &Part,
+        items: &[Item],
+        progress: Progress,
+    ) -> Result<Assessed, Problems> {
+        let is_complete = !self.wants_outcomes || store.has_outcomes(part);
+        let stored = store.read(part, items.iter().map(|item| item.id.as_str()));
+        if let Some(found) = stored.filter(|_| is_complete) {
+            return Ok(Assessed { found, is_stored: true });
+        }
+        let context = match &mut self.context {
+            Some(context) => context,
+            empty => {
+                let worlds = shake(self.study, self.motions, progress)?;
+                self.worlds = Some(worlds.at_intensity(1.0));
+                empty.insert(Context::new(self.study, worlds, self.total, self.wants_to_stop))
+            }
+        };
+        let mut rows = self.wants_outcomes.then(Vec::new);
+        let found = assess_part(context, items, rows.as_mut())?;
+        if let Some(rows) = rows {
+            store.write_outcomes(part, &rows)?;
+        }
+        store.write(part, &found)?;
+        Ok(Assessed { found, is_stored: false })
+    }
+}
+
+/// The worlds of a study; with `motions`, their ground motions are kept in this folder.
 ///
 /// # Errors
 /// A motion that cannot be generated, or a stop.
-pub(super) fn shake<'a>(study: &'a Study, progress: Progress) -> Result<Worlds<'a>, Problems> {
+pub(super) fn shake<'a>(study: &'a Study, motions: Option<&Path>, progress: Progress) -> Result<Worlds<'a>, Problems> {
     let go_on = || match progress(Step { stage: Some(Stage::GroundMotions), done: 0, total: 0 }) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped().into()),
     };
-    Worlds::new(study, go_on)
+    let worlds = Worlds::new(study, go_on)?;
+    Ok(match motions {
+        Some(folder) => worlds.kept_in(KeptMotions::new(folder)),
+        None => worlds,
+    })
 }
 
 /// One part: the objects with level and geometry in their worlds, and the others without a verdict.
@@ -231,10 +271,10 @@ impl<'a> Portfolio<'a> {
 
     /// The results in the order of the inventory, read part by part from where they are stored.
     pub(super) fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Problem>> + '_ {
-        let assessed = &self.inventory.items[..self.ranks.len()];
-        assessed.chunks(self.part).enumerate().flat_map(move |(part, items)| {
+        self.parts.iter().flat_map(move |part| {
+            let items = self.inventory.items.get(part.rows.clone()).unwrap_or_default();
+            let ranks = self.ranks.get(part.rows.clone()).unwrap_or_default();
             let found = self.store.read(part, items.iter().map(|item| item.id.as_str()));
-            let ranks = &self.ranks[part * self.part..];
             match found {
                 Some(found) => {
                     let rows = items.iter().zip(found).zip(ranks);
@@ -247,13 +287,12 @@ impl<'a> Portfolio<'a> {
 
     /// The outcomes of each finished part.
     pub(super) fn outcomes(&self) -> impl Iterator<Item = Result<Vec<u8>, Problem>> {
-        (0..self.ranks.len().div_ceil(self.part)).map(|part| self.store.outcomes(part).ok_or_else(disappeared))
+        self.parts.iter().map(|part| self.store.outcomes(part).ok_or_else(disappeared))
     }
 
     /// Keeps the finished parts next to the outputs, for a run that resumes.
     pub(super) fn keep_in(&self, folder: &OutputFolder) -> Result<(), Problem> {
-        let parts = self.ranks.len().div_ceil(self.part);
-        for name in Store::names(parts).filter(|name| self.store.has(name)) {
+        for name in Store::names(&self.parts).filter(|name| self.store.has(name)) {
             self.store.link(&name, &folder.place_for(&format!("{}/{name}", PROGRESS))?)?;
         }
         Ok(())

@@ -5,12 +5,16 @@
 
 use std::fs;
 use std::io::{self, BufRead, BufReader};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use crate::inventory::Inventory;
 use crate::result::Assessment;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::folder::write_file;
 use freestand_output::paths::io_problem;
+use freestand_study::study::Study;
+use freestand_study::study::assessment::Dimensions;
 
 /// Folder of the parts inside the output folder.
 pub(super) const PROGRESS: &str = "progress";
@@ -21,12 +25,65 @@ const PLAN: &str = "plan";
 /// The file that the writing run locks.
 const LOCK: &str = "lock";
 
+/// Objects of a part: some seconds of work, which is what a killed run loses.
+const PART: usize = 256;
+
+/// The same where histories are followed one by one, for a tenth of a second and more: some minutes.
+const SLOW_PART: usize = 4;
+
+/// Objects of a part of an inventory.
+pub(super) fn part_size(study: &Study, inventory: &Inventory) -> usize {
+    let is_slow = study.assessment.dimensions == Dimensions::Three
+        || inventory.items.iter().any(|item| item.surroundings.upper.is_some());
+    if is_slow { SLOW_PART } else { PART }
+}
+
+/// Rows of an inventory that are assessed and stored together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Part {
+    /// The name of its files, without their endings.
+    pub(super) name: String,
+    /// Its rows, counted from 0.
+    pub(super) rows: Range<usize>,
+}
+
+impl Part {
+    /// The parts of a run over this many rows, of `size` rows each.
+    pub(super) fn of_run(rows: usize, size: usize) -> Vec<Self> {
+        ranges(0..rows, size).enumerate().map(|(part, rows)| Self { name: format!("{part:06}"), rows }).collect()
+    }
+
+    /// The parts of a shard with these rows, of `size` rows each.
+    pub(super) fn of_shard(shard: usize, rows: Range<usize>, size: usize) -> Vec<Self> {
+        ranges(rows, size)
+            .enumerate()
+            .map(|(part, rows)| Self { name: format!("{shard:05}-{part:03}"), rows })
+            .collect()
+    }
+
+    /// The file with its results.
+    pub(super) fn results_name(&self) -> String {
+        format!("{}.jsonl", self.name)
+    }
+
+    /// The file with its outcomes.
+    pub(super) fn outcomes_name(&self) -> String {
+        format!("{}.csv", self.name)
+    }
+}
+
+fn ranges(rows: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>> {
+    let end = rows.end;
+    rows.step_by(size).map(move |first| first..end.min(first + size))
+}
+
 /// A folder of parts.
 #[derive(Debug)]
 pub(super) struct Store {
     folder: PathBuf,
-    /// Locked as long as this lives: two runs in one folder would read each other's parts.
-    _lock: fs::File,
+    /// Locked as long as this lives: two runs in one folder would read each other's parts. `None`: the
+    /// folder of a plan, in which each shard has files of its own.
+    _lock: Option<fs::File>,
 }
 
 impl Store {
@@ -42,7 +99,7 @@ impl Store {
                 .in_file(folder)
                 .hint("wait until it has finished, or give another folder with `out`"));
         }
-        let store = Self { folder: folder.to_path_buf(), _lock: lock };
+        let store = Self { folder: folder.to_path_buf(), _lock: Some(lock) };
         let is_same = fs::read_to_string(folder.join(PLAN)).is_ok_and(|found| found == key);
         if !(is_same && resume) {
             store.clear().map_err(failed)?;
@@ -51,9 +108,15 @@ impl Store {
         Ok(store)
     }
 
-    /// The names of the files of a run in `parts` parts.
-    pub(super) fn names(parts: usize) -> impl Iterator<Item = String> {
-        let of_parts = (0..parts).flat_map(|part| [part_name(part), outcomes_name(part)]);
+    /// The folder of the shards of a plan, which is made where it does not exist.
+    pub(super) fn of_shards(folder: &Path) -> Result<Self, Problem> {
+        fs::create_dir_all(folder).map_err(|error| io_problem(folder, "cannot write the finished parts", &error))?;
+        Ok(Self { folder: folder.to_path_buf(), _lock: None })
+    }
+
+    /// The names of the files of a run in these parts.
+    pub(super) fn names(parts: &[Part]) -> impl Iterator<Item = String> + '_ {
+        let of_parts = parts.iter().flat_map(|part| [part.results_name(), part.outcomes_name()]);
         [LOCK, PLAN].map(str::to_owned).into_iter().chain(of_parts)
     }
 
@@ -70,8 +133,8 @@ impl Store {
     }
 
     /// Stores a part, which is then complete or absent.
-    pub(super) fn write(&self, part: usize, found: &[Assessment]) -> Result<(), Problem> {
-        let path = self.folder.join(part_name(part));
+    pub(super) fn write(&self, part: &Part, found: &[Assessment]) -> Result<(), Problem> {
+        let path = self.folder.join(part.results_name());
         let mut lines = Vec::new();
         for one in found {
             serde_json::to_writer(&mut lines, one)
@@ -82,18 +145,18 @@ impl Store {
     }
 
     /// Stores the outcomes of a part, before the part itself.
-    pub(super) fn write_outcomes(&self, part: usize, rows: &[u8]) -> Result<(), Problem> {
-        write_file(&self.folder.join(outcomes_name(part)), rows, &[])
+    pub(super) fn write_outcomes(&self, part: &Part, rows: &[u8]) -> Result<(), Problem> {
+        write_file(&self.folder.join(part.outcomes_name()), rows, &[])
     }
 
     /// The outcomes of a part; `None` where they are absent.
-    pub(super) fn outcomes(&self, part: usize) -> Option<Vec<u8>> {
-        fs::read(self.folder.join(outcomes_name(part))).ok()
+    pub(super) fn outcomes(&self, part: &Part) -> Option<Vec<u8>> {
+        fs::read(self.folder.join(part.outcomes_name())).ok()
     }
 
     /// Whether the outcomes of a part are stored.
-    pub(super) fn has_outcomes(&self, part: usize) -> bool {
-        self.has(&outcomes_name(part))
+    pub(super) fn has_outcomes(&self, part: &Part) -> bool {
+        self.has(&part.outcomes_name())
     }
 
     /// Whether there is a file of this name.
@@ -111,20 +174,12 @@ impl Store {
     }
 
     /// A stored part; `None` where it is absent, incomplete or of other objects.
-    pub(super) fn read<'a>(&self, part: usize, ids: impl ExactSizeIterator<Item = &'a str>) -> Option<Vec<Assessment>> {
-        let file = fs::File::open(self.folder.join(part_name(part))).ok()?;
+    pub(super) fn read<'a>(&self, part: &Part, ids: impl ExactSizeIterator<Item = &'a str>) -> Option<Vec<Assessment>> {
+        let file = fs::File::open(self.folder.join(part.results_name())).ok()?;
         let lines = BufReader::new(file).lines();
         let found: Option<Vec<Assessment>> = lines.map(|line| serde_json::from_str(&line.ok()?).ok()).collect();
         found.filter(|found| found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id))
     }
-}
-
-fn part_name(part: usize) -> String {
-    format!("{part:06}.jsonl")
-}
-
-fn outcomes_name(part: usize) -> String {
-    format!("{part:06}.csv")
 }
 
 fn is_ours(name: &str) -> bool {

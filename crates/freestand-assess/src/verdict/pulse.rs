@@ -80,8 +80,8 @@ impl Pulses {
         }
         let duration_s = self.hardest.map(|pulse| {
             let own = history.touches.iter().filter(|touch| touch.edge == pulse.edge && touch.time_s <= pulse.start_s);
-            let held = own.filter(|touch| touch.end_time_s.is_none_or(|end_s| end_s >= pulse.start_s));
-            pulse.end_s - held.last().map_or(pulse.start_s, |touch| touch.time_s.max(pulse.start_s - FLAT_S))
+            let mut held = own.filter(|touch| touch.end_time_s.is_none_or(|end_s| end_s >= pulse.start_s));
+            pulse.end_s - held.next_back().map_or(pulse.start_s, |touch| touch.time_s.max(pulse.start_s - FLAT_S))
         });
         (self.velocity_change_m_s, duration_s)
     }

@@ -10,13 +10,15 @@ use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
 use freestand_input::keys::KeyStyle;
+use freestand_input::problem::Problems;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::one_line;
 use freestand_input::words::counted;
 use freestand_output::folder::removed_note;
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::resolve::{Overrides, builtin, load};
-use freestand_study::run::Step;
+use freestand_study::run::{Progress, Step};
+use freestand_study::study::Study;
 
 use super::Done;
 use crate::args::GlobalArgs;
@@ -50,6 +52,28 @@ not run.
 Accepted probabilities and uncertainties are keys of [assessment] in a study; see
 docs/assessment.md.")]
 pub(crate) struct AssessArgs {
+    #[command(flatten)]
+    list: ListArgs,
+    /// Continue an earlier run in the same folder
+    #[arg(long)]
+    resume: bool,
+    /// Tables to write besides objects.csv, assessment.xlsx and report.html
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "csv")]
+    format: Vec<Format>,
+    /// Also write outcomes.csv: what happened to every object in every world, by each model
+    #[arg(long)]
+    outcomes: bool,
+    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
+    #[arg(long, value_name = "N")]
+    pages: Option<usize>,
+    /// End with status 1 if an object gets this verdict; give it once for each verdict
+    #[arg(long, value_enum, value_name = "VERDICT")]
+    fail_on: Vec<FailOn>,
+}
+
+/// The study of an assessment, its inventory, and how that is read.
+#[derive(Debug, Args)]
+pub(crate) struct ListArgs {
     /// Study file (TOML) with hazard, building and settings [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
     study: Option<PathBuf>,
@@ -79,21 +103,6 @@ pub(crate) struct AssessArgs {
     /// Your own cushion library (CSV); its entries replace built-in entries with the same id
     #[arg(long, value_name = "FILE")]
     cushion_library: Option<PathBuf>,
-    /// Continue an earlier run in the same folder
-    #[arg(long)]
-    resume: bool,
-    /// Tables to write besides objects.csv, assessment.xlsx and report.html
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "csv")]
-    format: Vec<Format>,
-    /// Also write outcomes.csv: what happened to every object in every world, by each model
-    #[arg(long)]
-    outcomes: bool,
-    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
-    #[arg(long, value_name = "N")]
-    pages: Option<usize>,
-    /// End with status 1 if an object gets this verdict; give it once for each verdict
-    #[arg(long, value_enum, value_name = "VERDICT")]
-    fail_on: Vec<FailOn>,
 }
 
 /// The verdicts by their names in outputs.
@@ -141,28 +150,51 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
             "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
         ));
     }
-    let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), ..Overrides::default() };
-    let mut study = match &args.study {
-        Some(path) => load(path, &overrides)?,
-        None => builtin(&overrides)?,
-    };
-    let settings = &mut study.assessment;
-    settings.seed = global.seed.unwrap_or(settings.seed);
-    settings.pages = args.pages.unwrap_or(settings.pages);
-    settings.library = args.library.clone().or(settings.library.take());
-    settings.cushion_library = args.cushion_library.clone().or(settings.cushion_library.take());
-    let request = ListRequest {
-        sheet: args.sheet.clone(),
-        columns: args.columns.clone(),
-        storeys: args.storeys.map(usize::from),
-        is_strict: args.strict,
-        assess_anchored: args.assess_anchored,
-    };
-    let inventory = inventory_of(&study, args.inventory.as_deref(), &request)?;
+    let (study, _, inventory) = args.list.read(global, args.pages)?;
     let out = global.folder(FOLDER);
     let parquet = args.format.contains(&Format::Parquet);
     let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes };
 
+    let report = watched(printer, |progress| assess_into(&study, &inventory, &out, &job, progress))?;
+    print(&report, &out, &inventory, printer)?;
+    if report.interrupted {
+        return Err(Failure::StoppedAfterWriting);
+    }
+    let is_named = args.fail_on.iter().any(|verdict| report.count(verdict.decision()) > 0);
+    Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named })
+}
+
+impl ListArgs {
+    /// The study with the flags in place of its keys, how the list is read, and the list.
+    pub(crate) fn read(
+        &self,
+        global: &GlobalArgs,
+        pages: Option<usize>,
+    ) -> Result<(Study, ListRequest, Inventory), Failure> {
+        let overrides = Overrides { seed: global.seed, hazard: self.hazard.words(), ..Overrides::default() };
+        let mut study = match &self.study {
+            Some(path) => load(path, &overrides)?,
+            None => builtin(&overrides)?,
+        };
+        let settings = &mut study.assessment;
+        settings.seed = global.seed.unwrap_or(settings.seed);
+        settings.pages = pages.unwrap_or(settings.pages);
+        settings.library = self.library.clone().or(settings.library.take());
+        settings.cushion_library = self.cushion_library.clone().or(settings.cushion_library.take());
+        let request = ListRequest {
+            sheet: self.sheet.clone(),
+            columns: self.columns.clone(),
+            storeys: self.storeys.map(usize::from),
+            is_strict: self.strict,
+            assess_anchored: self.assess_anchored,
+        };
+        let inventory = inventory_of(&study, self.inventory.as_deref(), &request)?;
+        Ok((study, request, inventory))
+    }
+}
+
+/// Long work with a bar of its progress, which Ctrl-C stops.
+pub(crate) fn watched<T>(printer: &Printer, work: impl FnOnce(Progress) -> Result<T, Problems>) -> Result<T, Problems> {
     let stop = Stop::listen();
     let bar = printer.progress_bar(false);
     let progress = |step: Step| {
@@ -173,24 +205,24 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
         }
         if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let report = assess_into(&study, &inventory, &out, &job, &progress);
+    let done = work(&progress);
     bar.finish_and_clear();
-    let report = report?;
+    done
+}
+
+/// Prints the result of an assessment whose files are in `out`.
+pub(crate) fn print(report: &JobReport, out: &Path, inventory: &Inventory, printer: &Printer) -> Result<(), Failure> {
     if let Some(note) = removed_note(&report.removed) {
         printer.note(&note);
     }
     if printer.json() {
-        print_json(&report, &out, &inventory)?;
+        print_json(report, out, inventory)?;
         printer.warn(&report.all_warnings());
     } else {
-        print_text(&text(&report))?;
+        print_text(&text(report))?;
         printer.warn(&report.warnings);
     }
-    if report.interrupted {
-        return Err(Failure::StoppedAfterWriting);
-    }
-    let is_named = args.fail_on.iter().any(|verdict| report.count(verdict.decision()) > 0);
-    Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named })
+    Ok(())
 }
 
 /// Bytes of a document that are printed at once.

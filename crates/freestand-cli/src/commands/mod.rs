@@ -14,6 +14,7 @@ mod place;
 mod restrain;
 mod rock;
 mod run;
+mod shard;
 mod shock;
 mod shock_spectrum;
 mod sliding;
@@ -67,6 +68,7 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     Run(Box<run::RunArgs>),
     Assess(Box<assess::AssessArgs>),
+    Shard(shard::ShardArgs),
     Object(Box<object::ObjectArgs>),
     Check(check::CheckArgs),
     Shock(Box<shock::ShockArgs>),
@@ -89,6 +91,7 @@ impl Command {
         match self {
             Self::Run(args) => run::run(args, global, printer),
             Self::Assess(args) => assess::run(args, global, printer),
+            Self::Shard(args) => shard::run(args, global, printer),
             Self::Object(args) => object::run(args, global, printer),
             Self::Check(args) => check::run(args, global, printer),
             Self::Shock(args) => shock::run(args, global, printer),

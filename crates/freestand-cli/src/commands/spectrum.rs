@@ -46,6 +46,9 @@ Examples:
   A million objects in a file, each with its sensitivity to an error of the motion:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
       --thicknesses \"0.1 m:1 m:1000\" --accuracy fast --sensitivity --csv rows.csv
+  The same as a table with types and units, for pandas, polars or DuckDB:
+    freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
+      --thicknesses \"0.1 m:1 m:1000\" --parquet rows.parquet
   Trolleys with brakes on half of their wheels, which slide or rock according to their size:
     freestand spectrum --motion record.AT2 --heights \"0.8 m:1.6 m:9\" --thicknesses \"0.4 m\" \
       --casters --brakes --friction 0.25
@@ -98,6 +101,9 @@ pub(crate) struct SpectrumArgs {
     /// File to write the rows to (CSV)
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
+    /// File to write the rows to (Parquet)
+    #[arg(long, value_name = "FILE.parquet")]
+    parquet: Option<PathBuf>,
 }
 
 /// The keys that follow the rows in the document.
@@ -129,7 +135,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let stop = Stop::listen();
     let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
-    let mut rows = Rows::begin(SCHEMA, printer, &files, args.csv.as_deref(), &inputs)?;
+    let mut rows = Rows::begin(SCHEMA, printer, &files, (args.csv.as_deref(), args.parquet.as_deref()), &inputs)?;
     let total = request.grid.objects() * reading.motions.len();
     let mut seen = Seen::new(reading.motions.len(), total, &request);
     let bar = printer.progress_bar(printer.json());
@@ -146,7 +152,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
 
     warnings.extend(request.warnings(&seen.tallies));
     let failed = seen.tallies.iter().any(|tally| tally.failed > 0);
-    let place = args.csv.as_deref().map(path_text).or_else(|| files.path(ROWS));
+    let place = args.csv.as_deref().or(args.parquet.as_deref()).map(path_text).or_else(|| files.path(ROWS));
     let text = || seen.text(&reading.motions, place.as_deref(), &timing);
     let others = Others { processing: reading.processing, timing };
     rows.finish(files, printer, &others, &warnings, text)?;

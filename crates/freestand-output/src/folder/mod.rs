@@ -20,10 +20,13 @@ use tempfile::TempDir;
 use earlier::{Earlier, Place, check_replaceable, command_of, hash_of, manifest_command, stays_inside};
 
 /// Manifests: a folder with one of these files was written by freestand.
-const MANIFESTS: [&str; 2] = [MANIFEST, "summary.json"];
+const MANIFESTS: [&str; 3] = [MANIFEST, "summary.json", PLAN];
 
 /// The manifest of most commands.
 pub const MANIFEST: &str = "manifest.json";
+
+/// The manifest of an assessment that is divided into shards.
+pub const PLAN: &str = "plan.json";
 
 /// Schema of the manifest of an incomplete folder.
 const INCOMPLETE: &str = "freestand.incomplete/1";

@@ -1,0 +1,234 @@
+//! `freestand shard`: an assessment that several processes or machines share.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+use freestand_assess::job::{
+    Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards, plan_shards, run_shard,
+};
+use freestand_input::problem::Problem;
+use freestand_input::words::counted;
+use serde_json::json;
+
+use super::Done;
+use super::assess::{ListArgs, print, watched};
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::printer::{Printer, print_text, significant};
+
+/// Divide an assessment into shards that run on any machines, and put their results together
+///
+/// The results are those of freestand assess, byte for byte, whatever the number of shards, their
+/// order, the machines and what was killed in between.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand shard plan city.toml --inventory city.csv --shards 2000 --out plan
+  freestand shard run plan --shard 17
+  freestand shard merge plan --out results
+  On a cluster with SLURM:
+    sbatch --array=0-1999 --cpus-per-task=1 \\
+      --wrap 'freestand shard run plan --shard $SLURM_ARRAY_TASK_ID --threads 1'
+  With GNU parallel on one machine:
+    seq 0 1999 | parallel freestand shard run plan --shard {} --threads 1
+
+docs/shards.md has the details.")]
+pub(crate) struct ShardArgs {
+    #[command(subcommand)]
+    command: ShardCommand,
+}
+
+#[derive(Debug, Subcommand)]
+enum ShardCommand {
+    Plan(Box<PlanArgs>),
+    Run(RunArgs),
+    Merge(MergeArgs),
+}
+
+/// Write the folder of a plan, which holds everything that the shards need
+///
+/// The study, its records and the inventory are copied into the folder, so that shards do not depend
+/// on the originals. The same plan may be made again: the folder is then left as it is.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand shard plan city.toml --inventory city.csv --shards 2000 --out plan
+  freestand shard plan city.toml --inventory city.xlsx --sheet North --shards 40 --seed 7 --out plan
+  freestand shard plan --inventory objects.csv --place Wellington --shards 8 --out plan --json
+
+Take shards of some minutes of work: 200 objects or more. Exit status: 0 planned; 1 planned, but a
+cell of the list could not be read; 2 could not run.")]
+struct PlanArgs {
+    #[command(flatten)]
+    list: ListArgs,
+    /// Number of shards
+    #[arg(long, value_name = "N")]
+    shards: usize,
+    /// Also make outcomes.csv: what happened to every object in every world, by each model
+    #[arg(long)]
+    outcomes: bool,
+    /// Number of objects, the most urgent first, that get a page in the report [default: 200]
+    #[arg(long, value_name = "N")]
+    pages: Option<usize>,
+}
+
+/// Assess the objects of one shard
+///
+/// A shard that is finished is left as it is, at once. One that was killed is continued. Shards may
+/// run at the same time, in any order.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand shard run plan --shard 17
+  freestand shard run plan --shard \"$SLURM_ARRAY_TASK_ID\" --threads 1
+  A loop in a shell:
+    for shard in $(seq 0 6); do freestand shard run plan --shard $shard; done
+
+Exit status: 0 the shard is finished; 2 could not run; 130 stopped, the finished parts are kept.")]
+struct RunArgs {
+    /// Folder of the plan
+    #[arg(value_name = "DIR")]
+    dir: PathBuf,
+    /// Number of the shard, counted from 0
+    #[arg(long, value_name = "N")]
+    shard: usize,
+}
+
+/// Write the outputs of the assessment from the results of all shards
+///
+/// The files are those of freestand assess, with objects.parquet.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  freestand shard merge plan --out results
+  freestand shard merge plan --out results --json
+
+Exit status: 0 done; 1 shards are missing, which are listed with the command that runs them (nothing
+is written), a cell of the list could not be read, or a history failed; 2 could not run.")]
+struct MergeArgs {
+    /// Folder of the plan
+    #[arg(value_name = "DIR")]
+    dir: PathBuf,
+}
+
+pub(crate) fn run(args: &ShardArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    match &args.command {
+        ShardCommand::Plan(args) => plan(args, global, printer),
+        ShardCommand::Run(args) => shard(args, global, printer),
+        ShardCommand::Merge(args) => merge(args, global, printer),
+    }
+}
+
+/// The folder of `--out`, which a command needs.
+fn out<'g>(global: &'g GlobalArgs, hint: &str) -> Result<&'g Path, Failure> {
+    let missing = || Problem::value("`out` is missing", hint).of(&["out"]);
+    Ok(global.out.as_deref().ok_or_else(missing)?)
+}
+
+fn plan(args: &PlanArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let out = out(global, "name the folder of the plan: one that all machines can read and write")?;
+    let (study, list, inventory) = args.list.read(global, args.pages)?;
+    let request = PlanRequest {
+        study: &study,
+        seed: global.seed,
+        inventory: &inventory,
+        list: &list,
+        shards: args.shards,
+        outcomes: args.outcomes,
+    };
+    let report = plan_shards(&request, out, global.force)?;
+    let said = report.problems.iter().map(|line| format!("in the list: {line}"));
+    let warnings: Vec<String> = report.no_study.iter().cloned().chain(said).chain(report.warnings.clone()).collect();
+    printer.result(PLAN_SCHEMA, &report, &warnings, || planned(&report))?;
+    Ok(Done { criterion_met: !inventory.has_errors() })
+}
+
+fn planned(report: &PlanReport) -> String {
+    let PlanReport { out, shards, rows, rows_most, was_planned, place, .. } = report;
+    let again = if *was_planned { " (planned before; nothing was written)" } else { "" };
+    let dir = quoted(out);
+    let last = shards - 1;
+    format!(
+        "{place}\n\n{} in {} of at most {rows_most}, in {out}{again}\n\n\
+         Run each shard, on any machine that sees this folder, then merge:\n  \
+         for shard in $(seq 0 {last}); do freestand shard run {dir} --shard $shard; done\n  \
+         freestand shard merge {dir} --out results\n",
+        counted(*rows, "object"),
+        counted(*shards, "shard")
+    )
+}
+
+fn shard(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if global.out.is_some() || global.seed.is_some() {
+        let hint = "leave it out: the folder of the plan has the seed, and gets the results";
+        return Err(Failure::usage("shard run takes neither --out nor --seed", hint));
+    }
+    let report = watched(printer, |progress| run_shard(&args.dir, args.shard, progress))
+        .map_err(|error| if error.is_stopped() { Failure::StoppedInShard } else { error.into() })?;
+    printer.result(SHARD_SCHEMA, &report, &[], || {
+        let ShardReport { index, rows, seconds, failed, was_finished, .. } = &report;
+        let when = if *was_finished { "was finished before" } else { "is finished" };
+        let failed = match failed {
+            0 => String::new(),
+            failed => format!("; {} with histories that failed", counted(*failed, "object")),
+        };
+        format!("shard {index} {when}: {}, {} s{failed}\n", counted(*rows, "object"), significant(*seconds, 3))
+    })?;
+    Ok(Done::OK)
+}
+
+/// Missing shards that are listed by their commands.
+const LISTED: usize = 20;
+
+fn merge(args: &MergeArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let out = out(global, "name the folder for the results")?;
+    if global.seed.is_some() {
+        return Err(Failure::usage("shard merge takes no --seed", "leave it out: the plan has the seed"));
+    }
+    let merged = watched(printer, |progress| merge_shards(&args.dir, out, global.force, progress));
+    match merged.map_err(|error| if error.is_stopped() { Failure::Stopped { printed: false } } else { error.into() })? {
+        Merged::Missing(missing) => {
+            let dir = quoted(&args.dir.display().to_string());
+            let commands: Vec<String> =
+                missing.iter().map(|shard| format!("freestand shard run {dir} --shard {shard}")).collect();
+            if printer.json() {
+                let body = json!({"missing": missing, "commands": commands});
+                printer.result(MERGE_SCHEMA, &body, &[], String::new)?;
+            } else {
+                print_text(&format!(
+                    "{} not finished, so nothing was written. Run them:\n{}",
+                    if missing.len() == 1 { "1 shard is".to_owned() } else { format!("{} shards are", missing.len()) },
+                    listed(&commands, &missing, &dir)
+                ))?;
+            }
+            Ok(Done { criterion_met: false })
+        }
+        Merged::Done(done) => {
+            let (report, inventory) = *done;
+            print(&report, out, &inventory, printer)?;
+            Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() })
+        }
+    }
+}
+
+/// Schema of the document that lists missing shards.
+const MERGE_SCHEMA: &str = "freestand.shard-merge/1";
+
+/// A command for each missing shard, or one loop where they are many.
+fn listed(commands: &[String], missing: &[usize], dir: &str) -> String {
+    if commands.len() <= LISTED {
+        return commands.iter().map(|command| format!("  {command}\n")).collect();
+    }
+    let numbers: Vec<String> = missing.iter().map(usize::to_string).collect();
+    format!("  for shard in {}; do freestand shard run {dir} --shard $shard; done\n", numbers.join(" "))
+}
+
+/// A path as a shell reads it.
+fn quoted(path: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+=:,@%".contains(c);
+    if !path.is_empty() && path.chars().all(is_plain) {
+        path.to_owned()
+    } else {
+        format!("'{}'", path.replace('\'', "'\\''"))
+    }
+}
