@@ -191,9 +191,8 @@ fn data_without_a_spread_are_results() {
     let tied = [(1.0, NoUplift), (2.0, Overturned), (3.0, NoUplift), (4.0, Overturned)];
     let tied = fit(&tied, FitKind::Ordered);
     assert_eq!(lognormal(&tied, LimitState::Rocks), lognormal(&tied, LimitState::Overturns));
-    for bad in [Run { motion: None, intensity: 0.0, class: Rocked, weight: 1.0 }] {
-        assert!(matches!(Outcomes::new(&[bad]), Err(OutcomesError::Intensity { run: 1, .. })));
-    }
+    let bad = Run { motion: None, intensity: 0.0, class: Rocked, weight: 1.0 };
+    assert!(matches!(Outcomes::new(&[bad]), Err(OutcomesError::Intensity { run: 1, .. })));
     assert_eq!(Outcomes::new(&[]), Err(OutcomesError::Empty));
 }
 
@@ -301,11 +300,10 @@ fn a_truncated_distribution_is_found_again() {
     let found: Vec<ShockDistribution> =
         (0..8).map(|seed| fit_shock(&shocks(seed, 4000, truth, 6.0), 6.0).unwrap()).collect();
     let mean = |of: &dyn Fn(&ShockDistribution) -> f64| found.iter().map(of).sum::<f64>() / found.len() as f64;
-    let of: [(&dyn Fn(&ShockDistribution) -> f64, f64); 3] =
-        [(&|fit| fit.intercept, truth.0), (&|fit| fit.slope, truth.1), (&|fit| fit.sigma, truth.2)];
-    for (get, truth) in of {
-        let mean = mean(get);
-        let spread = found.iter().map(|fit| (get(fit) - mean).powi(2)).sum::<f64>() / 7.0;
+    let values = |fit: &ShockDistribution| [fit.intercept, fit.slope, fit.sigma];
+    for (i, truth) in [truth.0, truth.1, truth.2].into_iter().enumerate() {
+        let mean = mean(&|fit| values(fit)[i]);
+        let spread = found.iter().map(|fit| (values(fit)[i] - mean).powi(2)).sum::<f64>() / 7.0;
         let error = (spread / 8.0).sqrt();
         assert!((mean - truth).abs() < 4.0 * error && error < 0.02, "{mean} {truth} {error}");
     }

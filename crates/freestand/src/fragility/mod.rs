@@ -11,7 +11,7 @@ mod two_stage;
 
 use std::f64::consts::{SQRT_2, TAU};
 
-use statrs::function::erf::erfc;
+use libm::erfc;
 use thiserror::Error;
 
 use crate::block::Block;
