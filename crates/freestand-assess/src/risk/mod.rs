@@ -12,7 +12,7 @@ use freestand::fragility::LimitState;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, number, percent_significant, significant};
+use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::facts::{Facts, table_csv};
 
 use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
@@ -288,14 +288,14 @@ impl RiskReport {
                 text += &format!("  {:10}  {}\n", one.limit_state.name(), one.words(&years));
             }
             if let Some(verdict) = object.verdict {
-                let accepted = object.accepted_rate.map_or(String::new(), |rate| {
-                    format!(" (accepted for overturning: {} a year)", significant(rate, 3))
-                });
+                let accepted = object
+                    .accepted_rate
+                    .map_or(String::new(), |rate| format!(" (accepted for overturning: {} a year)", number(rate, 3)));
                 let sure = if object.is_certain == Some(false) { ", not certain" } else { "" };
                 text += &format!("  verdict     {}{sure}{accepted}\n", verdict.words());
             }
             if let (Some(loss), Some(currency)) = (object.expected_annual_loss, &self.currency) {
-                text += &format!("  loss        {} {currency} a year\n", significant(loss, 4));
+                text += &format!("  loss        {} {currency} a year\n", number(loss, 4));
             }
             if !object.not_counted.is_empty() && object.expected_annual_loss.is_some() {
                 text += &format!("  not counted {}\n", object.not_counted.join(", "));
@@ -303,7 +303,7 @@ impl RiskReport {
         }
         let currency = self.currency.as_deref().unwrap_or("");
         if let Some(loss) = self.expected_annual_loss().filter(|_| self.objects.len() > 1) {
-            text += &format!("All objects: {} {currency} a year\n", significant(loss, 4));
+            text += &format!("All objects: {} {currency} a year\n", number(loss, 4));
         }
         if let Some(portfolio) = &self.portfolio {
             text += &portfolio.text(currency);
@@ -317,8 +317,14 @@ impl RiskReport {
 
 /// A rate for people: how often, and the chance in a number of years.
 pub(crate) fn rate_words(rate: f64, probability: f64, years: &str) -> String {
-    let every = if rate > 0.0 { format!("once in {} years", number(1.0 / rate, 3)) } else { "never".to_owned() };
-    format!("{} a year ({every}), {} in {years} years", significant(rate, 3), percent_significant(probability, 3))
+    let every = if rate > 0.0 { format!("once in {} years", rounded(1.0 / rate, 3)) } else { "never".to_owned() };
+    format!("{} a year ({every}), {} in {years} years", number(rate, 3), percent_significant(probability, 3))
+}
+
+/// A number with a few significant digits, also before the decimal point: 10900, not 10932.
+pub(crate) fn rounded(value: f64, digits: usize) -> String {
+    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    number(text.parse().unwrap_or(value), digits)
 }
 
 /// The states whose curves enter a loss.

@@ -2,7 +2,7 @@
 
 use freestand::fragility::{CurveKind, LimitState, percentiles};
 use freestand::risk::{Bin, Hazard, annual_rate, deaggregation, expected_annual_loss, probability_in_years};
-use freestand_input::words::significant;
+use freestand_input::words::number;
 use freestand_output::facts::Facts;
 
 use crate::fragility::{ObjectCurves, ObjectFragility, ends};
@@ -51,11 +51,11 @@ impl StateRisk {
                 let words = rate_words(rate, self.probability.unwrap_or(0.0), years);
                 // What the hazard beyond its last point might add.
                 match upper.filter(|upper| *upper > 1.01 * rate) {
-                    Some(upper) => format!("{words}; up to {} a year", significant(upper, 3)),
+                    Some(upper) => format!("{words}; up to {} a year", number(upper, 3)),
                     None => words,
                 }
             }
-            (None, Some(upper)) => format!("not known, at most {} a year", significant(upper, 3)),
+            (None, Some(upper)) => format!("not known, at most {} a year", number(upper, 3)),
             (None, None) => "not known".to_owned(),
         }
     }

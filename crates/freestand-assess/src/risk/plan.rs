@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use freestand::risk::{Choice, Plan, best_plan, present_value_factor_years, renewed_cost};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, significant};
+use freestand_input::words::{counted, number};
 use freestand_output::facts::Facts;
 
 use super::RiskRequest;
@@ -176,13 +176,13 @@ impl Measures {
 
     pub(crate) fn text(&self, currency: &str) -> String {
         let line = |worth: &Worth| {
-            let ratio = worth.ratio().map_or("-".to_owned(), |ratio| significant(ratio, 3));
+            let ratio = worth.ratio().map_or("-".to_owned(), |ratio| number(ratio, 3));
             format!(
                 "  {}: {}, cost {} {currency}, worth {} {currency}, benefit/cost {ratio}\n",
                 worth.id,
                 worth.option,
-                significant(worth.cost, 4),
-                significant(worth.benefit_present_value, 4)
+                number(worth.cost, 4),
+                number(worth.benefit_present_value, 4)
             )
         };
         let mut text = "Measures by benefit over cost:\n".to_owned();
@@ -191,10 +191,10 @@ impl Measures {
             let proven = if plan.is_optimal { "the best" } else { "the best found so far" };
             text += &format!(
                 "Plan within {} {currency}, {proven}: {}, cost {} {currency}, net present value {} {currency}\n",
-                significant(*budget, 4),
+                number(*budget, 4),
                 counted(chosen.len(), "measure"),
-                significant(plan.cost, 4),
-                significant(plan.value, 4)
+                number(plan.cost, 4),
+                number(plan.value, 4)
             );
             text.extend(chosen.iter().map(line));
         }

@@ -9,7 +9,7 @@ use freestand::risk::{
     loss_exceedance,
 };
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::{counted, shortest, significant};
+use freestand_input::words::{counted, number, shortest};
 use freestand_output::facts::Facts;
 
 use crate::fragility::{At, FragilityReport};
@@ -192,11 +192,11 @@ impl Portfolio {
         let mut text = format!(
             "All objects under common motions ({}): {least}{} {currency} a year\n",
             counted(self.worlds, "world"),
-            significant(self.expected_annual_loss, 4)
+            number(self.expected_annual_loss, 4)
         );
         for years in RETURN_PERIODS {
             let loss = loss_at_return_period(&self.curve, years);
-            text += &format!("  once in {years} years: {least}{} {currency}\n", significant(loss, 4));
+            text += &format!("  once in {years} years: {least}{} {currency}\n", number(loss, 4));
         }
         text
     }
