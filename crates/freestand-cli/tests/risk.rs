@@ -261,3 +261,45 @@ fn flags_that_do_not_go_together_are_refused() {
     let budget = [&base[..], &["--hazard", &hazard, "--budget", "100 AUD"]].concat();
     assert!(refused(folder.path(), &budget).contains("a budget needs measures"));
 }
+
+/// Shocks of 10 g per m/s, spread evenly in the logarithm, below a ceiling of 22 g.
+#[test]
+fn shocks_give_the_probability_of_exceeding_a_tolerance() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut text = "object,motion,pgv [m/s],outcome,edge_acceleration [g]\n".to_owned();
+    for motion in 0..40 {
+        let factor = (f64::from(motion % 20 - 10) / 25.0).exp();
+        for level in [0.05, 0.1, 0.2, 0.4, 0.8, 1.6, 3.2] {
+            let shock = 10.0 * level * factor;
+            let row = match shock {
+                shock if shock > 22.0 => "overturned,".to_owned(),
+                shock if shock < 0.6 => "no-uplift,".to_owned(),
+                shock => format!("rocked,{shock}"),
+            };
+            text += &format!("a,m{motion},{level},{row}\n");
+        }
+    }
+    write(folder.path(), "o.csv", &text);
+    let base = ["fragility", "--outcomes", "o.csv", "--bootstrap", "0"];
+    let of = |tolerance: &'static str| {
+        let document = json(folder.path(), &[&base[..], &["--tolerance", tolerance, "--ceiling", "22 g"]].concat());
+        document["objects"][0].clone()
+    };
+    let object = of("5 g");
+    assert_eq!(object["curves"].as_array().unwrap().len(), 2, "rocks and overturns");
+    let shock = &object["exceeds_by_shock"];
+    // ln 10 = 2.3 and a power of 1, but for what is cut off at both ends.
+    assert!((shock["intercept"].as_f64().unwrap() - 10.0_f64.ln()).abs() < 0.1, "{shock}");
+    assert!((shock["slope"].as_f64().unwrap() - 1.0).abs() < 0.1 && shock["why"].is_null(), "{shock}");
+    let median = shock["median"].as_f64().unwrap();
+    assert!((median / 0.5 - 1.0).abs() < 0.1, "5 g is half of the ceiling's intensity: {median}");
+    let above = of("22 g");
+    assert_eq!(above["exceeds_by_shock"]["why"], "ceiling");
+    let median = |value: &Value| value["median"].as_f64().unwrap();
+    assert!((median(&above["exceeds_by_shock"]) / median(&above["curves"][1]) - 1.0).abs() < 1e-9);
+    let low = [&base[..], &["--tolerance", "5 g", "--ceiling", "3 g"]].concat();
+    assert!(refused(folder.path(), &low).contains("at most the ceiling, 3 g"));
+    let export =
+        [&base[..], &["--tolerance", "5 g", "--ceiling", "22 g", "--format", "pelicun", "--out", "o"]].concat();
+    assert!(refused(folder.path(), &export).contains("a fit of shocks has no lognormal curve"));
+}

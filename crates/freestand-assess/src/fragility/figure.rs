@@ -27,7 +27,10 @@ pub(super) fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureEr
     let rows = panels.len().div_ceil(columns);
     let states: Vec<LimitState> = LimitState::ALL
         .into_iter()
-        .filter(|state| shown.iter().any(|object| object.fit.curve(*state).is_some()))
+        .filter(|state| {
+            let by_shock = *state == LimitState::Exceeds;
+            shown.iter().any(|object| object.fit.curve(*state).is_some() || by_shock && object.two_stage.is_some())
+        })
         .collect();
     let legend = states.iter().map(|state| {
         let style = curve_style(place(*state));
@@ -90,6 +93,11 @@ fn panel(object: &ObjectFragility, measure: &str) -> Panel {
             .collect();
         let shape = if seen.len() > 40 { MarkerShape::Circle } else { style.marker };
         plots.extend(hollow(&seen, style.colour, shape, if seen.len() > 40 { 2.6 } else { 4.0 }));
+    }
+    if let Some(two_stage) = &object.two_stage {
+        let style = curve_style(place(LimitState::Exceeds));
+        let drawn: Vec<(f64, f64)> = (0..POINTS).map(|i| (at(i), two_stage.probability(at(i)))).collect();
+        plots.push(line(&drawn, style.colour, 2.0, style.dash));
     }
     let mut layout = axes(x, y).with_title(plain(&shorten(&object.id)));
     layout.x_tick_format = plain_ticks(to);

@@ -11,10 +11,11 @@ pub(crate) mod table;
 use std::path::PathBuf;
 
 use freestand::fragility::{
-    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, OutcomeClass, Outcomes, bootstrap, capacity_spread,
-    clopper_pearson, empirical, fit_curves, goodness,
+    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, OutcomeClass, Outcomes, ShockFitError, TwoStage,
+    bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
 };
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, name_of, significant};
 use freestand_output::facts::{Facts, Value, table_csv};
 use freestand_output::figure::{Figure, FigureError};
@@ -31,6 +32,18 @@ pub const FITS: Choices<FitKind> = &[
     (FitKind::Ordered, "ordered", "one β for all limit states of an object: curves cannot cross"),
     (FitKind::Separate, "separate", "each limit state by itself"),
 ];
+
+/// What an object withstands, for a fit of its shocks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShockLimits {
+    /// Tolerance \[g\].
+    pub tolerance_g: f64,
+    /// Largest shock of an object that does not overturn \[g\].
+    pub ceiling_g: f64,
+}
+
+/// The name of a fit of shocks, of its curve.
+pub const TWO_STAGE: &str = "two-stage";
 
 /// Bootstrap samples where none are asked for.
 pub const DEFAULT_REPLICATES: u32 = 1000;
@@ -83,6 +96,8 @@ pub struct FragilityRequest {
     pub at: Option<At>,
     /// How limit states are fitted.
     pub fit: FitKind,
+    /// The tolerance of a fit of shocks; `None`: the classes of the table count.
+    pub shock: Option<ShockLimits>,
     /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`], 0: none.
     pub replicates: Option<u32>,
     /// Seed of the bootstrap.
@@ -100,6 +115,8 @@ pub struct ObjectFragility {
     pub unresolved: usize,
     /// Its curves.
     pub fit: Fit,
+    /// The probability of exceeding the tolerance, from the shocks.
+    pub two_stage: Option<TwoStage>,
     /// How well they fit.
     pub goodness: Option<Goodness>,
     /// Fits of samples of motions; `None` for counts.
@@ -132,18 +149,40 @@ pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems>
     // Within an object the samples are calculated in parallel.
     let objects = table.objects.iter().enumerate().map(|(i, id)| {
         let outcomes = table.of(i)?;
-        let states = outcomes.limit_states();
+        let mut states = outcomes.limit_states();
+        if request.shock.is_some() {
+            states.retain(|state| *state != LimitState::Exceeds);
+        }
         let fit = fit_curves(&outcomes, &states, request.fit);
+        let two_stage = request.shock.map(|limits| two_stage(&table, i, &fit, limits)).transpose()?;
         let goodness = goodness(&outcomes, &fit, replicates.min(MAX_SIMULATED), request.seed);
         let bootstrap = (replicates > 0 && !fit.fitted_states().is_empty())
             .then(|| bootstrap(&outcomes, &states, request.fit, replicates, request.seed))
             .flatten();
         let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
-        Ok(ObjectFragility { id: id.clone(), outcomes, unresolved, fit, goodness, bootstrap })
+        Ok(ObjectFragility { id: id.clone(), outcomes, unresolved, fit, two_stage, goodness, bootstrap })
     });
     let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
     let warnings = objects.iter().flat_map(warnings).collect();
     Ok(FragilityReport { request, table, at, objects, warnings })
+}
+
+/// The probability of exceeding a tolerance from the shocks of an object.
+fn two_stage(table: &OutcomeTable, object: usize, fit: &Fit, limits: ShockLimits) -> Result<TwoStage, Problem> {
+    let ShockLimits { tolerance_g, ceiling_g } = limits;
+    let shock = fit_shock(&table.shocks(object), ceiling_g).map_err(|error| {
+        let id = table.objects.get(object).map_or("", String::as_str);
+        let hint = match error {
+            ShockFitError::Shock { .. } => {
+                "give the `ceiling` of this object, `ceiling_g` of the shock of its balance point"
+            }
+            ShockFitError::TooFew { .. } => "give the column edge_acceleration [g] for runs that rocked",
+            ShockFitError::NoMaximum => "fit the classes with `fit = \"ordered\"`",
+        };
+        Problem::value(format!("object {}: {error}", shorten(id)), hint).in_file(&table.file.path)
+    })?;
+    let curve = |state: LimitState| fit.curve(state).unwrap_or(CurveKind::None { lower: 0.0 });
+    Ok(TwoStage { rocks: curve(LimitState::Rocks), overturns: curve(LimitState::Overturns), shock, tolerance_g })
 }
 
 /// The share of samples without a curve from which on the intervals are doubtful.
@@ -238,6 +277,18 @@ impl ObjectFragility {
                     .key("upper", curve.kind.upper())
             })
             .collect();
+        let shock = self.two_stage.map(|two_stage| {
+            let TwoStage { shock, tolerance_g, .. } = two_stage;
+            Facts::default()
+                .key("tolerance_g", tolerance_g)
+                .key("ceiling_g", shock.ceiling_g)
+                .key("intercept", shock.intercept)
+                .key("slope", shock.slope)
+                .key("sigma", shock.sigma)
+                .key("log_likelihood", shock.log_likelihood)
+                .key("median", two_stage.median())
+                .key("why", two_stage.is_above_ceiling().then_some("ceiling"))
+        });
         let goodness = self.goodness.map(|goodness| {
             Facts::default()
                 .key("deviance", goodness.deviance)
@@ -265,6 +316,7 @@ impl ObjectFragility {
             .key("unresolved", self.unresolved)
             .key("counts", counts)
             .key("curves", curves)
+            .key("exceeds_by_shock", shock)
             .key("crossing_im", crossing.map(|(_, _, x)| x))
             .key("log_likelihood", has_fit.then_some(self.fit.log_likelihood))
             .key("goodness", goodness)
@@ -345,7 +397,22 @@ impl FragilityReport {
                     .key("upper", curve.kind.upper())
             })
         });
-        rows.collect()
+        let by_shock = self.objects.iter().filter_map(|object| {
+            let two_stage = object.two_stage?;
+            let none = None::<f64>;
+            let row = Facts::default()
+                .key("id", object.id.clone())
+                .key("limit_state", LimitState::Exceeds.name())
+                .key("kind", TWO_STAGE)
+                .key("median", two_stage.median())
+                .key("median_ci95", none)
+                .key("beta", none)
+                .key("beta_ci95", none)
+                .key("lower", none)
+                .key("upper", none);
+            Some(row)
+        });
+        rows.chain(by_shock).collect()
     }
 
     /// `fragility.csv`: one row for each curve.

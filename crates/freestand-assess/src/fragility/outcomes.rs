@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use freestand::fragility::{OutcomeClass, Outcomes, Run};
+use freestand::fragility::{OutcomeClass, Outcomes, Run, ShockRun};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
@@ -21,6 +21,8 @@ pub(crate) struct OutcomeRun {
     /// Place of its object in [`OutcomeTable::objects`].
     pub(crate) object: usize,
     pub(crate) run: Run,
+    /// Its shock, if it is known \[g\].
+    pub(crate) shock_g: Option<f64>,
 }
 
 /// A table of outcomes.
@@ -82,11 +84,19 @@ impl OutcomeTable {
     fn add_runs(&mut self, table: &Table, intensity: impl Fn(&Row) -> Result<f64, Problem>) -> Result<(), Problem> {
         let (object, motion, outcome) = (table.needed("object")?, table.needed("motion")?, table.needed("outcome")?);
         let weight = table.column("weight");
+        let shock = table.column("edge_acceleration");
+        let unit = shock.and_then(|shock| table.headings.get(shock)).map(|heading| heading.unit.as_deref());
+        // A shock is in g or m/s², as a peak acceleration is.
+        let to_g = unit.map_or(Ok(1.0), |unit| Measure::Pga.factor_from(unit)).map_err(|_| {
+            let message = "the column \"edge_acceleration\" is not in g".to_owned();
+            table.header_problem(message).hint("write edge_acceleration [g]")
+        })?;
         for row in &table.rows {
             let object = self.object(table.filled(row, object)?);
             let motion = place(&mut self.motions, table.filled(row, motion)?);
             let (intensity, text) = (intensity(row)?, table.filled(row, outcome)?);
             let weight = table.optional(row, weight)?.unwrap_or(1.0);
+            let shock_g = table.optional(row, shock)?.map(|shock| to_g * shock);
             if text == "unresolved" {
                 self.unresolved[object] += 1;
                 continue;
@@ -98,7 +108,7 @@ impl OutcomeTable {
                 let hint = format!("write {}, or unresolved for a run that could not be followed", names.join(", "));
                 return Err(table.cell_problem(row, outcome, &message).hint(hint));
             };
-            self.runs.push(OutcomeRun { object, run: Run { motion: Some(motion), intensity, class, weight } });
+            self.runs.push(OutcomeRun { object, run: Run { motion: Some(motion), intensity, class, weight }, shock_g });
         }
         Ok(())
     }
@@ -117,7 +127,11 @@ impl OutcomeTable {
             for (class, column) in OutcomeClass::ALL.into_iter().zip(columns) {
                 let Some(column) = column else { continue };
                 let weight = table.non_negative(row, column)?;
-                self.runs.push(OutcomeRun { object, run: Run { motion: None, intensity, class, weight } });
+                self.runs.push(OutcomeRun {
+                    object,
+                    run: Run { motion: None, intensity, class, weight },
+                    shock_g: None,
+                });
             }
         }
         Ok(())
@@ -141,6 +155,20 @@ impl OutcomeTable {
             Problem::value(format!("object {}: {error}", shorten(id)), "leave out the object, or add its runs")
                 .in_file(&self.file.path)
         })
+    }
+}
+
+impl OutcomeTable {
+    /// The shocks of the runs of an object that rocked and did not overturn.
+    pub(crate) fn shocks(&self, object: usize) -> Vec<ShockRun> {
+        let rocked = self.runs.iter().filter(|run| {
+            run.object == object && matches!(run.run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded)
+        });
+        let shock = |run: &OutcomeRun| {
+            let shock_g = run.shock_g.filter(|_| run.run.weight > 0.0)?;
+            Some(ShockRun { intensity: run.run.intensity, shock_g, weight: run.run.weight })
+        };
+        rocked.filter_map(shock).collect()
     }
 }
 
@@ -208,6 +236,8 @@ mod tests {
             ("object,pga [g],rocked\na,1,2\n", "there is no column \"overturned\""),
             ("id,world,model,fell,exceeded\na,1,rigid,0,0\n", "the table of worlds that assess writes"),
             ("object,motion,pga [g],outcome\n", "no rows"),
+            ("object,motion,pga [g],outcome,edge_acceleration\na,m,1,rocked,2\n", "is not in g"),
+            ("object,motion,pga [g],outcome,edge_acceleration [g]\na,m,1,rocked,-2\n", "o.csv:2: column 5"),
         ];
         for (text, said) in cases {
             let problem = read(text).unwrap_err();

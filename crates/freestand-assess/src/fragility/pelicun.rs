@@ -121,6 +121,10 @@ pub(super) fn exported(
 
 /// Refuses curves that may cross: both programs mend them silently.
 pub(super) fn check_ordered(report: &FragilityReport) -> Result<(), Problem> {
+    if report.request.shock.is_some() {
+        let message = "a fit of shocks has no lognormal curve of exceeding, and other programs need one";
+        return Err(Problem::value(message, "export the fit of the classes, without `tolerance`").of(&["tolerance"]));
+    }
     if report.request.fit == FitKind::Ordered {
         return Ok(());
     }

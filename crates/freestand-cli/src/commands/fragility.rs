@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
 use freestand_assess::fragility::{
-    At, ExportFormat, ExportRequest, FITS, FORMATS, FRAGILITY_SCHEMA, FragilityReport, FragilityRequest, fragility,
+    At, ExportFormat, ExportRequest, FITS, FORMATS, FRAGILITY_SCHEMA, FragilityReport, FragilityRequest, ShockLimits,
+    fragility,
 };
 use freestand_assess::risk::coordinates;
 use freestand_input::quantity::Dimension;
@@ -30,6 +32,7 @@ use crate::values::{Given, Reads, Values, choice, name_of};
 Examples:
   freestand fragility --outcomes outcomes.csv --out fragility
   freestand fragility --outcomes outcomes.csv --fit separate --json
+  freestand fragility --outcomes outcomes.csv --tolerance 5g --ceiling 22g
   freestand fragility --outcomes outcomes.csv --format pelicun --demand \"0.4 m/s\" --out export
   freestand fragility --outcomes pgv.csv --format openquake --demand \"0.4 m/s\" \\
     --site-coordinates \"151.2,-33.9\" --out export")]
@@ -43,6 +46,12 @@ pub(crate) struct FragilityArgs {
     /// How the limit states of an object are fitted
     #[arg(long, value_parser = choice(FITS), default_value = name_of(FITS, FitKind::Ordered))]
     fit: FitKind,
+    /// Tolerance: exceeding it is fitted to the column edge_acceleration [g] instead of the classes
+    #[arg(long, positive = Dimension::Acceleration, requires = "ceiling", help_heading = "From the shocks")]
+    tolerance: Option<Given>,
+    /// Largest shock without overturning, the ceiling_g of freestand shock
+    #[arg(long, positive = Dimension::Acceleration, requires = "tolerance", help_heading = "From the shocks")]
+    ceiling: Option<Given>,
     /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
     #[arg(long, value_name = "N")]
     bootstrap: Option<u32>,
@@ -83,7 +92,11 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let mut values = Values::default();
     let beta = values.read(&args.beta);
     let site_deg = values.read(&args.site_coordinates);
+    let (tolerance, ceiling) = (values.read(&args.tolerance), values.read(&args.ceiling));
     values.finish()?;
+    let shock = tolerance
+        .zip(ceiling)
+        .map(|(tolerance, ceiling)| ShockLimits { tolerance_g: tolerance / G0_M_S2, ceiling_g: ceiling / G0_M_S2 });
     if !args.format.is_empty() && global.out.is_none() {
         return Err(Failure::usage("--format writes a folder, and --out is not given", "give --out DIR"));
     }
@@ -92,6 +105,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         outcomes: args.outcomes.clone(),
         at: args.at,
         fit: args.fit,
+        shock,
         replicates: args.bootstrap,
         seed: global.seed(),
     })?;

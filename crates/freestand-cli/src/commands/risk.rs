@@ -159,6 +159,7 @@ fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure>
             outcomes: outcomes.clone(),
             at: args.at,
             fit: args.fit,
+            shock: None,
             replicates: args.bootstrap,
             seed: global.seed(),
         }),

@@ -361,6 +361,9 @@ fn a_tolerance_at_the_ceiling_is_exceeded_only_by_overturning() {
         assert!(at(3.0).probability(x) > overturns && at(3.0).probability(x) < rocks);
     }
     assert!(at(6.0).is_above_ceiling() && !at(5.9).is_above_ceiling());
+    let median = at(3.0).median().unwrap();
+    assert!((at(3.0).probability(median) - 0.5).abs() < 1e-12 && median < 0.9, "{median}");
+    assert!((at(6.0).median().unwrap() - 0.9).abs() < 1e-12);
     // Far above the data the median is beyond the ceiling, and the two tails are still compared.
     let mut before = 0.0;
     for i in 0..60 {

@@ -6,6 +6,7 @@ use super::lognormal_probability;
 use super::maximum::{Derivatives, maximum};
 use super::normal_ratio;
 use super::ordered::{CurveKind, density};
+use crate::search::bisect;
 
 /// The shock of one run that rocked and did not overturn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -191,6 +192,15 @@ impl TwoStage {
     /// Whether the tolerance is at or above the ceiling, so that only overturning exceeds it.
     pub fn is_above_ceiling(&self) -> bool {
         self.tolerance_g >= self.shock.ceiling_g
+    }
+
+    /// The intensity at which the probability is ½; `None` if it never is between the thousandth
+    /// and the thousandfold of the curve of overturning.
+    pub fn median(&self) -> Option<f64> {
+        let centre = self.overturns.median().or_else(|| self.rocks.median())?;
+        let (low, high) = ((centre / 1e3).ln(), (centre * 1e3).ln());
+        let is_beyond = |ln_x: f64| self.probability(ln_x.exp()) >= 0.5;
+        (!is_beyond(low) && is_beyond(high)).then(|| bisect(low, high, is_beyond).exp())
     }
 
     /// The probability at an intensity.
