@@ -57,7 +57,7 @@ impl Table {
                 let line = error.position().map_or(1, |position| position.line() as usize);
                 format("the text is not UTF-8, or a quotation mark is not closed".to_owned()).at_line(line)
             })?;
-            let line = record.position().map_or(1, |position| position.line() as usize);
+            let line = record.position().map_or(1, |position| line_of(bytes, position));
             Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
         });
         let head: Row = records.next().unwrap_or_else(|| Err(format("the file is empty".to_owned())))?;
@@ -154,6 +154,26 @@ impl Table {
     }
 }
 
+/// The line of a record, whose position is where the one before it ended: above it may be blank lines
+/// and comments.
+fn line_of(bytes: &[u8], position: &csv::Position) -> usize {
+    let mut line = position.line() as usize;
+    let mut rest = bytes.get(position.byte() as usize..).unwrap_or_default();
+    while let Some((first, after)) = rest.split_first() {
+        rest = match first {
+            b'\n' => {
+                line += 1;
+                after
+            }
+            b'\r' => after,
+            // Up to the end of the comment, which is counted above.
+            b'#' => rest.iter().position(|byte| *byte == b'\n').map_or(&[][..], |end| &rest[end..]),
+            _ => break,
+        };
+    }
+    line
+}
+
 fn heading(cell: &str) -> Heading {
     let split = cell.strip_suffix(']').and_then(|cell| cell.rsplit_once('['));
     let (name, unit) = split.map_or((cell, None), |(name, unit)| (name, Some(unit.trim().to_owned())));
@@ -170,12 +190,12 @@ mod tests {
 
     #[test]
     fn lines_are_those_of_the_file() {
-        let table = read("\u{feff}# a comment\nid, pfv [m/s]\n\n\"a, b\",0.5\nc,x\n").unwrap();
+        let table = read("\u{feff}# a comment\nid, pfv [m/s]\n\n\"a, b\",0.5\n# more\r\n\r\nc,x\n").unwrap();
         assert_eq!(table.headings[1].unit.as_deref(), Some("m/s"));
         assert_eq!((table.rows[0].line, table.text(&table.rows[0], 0)), (4, "a, b"));
         assert_eq!(table.positive(&table.rows[0], 1), Ok(0.5));
         let problem = table.positive(&table.rows[1], 1).unwrap_err();
-        assert_eq!(problem.to_string(), "t.csv:5: column 2 (\"pfv [m/s]\"): \"x\" is not a number above 0");
+        assert_eq!(problem.to_string(), "t.csv:7: column 2 (\"pfv [m/s]\"): \"x\" is not a number above 0");
     }
 
     #[test]
