@@ -135,18 +135,18 @@ fn rates_are_those_of_the_closed_form() {
     }
 }
 
-/// An inventory, measures and a budget: what is not given is null or listed.
+/// An inventory, options and a budget: what is not given is null or listed.
 #[test]
 fn money_is_the_users() {
     let folder = tempfile::tempdir().unwrap();
     let (outcomes, hazard) = (example("outcomes.csv"), example("hazard.csv"));
-    let (costs, measures) = (example("costs.csv"), example("measures.csv"));
+    let (costs, options) = (example("costs.csv"), example("options.csv"));
     let base = ["risk", "--outcomes", &outcomes, "--bootstrap", "20", "--hazard", &hazard];
     let without = json(folder.path(), &base);
     assert!(
         ["portfolio", "ranking", "plan", "currency", "expected_annual_loss"].iter().all(|key| without[key].is_null())
     );
-    let money = [&base[..], &["--inventory", &costs, "--options", &measures, "--budget", "3000 AUD"]].concat();
+    let money = [&base[..], &["--inventory", &costs, "--options", &options, "--budget", "3000 AUD"]].concat();
     let whole = [&money[..], &["--horizon", "40 yr", "--discount", "3 %"]].concat();
     let output = freestand(folder.path(), &[&whole[..], &["--json"]].concat());
     assert_eq!(output.status.code(), Some(1), "the cabinet overturns more often than accepted");
@@ -259,7 +259,7 @@ fn flags_that_do_not_go_together_are_refused() {
     let code = ["--hazard-code", "as1170.4", "--hazard-im", "pga", "--site", "De", "--hazard-factor", "0.1"];
     assert!(refused(folder.path(), &with(&code)).contains("the hazard is that of pga of the ground"));
     let budget = [&base[..], &["--hazard", &hazard, "--budget", "100 AUD"]].concat();
-    assert!(refused(folder.path(), &budget).contains("a budget needs measures"));
+    assert!(refused(folder.path(), &budget).contains("a budget needs options"));
 }
 
 /// Shocks of 10 g per m/s, spread evenly in the logarithm, below a ceiling of 22 g.

@@ -1,4 +1,4 @@
-//! What failures and measures cost: the user's columns, never a default.
+//! What failures and options cost: the user's columns, never a default.
 
 use std::path::Path;
 
@@ -150,7 +150,7 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problem> {
     Ok(Costs { file: InputFile::new(path, bytes), currency, rows })
 }
 
-/// How a measure changes the curves of an object.
+/// How an option changes the curves of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Effect {
     /// All medians are multiplied.
@@ -159,7 +159,7 @@ pub(crate) enum Effect {
     Curves(ObjectCurves),
 }
 
-/// A measure for one object.
+/// An option for one object: a pad, a strap, an anchor.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct OptionRow {
     pub(crate) id: String,
@@ -169,7 +169,7 @@ pub(crate) struct OptionRow {
     pub(crate) effect: Effect,
 }
 
-/// Reads the measures; `currency` is that of the costs.
+/// Reads the options; `currency` is that of the costs.
 ///
 /// # Errors
 /// Another currency, no effect or two, a physical change, an option that is there twice.

@@ -1,4 +1,4 @@
-//! How often objects fail, what that costs, and which measures are worth their money.
+//! How often objects fail, what that costs, and which options are worth their money.
 
 mod costs;
 mod hazard;
@@ -106,11 +106,11 @@ pub struct RiskRequest {
     pub site_deg: Option<(f64, f64)>,
     /// Costs and accepted rates.
     pub inventory: Option<PathBuf>,
-    /// Measures.
+    /// Options.
     pub options: Option<PathBuf>,
-    /// The most that measures may cost, with its currency.
+    /// The most that options may cost, with its currency.
     pub budget: Option<(f64, String)>,
-    /// Over which measures pay \[years\].
+    /// Over which options pay \[years\].
     pub horizon_years: Option<f64>,
     /// Discount rate per year.
     pub discount_ratio: Option<f64>,
@@ -140,7 +140,7 @@ pub struct RiskReport {
 ///
 /// # Errors
 /// Files that cannot be read, a hazard of another measure than that of the fragilities, two
-/// currencies, measures without a horizon and a discount rate.
+/// currencies, options without a horizon and a discount rate.
 pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
     let hazard = hazard_of(&request.hazard, request.hazard_at, request.site_deg)?;
     let mut warnings = hazard.warnings.clone();
@@ -181,8 +181,8 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
         }
         None => {
             if request.budget.is_some() {
-                let hint = "give the measures with `options = \"measures.csv\"`";
-                return Err(Problem::value("a budget needs measures to spend it on", hint).of(&["budget"]).into());
+                let hint = "give the options with `options = \"options.csv\"`";
+                return Err(Problem::value("a budget needs options to spend it on", hint).of(&["budget"]).into());
             }
             None
         }

@@ -228,7 +228,7 @@ fn judged(
     (verdict, verdict.map(|_| is_certain))
 }
 
-/// Expected annual loss of an object whose curves a measure changes.
+/// Expected annual loss of an object whose curves an option changes.
 pub(crate) fn loss_of(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> f64 {
     let changed = |kind: CurveKind, factor: f64| match kind {
         CurveKind::Lognormal { median, beta } => CurveKind::Lognormal { median: factor * median, beta },

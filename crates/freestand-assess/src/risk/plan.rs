@@ -1,4 +1,4 @@
-//! What measures are worth, and the best of them within a budget.
+//! What options are worth, and the best of them within a budget.
 
 use std::time::{Duration, Instant};
 
@@ -18,7 +18,7 @@ const FRONTIER: u32 = 20;
 /// How long a plan is searched, and all of the frontier together.
 const PLAN_TIME: Duration = Duration::from_secs(10);
 
-/// What one measure is worth.
+/// What one option is worth.
 #[derive(Debug, Clone, PartialEq)]
 struct Worth {
     id: String,
@@ -52,7 +52,7 @@ impl Worth {
     }
 }
 
-/// All measures, by their ratio of benefit to cost, and the plan within the budget.
+/// All options, by their ratio of benefit to cost, and the plan within the budget.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Measures {
     ranking: Vec<Worth>,
@@ -76,13 +76,13 @@ pub(crate) fn measures(
     currency: Option<&str>,
 ) -> Result<Measures, Problem> {
     let (Some(horizon), Some(discount)) = (request.horizon_years, request.discount_ratio) else {
-        let message = "measures pay over years, and the horizon or the discount rate is not given";
+        let message = "options pay over years, and the horizon or the discount rate is not given";
         let hint = "give `horizon = \"40 yr\"` and `discount = \"3 %\"`";
         return Err(Problem::value(message, hint).of(&["horizon", "discount"]));
     };
     let Some(currency) = currency else {
         let hint = "give an inventory with replacement_cost [AUD], or other costs";
-        return Err(Problem::value("measures are worth nothing without the cost of failures", hint).of(&["inventory"]));
+        return Err(Problem::value("options are worth nothing without the cost of failures", hint).of(&["inventory"]));
     };
     if let Some((_, other)) = request.budget.as_ref().filter(|(_, other)| other != currency) {
         let message = format!("the budget is in {}, and the costs are in {currency}", shorten(other));
@@ -185,14 +185,14 @@ impl Measures {
                 number(worth.benefit_present_value, 4)
             )
         };
-        let mut text = "Measures by benefit over cost:\n".to_owned();
+        let mut text = "Options by benefit over cost:\n".to_owned();
         text.extend(self.ranking.iter().map(line));
         if let Some(Chosen { budget, plan, chosen, .. }) = &self.plan {
             let proven = if plan.is_optimal { "the best" } else { "the best found so far" };
             text += &format!(
                 "Plan within {} {currency}, {proven}: {}, cost {} {currency}, net present value {} {currency}\n",
                 number(*budget, 4),
-                counted(chosen.len(), "measure"),
+                counted(chosen.len(), "option"),
                 number(plan.cost, 4),
                 number(plan.value, 4)
             );

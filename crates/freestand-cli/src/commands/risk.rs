@@ -1,4 +1,4 @@
-//! `freestand risk`: how often objects fail, what that costs, and which measures pay.
+//! `freestand risk`: how often objects fail, what that costs, and which options pay.
 
 use std::path::PathBuf;
 
@@ -21,7 +21,7 @@ use crate::files::Files;
 use crate::printer::Printer;
 use crate::values::{Given, Reads, Values, choice, name_of};
 
-/// Calculate how often objects fail, what that costs a year, and which measures pay
+/// Calculate how often objects fail, what that costs a year, and which options pay
 ///
 /// The hazard says how often motions are as strong, the fragility how likely the object fails then;
 /// their integral is exact. Costs are those of the inventory, and nothing is assumed: what is
@@ -39,7 +39,7 @@ Examples:
       --site De --hazard-factor 0.12 --accepted \"1e-3 /yr\"
   What it costs, and what to restrain first:
     freestand risk --outcomes outcomes.csv --hazard hazard.csv --inventory costs.csv \\
-      --options measures.csv --budget \"20000 AUD\" --horizon \"40 yr\" --discount \"3 %\"")]
+      --options options.csv --budget \"20000 AUD\" --horizon \"40 yr\" --discount \"3 %\"")]
 pub(crate) struct RiskArgs {
     /// Fragilities, as freestand fragility writes them (CSV)
     #[arg(
@@ -91,13 +91,13 @@ pub(crate) struct RiskArgs {
     /// Costs and accepted rates of objects (CSV)
     #[arg(long, value_name = "FILE", help_heading = "Money")]
     inventory: Option<PathBuf>,
-    /// Measures: id, option, cost [AUD], median_factor or curves (CSV)
+    /// Options, such as straps or pads: id, option, cost [AUD], median_factor or curves (CSV)
     #[arg(long, value_name = "FILE", help_heading = "Money")]
     options: Option<PathBuf>,
-    /// The most that measures may cost, such as "20000 AUD"
+    /// The most that options may cost, such as "20000 AUD"
     #[arg(long, value_name = "AMOUNT", read = amount, help_heading = "Money")]
     budget: Option<Given<(f64, String)>>,
-    /// Over which measures pay, such as "40 yr"
+    /// Over which options pay, such as "40 yr"
     #[arg(long, value_name = "YEARS", read = years, help_heading = "Money")]
     horizon: Option<Given>,
     /// Discount rate per year, such as "3 %"
