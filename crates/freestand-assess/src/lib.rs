@@ -5,6 +5,7 @@
 //! makes the motions of its floors, gives every object its verdict and writes the tables and the
 //! report.
 
+pub mod fragility;
 pub mod inventory;
 pub mod job;
 pub mod library;
@@ -14,6 +15,7 @@ mod rank;
 pub mod restrain;
 mod restraint;
 pub mod result;
+pub mod risk;
 pub mod validate;
 
 mod kept_motions;

@@ -6,12 +6,14 @@ mod check;
 mod completions;
 mod cushion;
 mod floor;
+mod fragility;
 mod inventory;
 mod library;
 mod motion;
 mod object;
 mod place;
 mod restrain;
+mod risk;
 mod rock;
 mod run;
 mod shard;
@@ -82,6 +84,8 @@ pub(crate) enum Command {
     Tolerance(tolerance::ToleranceArgs),
     Place(place::PlaceArgs),
     Restrain(Box<restrain::RestrainArgs>),
+    Fragility(Box<fragility::FragilityArgs>),
+    Risk(Box<risk::RiskArgs>),
     Validate(validate::ValidateArgs),
     Completions(completions::CompletionsArgs),
 }
@@ -105,6 +109,8 @@ impl Command {
             Self::Tolerance(args) => tolerance::run(args, global, printer),
             Self::Place(args) => place::run(args, global, printer),
             Self::Restrain(args) => restrain::run(args, global, printer),
+            Self::Fragility(args) => fragility::run(args, global, printer),
+            Self::Risk(args) => risk::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
             Self::Completions(args) => completions::run(args, global, printer),
         }

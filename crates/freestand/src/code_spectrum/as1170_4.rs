@@ -182,6 +182,14 @@ pub fn probability_factor(return_period_years: u32) -> Result<f64, CodeSpectrumE
     })
 }
 
+/// Return periods \[years\] and their probability factors kp, both rising.
+///
+/// # Reference
+/// AS 1170.4—2007, Table 3.1.
+pub fn probability_factors() -> &'static [(u32, f64)] {
+    &PROBABILITY_FACTORS
+}
+
 /// Smallest value of kp·Z for a return period; `None` where the code's table has none (below
 /// 500 years, and 800).
 ///

@@ -136,6 +136,14 @@ pub fn return_period_factor(return_period_years: u32) -> Result<f64, CodeSpectru
     })
 }
 
+/// Return periods \[years\] and their factors R, both rising.
+///
+/// # Reference
+/// NZS 1170.5:2004, Table 3.5.
+pub fn return_period_factors() -> &'static [(u32, f64)] {
+    &RETURN_PERIOD_FACTORS
+}
+
 /// Near-fault factor N(T, D) for the distance D to one of the code's major faults.
 ///
 /// Nmax up to 2 km, `1 + (Nmax − 1)(20 − D)/18` up to 20 km, 1 above, with Nmax(T) = 1 up to 1.5 s,

@@ -82,18 +82,34 @@ pub fn annual_rate(levels: &[Level], hazard_per_year: impl Fn(f64) -> f64) -> Re
         within(is_probability, "the probability at a level", "0 to 1", level.probability)?;
         below = ratio;
     }
-    let mut edges: Vec<f64> =
-        levels.windows(2).map(|pair| (pair[0].intensity_ratio * pair[1].intensity_ratio).sqrt()).collect();
-    let (s1, s2) = (levels[0].intensity_ratio, levels[1].intensity_ratio);
-    edges.insert(0, s1 * (s1 / s2).sqrt());
-    let above = edges.iter().map(|&edge| hazard_per_year(edge)).chain([0.0]);
-    let rates: Vec<f64> = above.collect();
-    let mut rate_per_year = 0.0;
-    for (level, pair) in levels.iter().zip(rates.windows(2)) {
-        let strip = pair[0] - pair[1];
-        within(strip >= 0.0 && strip.is_finite(), "the rate of a strip of intensities", "0 or more", strip)?;
-        rate_per_year += level.probability * strip;
-    }
+    let ratios: Vec<f64> = levels.iter().map(|level| level.intensity_ratio).collect();
+    let strips = strip_rates(&ratios, hazard_per_year)?;
+    let rate_per_year = levels.iter().zip(strips).map(|(level, strip)| level.probability * strip).sum::<f64>();
     let probability_per_year = -(-rate_per_year).exp_m1();
     Ok(AnnualRate { rate_per_year, probability_per_year, is_at_least: levels[0].probability > NEGLIGIBLE })
+}
+
+/// Yearly rate of the motions that each of the rising levels s₁ < s₂ < … stands for,
+/// λ(eⱼ₋₁) − λ(eⱼ), with the edges eⱼ of [`annual_rate`] \[1/year\].
+///
+/// # Errors
+/// Fewer than two levels, levels that do not rise from above 0, or a hazard that grows with the
+/// intensity.
+pub fn strip_rates(levels: &[f64], hazard_per_year: impl Fn(f64) -> f64) -> Result<Vec<f64>, DecisionError> {
+    within(levels.len() >= 2, "the number of levels", "2 or more", levels.len() as f64)?;
+    let mut below = 0.0;
+    for &level in levels {
+        within(level > below && level.is_finite(), "a level of intensity", "above 0 and above the one before", level)?;
+        below = level;
+    }
+    let first = levels[0] * (levels[0] / levels[1]).sqrt();
+    let edges = std::iter::once(first).chain(levels.windows(2).map(|pair| (pair[0] * pair[1]).sqrt()));
+    let rates: Vec<f64> = edges.map(hazard_per_year).chain([0.0]).collect();
+    let mut strips = Vec::with_capacity(levels.len());
+    for pair in rates.windows(2) {
+        let strip = pair[0] - pair[1];
+        within(strip >= 0.0 && strip.is_finite(), "the rate of a strip of intensities", "0 or more", strip)?;
+        strips.push(strip);
+    }
+    Ok(strips)
 }

@@ -34,7 +34,7 @@ mod annual;
 mod clusters;
 mod shares;
 
-pub use annual::{AnnualRate, Level, annual_rate, hazard_per_year, level_below};
+pub use annual::{AnnualRate, Level, annual_rate, hazard_per_year, level_below, strip_rates};
 pub use clusters::{Clusters, LEAST_CORRELATION_RATIO};
 pub use shares::{Share, jansen_share};
 

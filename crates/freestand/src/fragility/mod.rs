@@ -1,21 +1,32 @@
-//! Lognormal fragilities, probabilities over motions with confidence intervals, and reproducible
-//! random numbers.
+//! Lognormal fragilities and their fits to outcomes, probabilities over motions with confidence
+//! intervals, and reproducible random numbers.
 
+mod bootstrap;
 mod draws;
 mod interval;
+mod maximum;
+mod ordered;
+mod outcomes;
+mod two_stage;
 
 use std::f64::consts::{SQRT_2, TAU};
 
-use statrs::function::erf::erfc;
+use libm::erfc;
 use thiserror::Error;
 
 use crate::block::Block;
 
+pub use bootstrap::{
+    Bootstrap, CurveInterval, Empirical, Goodness, bootstrap, capacity_spread, empirical, goodness, percentiles,
+};
 pub use draws::{draw_stream, log_uniform_draw, lognormal_draw, uniform_draw};
 pub use interval::{clopper_pearson, probability_interval};
+pub use ordered::{Curve, CurveKind, Fit, FitKind, fit_curves};
+pub use outcomes::{LimitState, OutcomeClass, Outcomes, OutcomesError, Run};
+pub use two_stage::{ShockDistribution, ShockFitError, ShockRun, TwoStage, fit_shock};
 
 /// Φ, the standard normal distribution.
-fn normal_ratio(z: f64) -> f64 {
+pub(crate) fn normal_ratio(z: f64) -> f64 {
     0.5 * erfc(-z / SQRT_2)
 }
 
@@ -117,16 +128,15 @@ pub enum FragilityError {
 /// binomial failures at each level.
 ///
 /// Each level is (intensity, failures, trials). Survival need not be monotone in intensity: a level
-/// may have fewer failures than the one below it. Newton's method (Fisher scoring) on z = b₀ + b₁
-/// ln x, whose likelihood is concave; β = 1/b₁ and ln θ = −b₀/b₁, with the errors of both from the
-/// information matrix.
+/// may have fewer failures than the one below it. [`fit_curves`] of one limit state, with the errors
+/// of ln θ and β from the expected information.
 ///
 /// # Reference
 /// Baker, J. W. (2015). Efficient analytical fragility function fitting using dynamic structural
 /// analysis. Earthquake Spectra 31(1), 579–599, Eq. (11).
 ///
 /// # Accuracy
-/// The score of the solution is 1e-10 of the number of trials.
+/// The score of the solution is at most 1e-8 of the number of trials.
 ///
 /// # Limitation
 /// The errors assume independent trials. Motions that were scaled to every level are not
@@ -147,29 +157,25 @@ pub enum FragilityError {
 /// ```
 pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, FragilityError> {
     checked(levels)?;
-    let trials: f64 = levels.iter().map(|&(_, _, trials)| f64::from(trials)).sum();
-    // With the origin at the middle of the levels the two parameters are nearly independent.
-    let middle = levels.iter().map(|&(x, _, trials)| x.ln() * f64::from(trials)).sum::<f64>() / trials;
-    let points: Vec<_> = levels.iter().map(|&(x, f, n)| (x.ln() - middle, f64::from(f), f64::from(n))).collect();
-    let mut b = [0.0, 1.0];
-    let mut here = likelihood(&points, b);
-    for _ in 0..200 {
-        let (score, information) = derivatives(&points, b);
-        let Some(step) = solved(information, score) else { return Err(FragilityError::NotIncreasing) };
-        if score[0].abs().max(score[1].abs()) <= 1e-10 * trials {
-            break;
-        }
-        // The likelihood is concave: halving the step always finds a better point until only
-        // rounding is left.
-        let better = (0..40).map(|i| 0.5_f64.powi(i)).find_map(|part| {
-            let there = [b[0] + part * step[0], b[1] + part * step[1]];
-            Some((there, likelihood(&points, there))).filter(|(_, value)| *value > here)
-        });
-        let Some((there, value)) = better else { break };
-        (b, here) = (there, value);
-    }
-    let (_, information) = derivatives(&points, b);
-    fitted(b, information, middle).ok_or(FragilityError::NotIncreasing)
+    let run = |intensity: f64, class: OutcomeClass, count: u32| Run {
+        motion: None,
+        intensity,
+        class,
+        weight: f64::from(count),
+    };
+    let runs: Vec<Run> = levels
+        .iter()
+        .flat_map(|&(x, failures, trials)| {
+            [run(x, OutcomeClass::NoUplift, trials - failures), run(x, OutcomeClass::Overturned, failures)]
+        })
+        .collect();
+    let outcomes = Outcomes::new(&runs).map_err(|_| FragilityError::NotIncreasing)?;
+    let fit = fit_curves(&outcomes, &[LimitState::Overturns], FitKind::Separate);
+    let Some(CurveKind::Lognormal { median, beta }) = fit.curve(LimitState::Overturns) else {
+        return Err(FragilityError::NotIncreasing);
+    };
+    let (median_log_error, beta_error) = errors(levels, median, beta).ok_or(FragilityError::NotIncreasing)?;
+    Ok(LognormalFragility { median, beta, median_log_error, beta_error })
 }
 
 /// Refuses counts whose likelihood has no maximum at a finite, positive slope.
@@ -195,55 +201,23 @@ fn checked(levels: &[(f64, u32, u32)]) -> Result<(), FragilityError> {
     Ok(())
 }
 
-/// ln of the binomial likelihood of (ln x, failures, trials).
-fn likelihood(points: &[(f64, f64, f64)], b: [f64; 2]) -> f64 {
-    let log = |z: f64| normal_ratio(z).max(f64::MIN_POSITIVE).ln();
-    points
-        .iter()
-        .map(|&(x, failures, trials)| {
-            let z = b[0] + b[1] * x;
-            failures * log(z) + (trials - failures) * log(-z)
-        })
-        .sum()
-}
-
-/// The gradient of [`likelihood`] and the expected information (1,1), (1,2), (2,2).
-fn derivatives(points: &[(f64, f64, f64)], b: [f64; 2]) -> ([f64; 2], [f64; 3]) {
-    let (mut score, mut information) = ([0.0; 2], [0.0; 3]);
-    for &(x, failures, trials) in points {
-        let z = b[0] + b[1] * x;
-        let density = (-0.5 * z * z).exp() / TAU.sqrt();
-        let p = normal_ratio(z);
-        let spread = (p * normal_ratio(-z)).max(f64::MIN_POSITIVE);
-        let slope = density * (failures - trials * p) / spread;
-        let weight = trials * density * density / spread;
-        score = [score[0] + slope, score[1] + slope * x];
-        information = [information[0] + weight, information[1] + weight * x, information[2] + weight * x * x];
+/// Standard errors of ln median and of β, from the expected information by both.
+///
+/// With z = ln(x/θ)/β a trial has the information φ²/(Φ(1 − Φ)) · (∂z)(∂z)ᵀ, and ∂z = −(1, z)/β.
+fn errors(levels: &[(f64, u32, u32)], median: f64, beta: f64) -> Option<(f64, f64)> {
+    let mut information = [[0.0; 2]; 2];
+    for &(x, _, trials) in levels {
+        let z = (x / median).ln() / beta;
+        let spread = (normal_ratio(z) * normal_ratio(-z)).max(f64::MIN_POSITIVE);
+        let weight = f64::from(trials) * ordered::density(z).powi(2) / spread / (beta * beta);
+        for (i, row) in information.iter_mut().enumerate() {
+            for (j, cell) in row.iter_mut().enumerate() {
+                *cell += weight * z.powi((i + j) as i32);
+            }
+        }
     }
-    (score, information)
-}
-
-/// Solves the symmetric 2 × 2 system; `None` where it is singular.
-fn solved([a, b, c]: [f64; 3], [u, v]: [f64; 2]) -> Option<[f64; 2]> {
-    let determinant = a * c - b * b;
-    (determinant > 0.0).then(|| [(c * u - b * v) / determinant, (a * v - b * u) / determinant])
-}
-
-/// Converts back to median and β, with their errors by the delta method.
-fn fitted(b: [f64; 2], information: [f64; 3], middle: f64) -> Option<LognormalFragility> {
-    let [intercept, slope] = b;
-    if slope <= 0.0 {
-        return None;
-    }
-    let variance = |gradient: [f64; 2]| {
-        solved(information, gradient).map(|half| (gradient[0] * half[0] + gradient[1] * half[1]).sqrt())
-    };
-    Some(LognormalFragility {
-        median: (middle - intercept / slope).exp(),
-        beta: 1.0 / slope,
-        median_log_error: variance([-1.0 / slope, intercept / (slope * slope)])?,
-        beta_error: variance([0.0, -1.0 / (slope * slope)])?,
-    })
+    let variance = |unit: [f64; 2], i: usize| maximum::solve_positive(&information, &unit, 2).map(|column| column[i]);
+    Some((variance([1.0, 0.0], 0)?.sqrt(), variance([0.0, 1.0], 1)?.sqrt()))
 }
 
 /// Peak floor velocity at which half of the blocks of this size overturn, by an empirical
@@ -276,3 +250,6 @@ pub fn kaneko_hayashi_velocity_m_s(block: &Block) -> f64 {
 
 #[cfg(test)]
 mod tests;
+
+#[cfg(test)]
+mod fit_tests;

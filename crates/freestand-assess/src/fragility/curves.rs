@@ -1,0 +1,166 @@
+//! Fragility curves as a table.
+
+use std::path::Path;
+
+use freestand::fragility::{Curve, CurveKind, LimitState};
+use freestand_input::file::{InputFile, load};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+
+use super::measure::{At, MEASURES, Measure};
+use super::table::{Row, Table};
+
+const HINT: &str = "the columns are id,im,im_unit,at,limit_state,kind,median,beta, and lower,upper for a step";
+
+/// The curves of one object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjectCurves {
+    /// Its id.
+    pub id: String,
+    /// Measure of the intensity.
+    pub measure: Measure,
+    /// Where it is taken.
+    pub at: At,
+    /// From harmless to severe.
+    pub curves: Vec<Curve>,
+    /// The line of its first curve in the file, from 1.
+    pub line: usize,
+}
+
+impl ObjectCurves {
+    /// The curve of a limit state.
+    pub(crate) fn curve(&self, state: LimitState) -> Option<CurveKind> {
+        self.curves.iter().find(|curve| curve.limit_state == state).map(|curve| curve.kind)
+    }
+}
+
+/// Reads `fragility.csv`, or a table with its first eight columns.
+///
+/// # Errors
+/// A missing column, an unknown word, a median or β that is not above 0, a limit state that is there
+/// twice, two measures for one object, each with its line and column.
+pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problem> {
+    let bytes = load(path)?;
+    Ok((InputFile::new(path, &bytes), read(&bytes, path)?))
+}
+
+fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problem> {
+    let table = Table::read(bytes, path, HINT)?;
+    let [id, im, unit, at, state] = ["id", "im", "im_unit", "at", "limit_state"].map(|name| table.needed(name));
+    let (id, im, unit, at, state) = (id?, im?, unit?, at?, state?);
+    let (kind, median, beta) = (table.needed("kind")?, table.needed("median")?, table.needed("beta")?);
+    let mut objects: Vec<ObjectCurves> = Vec::new();
+    for row in &table.rows {
+        let bad = |column: usize, what: &str, hint: &str| {
+            let message = format!("\"{}\" is not {what}", shorten(table.text(row, column)));
+            table.cell_problem(row, column, &message).hint(hint)
+        };
+        let name = table.filled(row, id)?;
+        let measure = Measure::parse(table.filled(row, im)?)
+            .ok_or_else(|| bad(im, "an intensity measure", &format!("write one of {MEASURES}, without the unit")))?;
+        let factor = measure.factor_from(Some(table.filled(row, unit)?)).map_err(|problem| {
+            table.cell_problem(row, unit, &problem.message).hint(problem.hint.unwrap_or_default())
+        })?;
+        let place = At::parse(table.filled(row, at)?);
+        let place = place.ok_or_else(|| bad(at, "a place of a measure", "write ground or floor"))?;
+        measure.at(Some(place)).map_err(|problem| table.cell_problem(row, at, &problem.message))?;
+        let text = table.filled(row, state)?;
+        let limit_state = LimitState::ALL.into_iter().find(|state| state.name() == text);
+        let limit_state =
+            limit_state.ok_or_else(|| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
+        let kind = kind_of(&table, row, (kind, median, beta), factor)?;
+        let curve = Curve { limit_state, kind };
+        match objects.iter_mut().find(|object| object.id == name) {
+            None => objects.push(ObjectCurves {
+                id: name.to_owned(),
+                measure,
+                at: place,
+                curves: vec![curve],
+                line: row.line,
+            }),
+            Some(object) if object.measure != measure || object.at != place => {
+                return Err(table.cell_problem(row, im, "this object has another intensity measure above"));
+            }
+            Some(object) if object.curve(limit_state).is_some() => {
+                return Err(table.cell_problem(row, state, "this limit state of the object is there twice"));
+            }
+            Some(object) => {
+                object.curves.push(curve);
+                object.curves.sort_by_key(|curve| curve.limit_state);
+            }
+        }
+    }
+    Ok(objects)
+}
+
+fn kind_of(
+    table: &Table,
+    row: &Row,
+    (kind, median, beta): (usize, usize, usize),
+    factor: f64,
+) -> Result<CurveKind, Problem> {
+    let bound = |name: &str| -> Result<f64, Problem> {
+        let column = table.needed(name)?;
+        Ok(factor * table.positive(row, column)?)
+    };
+    match table.filled(row, kind)? {
+        "lognormal" => {
+            Ok(CurveKind::Lognormal { median: factor * table.positive(row, median)?, beta: table.positive(row, beta)? })
+        }
+        "step" => match (table.column("lower"), table.column("upper")) {
+            (Some(_), Some(_)) => Ok(CurveKind::Step { lower: bound("lower")?, upper: bound("upper")? }),
+            _ => {
+                let median = factor * table.positive(row, median)?;
+                Ok(CurveKind::Step { lower: median, upper: median })
+            }
+        },
+        "none" => Ok(CurveKind::None { lower: bound("lower")? }),
+        "all" => Ok(CurveKind::All { upper: bound("upper")? }),
+        "not-increasing" => Ok(CurveKind::NotIncreasing { lower: bound("lower")?, upper: bound("upper")? }),
+        other => Err(table
+            .cell_problem(row, kind, &format!("\"{}\" is not a kind of curve", shorten(other)))
+            .hint("write lognormal, step, none, all or not-increasing")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEAD: &str = "id,im,im_unit,at,limit_state,kind,median,beta";
+
+    fn read_text(text: &str) -> Result<Vec<ObjectCurves>, Problem> {
+        read(text.as_bytes(), Path::new("f.csv"))
+    }
+
+    #[test]
+    fn eight_columns_suffice() {
+        let curves = read_text(&format!(
+            "{HEAD}\na,pgv,cm/s,ground,overturns,lognormal,50,0.25\na,pgv,m/s,ground,exceeds,step,0.3,\n"
+        ))
+        .unwrap();
+        assert_eq!(curves.len(), 1);
+        assert_eq!(curves[0].curve(LimitState::Overturns), Some(CurveKind::Lognormal { median: 0.5, beta: 0.25 }));
+        assert_eq!(curves[0].curves[0].kind, CurveKind::Step { lower: 0.3, upper: 0.3 });
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_line_and_column() {
+        let cases = [
+            ("a,pgx,m/s,ground,overturns,lognormal,1,1", "f.csv:2: column 2 (\"im\"): \"pgx\" is not"),
+            ("a,pgv,g,ground,overturns,lognormal,1,1", "column 3"),
+            ("a,pgv,m/s,floor,overturns,lognormal,1,1", "column 4"),
+            ("a,pgv,m/s,ground,falls,lognormal,1,1", "column 5"),
+            ("a,pgv,m/s,ground,overturns,normal,1,1", "column 6"),
+            ("a,pgv,m/s,ground,overturns,lognormal,0,1", "column 7"),
+            ("a,pgv,m/s,ground,overturns,lognormal,1,", "column 8 (\"beta\"): the cell is empty"),
+            ("a,pgv,m/s,ground,overturns,none,,", "there is no column \"lower\""),
+        ];
+        for (row, said) in cases {
+            let problem = read_text(&format!("{HEAD}\n{row}\n")).unwrap_err();
+            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
+        }
+        let row = "a,pgv,m/s,ground,overturns,lognormal,1,1";
+        assert!(read_text(&format!("{HEAD}\n{row}\n{row}\n")).unwrap_err().message.contains("twice"));
+    }
+}

@@ -1,0 +1,105 @@
+//! Fragility curves with what was seen.
+
+use kuva::plot::scatter::MarkerShape;
+
+use freestand::fragility::{CurveKind, LimitState, empirical};
+use freestand_input::quantity::shorten;
+use freestand_input::words::counted;
+use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::page::{Page, Panel, columns, draw};
+use freestand_output::figure::style::{Axis, axes, curve_style, hollow, line, plain, plain_ticks, round_step};
+use freestand_output::figure::{Figure, FigureError};
+
+use super::{FragilityReport, ObjectFragility};
+
+/// The most objects that a page shows.
+const MAX_PANELS: usize = 6;
+/// Height of a row of panels \[px\].
+const PANEL_PX: f64 = 330.0;
+/// Points of a curve.
+const POINTS: usize = 160;
+
+pub(super) fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureError> {
+    let shown: Vec<&ObjectFragility> = report.objects.iter().take(MAX_PANELS).collect();
+    let measure = report.table.measure.with_unit();
+    let panels: Vec<Panel> = shown.iter().map(|object| panel(object, &measure)).collect();
+    let columns = columns(panels.len());
+    let rows = panels.len().div_ceil(columns);
+    let states: Vec<LimitState> = LimitState::ALL
+        .into_iter()
+        .filter(|state| {
+            let by_shock = *state == LimitState::Exceeds;
+            shown.iter().any(|object| object.fit.curve(*state).is_some() || by_shock && object.two_stage.is_some())
+        })
+        .collect();
+    let legend = states.iter().map(|state| {
+        let style = curve_style(place(*state));
+        let sign = Sign::Line { colour: style.colour, width_px: 2.0, dash: style.dash };
+        Entry { sign, words: state.name().to_owned() }
+    });
+    let rest = match report.objects.len().saturating_sub(MAX_PANELS) {
+        0 => String::new(),
+        more => {
+            format!(" {} not shown.", if more == 1 { "1 object is".to_owned() } else { format!("{more} objects are") })
+        }
+    };
+    draw(Page {
+        name: "fragility".to_owned(),
+        title: format!("Fragility of {}", counted(report.objects.len(), "object")),
+        caption: format!(
+            "Probability that an object reaches each limit state, against {}. Lines: fitted curves; thin lines: the 95 % \
+             interval of the median; markers: the share of runs, or the capacities of the motions.{rest}",
+            report.table.measure.name()
+        ),
+        panels,
+        columns,
+        row_heights_px: vec![PANEL_PX; rows],
+        legend: legend.collect(),
+    })
+}
+
+fn place(state: LimitState) -> usize {
+    LimitState::ALL.iter().position(|other| *other == state).unwrap_or(0)
+}
+
+fn panel(object: &ObjectFragility, measure: &str) -> Panel {
+    let levels = object.outcomes.levels();
+    let (least, most) = (levels.first().copied().unwrap_or(1.0), levels.last().copied().unwrap_or(1.0));
+    let step = round_step(most / 5.0);
+    let to = step * (most / step - 1e-9).ceil();
+    let x = Axis { from: 0.0, to, step: Some(step), label: plain(measure) };
+    let y = Axis { from: 0.0, to: 1.0, step: Some(0.2), label: "Probability".to_owned() };
+    let at = |i: usize| to * (i as f64 + 0.5) / POINTS as f64;
+    let mut plots = Vec::new();
+    for curve in &object.fit.curves {
+        let style = curve_style(place(curve.limit_state));
+        let drawn = |kind: CurveKind| -> Vec<(f64, f64)> {
+            (0..POINTS).filter_map(|i| Some((at(i), kind.probability(at(i))?))).collect()
+        };
+        let sure = match curve.kind {
+            CurveKind::None { lower } => vec![(0.0, 0.0), (lower, 0.0)],
+            CurveKind::All { upper } => vec![(upper.max(least), 1.0), (to, 1.0)],
+            kind => drawn(kind),
+        };
+        plots.push(line(&sure, style.colour, 2.0, style.dash));
+        if let (CurveKind::Lognormal { beta, .. }, Some((ends, _))) = (curve.kind, object.interval(curve.limit_state)) {
+            for median in [ends.0, ends.1] {
+                plots.push(line(&drawn(CurveKind::Lognormal { median, beta }), style.colour, 0.7, None));
+            }
+        }
+        let seen: Vec<(f64, f64)> = empirical(&object.outcomes, curve.limit_state)
+            .iter()
+            .map(|seen| (seen.intensity, seen.reached / seen.trials))
+            .collect();
+        let shape = if seen.len() > 40 { MarkerShape::Circle } else { style.marker };
+        plots.extend(hollow(&seen, style.colour, shape, if seen.len() > 40 { 2.6 } else { 4.0 }));
+    }
+    if let Some(two_stage) = &object.two_stage {
+        let style = curve_style(place(LimitState::Exceeds));
+        let drawn: Vec<(f64, f64)> = (0..POINTS).map(|i| (at(i), two_stage.probability(at(i)))).collect();
+        plots.push(line(&drawn, style.colour, 2.0, style.dash));
+    }
+    let mut layout = axes(x, y).with_title(plain(&shorten(&object.id)));
+    layout.x_tick_format = plain_ticks(to);
+    Panel { plots, layout }
+}

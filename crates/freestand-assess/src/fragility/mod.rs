@@ -1,0 +1,486 @@
+//! Fragilities of objects: fitted to a table of outcomes, and written for other programs.
+
+mod curves;
+mod figure;
+pub mod measure;
+mod openquake;
+mod outcomes;
+mod pelicun;
+pub(crate) mod table;
+
+use std::path::PathBuf;
+
+use freestand::fragility::{
+    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, OutcomeClass, Outcomes, ShockFitError, TwoStage,
+    bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
+};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::shorten;
+use freestand_input::words::{Choices, counted, name_of, significant};
+use freestand_output::facts::{Facts, Value, table_csv};
+use freestand_output::figure::{Figure, FigureError};
+use rayon::prelude::*;
+
+pub use curves::{ObjectCurves, load_curves};
+pub use measure::{At, Measure};
+pub use openquake::{OpenQuakeRequest, openquake_files};
+pub use outcomes::OutcomeTable;
+pub use pelicun::{PelicunRequest, pelicun_files};
+
+/// How limit states are fitted, by name.
+pub const FITS: Choices<FitKind> = &[
+    (FitKind::Ordered, "ordered", "one β for all limit states of an object: curves cannot cross"),
+    (FitKind::Separate, "separate", "each limit state by itself"),
+];
+
+/// What an object withstands, for a fit of its shocks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShockLimits {
+    /// Tolerance \[g\].
+    pub tolerance_g: f64,
+    /// Largest shock of an object that does not overturn \[g\].
+    pub ceiling_g: f64,
+}
+
+/// The name of a fit of shocks, of its curve.
+pub const TWO_STAGE: &str = "two-stage";
+
+/// Bootstrap samples where none are asked for.
+pub const DEFAULT_REPLICATES: u32 = 1000;
+
+/// The most simulated samples for the p-value of a fit; more would not change what it says.
+const MAX_SIMULATED: u32 = 199;
+
+/// The schema of the document.
+pub const FRAGILITY_SCHEMA: &str = "freestand.fragility/1";
+
+/// A program for which fragilities are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExportFormat {
+    /// `fragility.csv` alone.
+    Csv,
+    /// A folder for pelicun.
+    Pelicun,
+    /// A folder for the OpenQuake engine.
+    OpenQuake,
+}
+
+/// Formats by name.
+pub const FORMATS: Choices<ExportFormat> = &[
+    (ExportFormat::Csv, "csv", "fragility.csv alone"),
+    (ExportFormat::Pelicun, "pelicun", "a folder pelicun/ that pelicun runs as it is"),
+    (ExportFormat::OpenQuake, "openquake", "a folder openquake/ that the OpenQuake engine runs as it is"),
+];
+
+/// A folder for another program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExportRequest {
+    /// The program.
+    pub format: ExportFormat,
+    /// Intensity with its unit, of the scenario or of every realization.
+    pub demand: Option<String>,
+    /// Realizations of pelicun; `None`: 10,000.
+    pub realizations: Option<u32>,
+    /// β for states that have none.
+    pub beta: Option<f64>,
+    /// Longitude and latitude for OpenQuake \[degrees\].
+    pub site_deg: Option<(f64, f64)>,
+}
+
+/// Fragilities that are to be fitted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FragilityRequest {
+    /// The table of outcomes.
+    pub outcomes: PathBuf,
+    /// Where the measure is taken; `None`: where it is by its nature, or the ground.
+    pub at: Option<At>,
+    /// How limit states are fitted.
+    pub fit: FitKind,
+    /// The tolerance of a fit of shocks; `None`: the classes of the table count.
+    pub shock: Option<ShockLimits>,
+    /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`], 0: none.
+    pub replicates: Option<u32>,
+    /// Seed of the bootstrap.
+    pub seed: u64,
+}
+
+/// The fragility of one object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjectFragility {
+    /// Its id.
+    pub id: String,
+    /// Its runs.
+    pub outcomes: Outcomes,
+    /// Runs that could not be followed.
+    pub unresolved: usize,
+    /// Its curves.
+    pub fit: Fit,
+    /// The probability of exceeding the tolerance, from the shocks.
+    pub two_stage: Option<TwoStage>,
+    /// How well they fit.
+    pub goodness: Option<Goodness>,
+    /// Fits of samples of motions; `None` for counts.
+    pub bootstrap: Option<Bootstrap>,
+}
+
+/// What was fitted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FragilityReport {
+    /// What was asked.
+    pub request: FragilityRequest,
+    /// The table of outcomes.
+    pub table: OutcomeTable,
+    /// Where the measure is taken.
+    pub at: At,
+    /// The objects, as they first appear in the table.
+    pub objects: Vec<ObjectFragility>,
+    /// What to know beside the result.
+    pub warnings: Vec<String>,
+}
+
+/// Fits the fragilities of all objects of a table.
+///
+/// # Errors
+/// A table that cannot be read.
+pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems> {
+    let table = OutcomeTable::load(&request.outcomes)?;
+    let at = table.measure.at(request.at)?;
+    let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
+    // Within an object the samples are calculated in parallel.
+    let objects = table.objects.iter().enumerate().map(|(i, id)| {
+        let outcomes = table.of(i)?;
+        let mut states = outcomes.limit_states();
+        if request.shock.is_some() {
+            states.retain(|state| *state != LimitState::Exceeds);
+        }
+        let fit = fit_curves(&outcomes, &states, request.fit);
+        let two_stage = request.shock.map(|limits| two_stage(&table, i, &fit, limits)).transpose()?;
+        let goodness = goodness(&outcomes, &fit, replicates.min(MAX_SIMULATED), request.seed);
+        let bootstrap = (replicates > 0 && !fit.fitted_states().is_empty())
+            .then(|| bootstrap(&outcomes, &states, request.fit, replicates, request.seed))
+            .flatten();
+        let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
+        Ok(ObjectFragility { id: id.clone(), outcomes, unresolved, fit, two_stage, goodness, bootstrap })
+    });
+    let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
+    let warnings = objects.iter().flat_map(warnings).collect();
+    Ok(FragilityReport { request, table, at, objects, warnings })
+}
+
+/// The probability of exceeding a tolerance from the shocks of an object.
+fn two_stage(table: &OutcomeTable, object: usize, fit: &Fit, limits: ShockLimits) -> Result<TwoStage, Problem> {
+    let ShockLimits { tolerance_g, ceiling_g } = limits;
+    let shock = fit_shock(&table.shocks(object), ceiling_g).map_err(|error| {
+        let id = table.objects.get(object).map_or("", String::as_str);
+        let hint = match error {
+            ShockFitError::Shock { .. } => {
+                "give the `ceiling` of this object, `ceiling_g` of the shock of its balance point"
+            }
+            ShockFitError::TooFew { .. } => "give the column edge_acceleration [g] for runs that rocked",
+            ShockFitError::NoMaximum => "fit the classes with `fit = \"ordered\"`",
+        };
+        Problem::value(format!("object {}: {error}", shorten(id)), hint).in_file(&table.file.path)
+    })?;
+    let curve = |state: LimitState| fit.curve(state).unwrap_or(CurveKind::None { lower: 0.0 });
+    Ok(TwoStage { rocks: curve(LimitState::Rocks), overturns: curve(LimitState::Overturns), shock, tolerance_g })
+}
+
+/// The share of samples without a curve from which on the intervals are doubtful.
+const MANY_FAILED: f64 = 0.02;
+
+/// Motions below which percentile intervals are too narrow (docs/risk.md).
+const FEW_MOTIONS: usize = 40;
+
+fn warnings(object: &ObjectFragility) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let id = &object.id;
+    if object.unresolved > 0 {
+        warnings.push(format!("{id}: {} could not be followed and left out", counted(object.unresolved, "run")));
+    }
+    let levels = object.outcomes.levels();
+    let ends = levels.first().zip(levels.last());
+    if let Some((one, other, x)) = ends.and_then(|(from, to)| object.fit.crossing(*from, *to)) {
+        warnings.push(format!(
+            "{id}: the curves of {} and {} cross at {}, beyond which the more severe state would be the more probable \
+             one: use `fit = \"ordered\"`",
+            one.name(),
+            other.name(),
+            significant(x, 3)
+        ));
+    }
+    if object.goodness.is_some_and(|goodness| goodness.is_misfit()) {
+        warnings.push(format!(
+            "{id}: the curves do not fit the runs (p = {}): compare them with empirical.csv",
+            significant(object.goodness.and_then(|goodness| goodness.p_value).unwrap_or(0.0), 2)
+        ));
+    }
+    for curve in &object.fit.curves {
+        if matches!(curve.kind, CurveKind::NotIncreasing { .. }) {
+            let state = curve.limit_state.name();
+            warnings.push(format!("{id}: {state} is not more frequent at higher intensities, so no curve fits"));
+        }
+    }
+    if let Some(bootstrap) = &object.bootstrap {
+        let motions = object.outcomes.motions().unwrap_or(0);
+        if motions < FEW_MOTIONS {
+            let motions = counted(motions, "motion");
+            warnings.push(format!("{id}: the 95 % intervals of {motions} are too narrow, above all those of beta"));
+        }
+        if bootstrap.failed as f64 > MANY_FAILED * bootstrap.samples.len() as f64 {
+            warnings.push(format!(
+                "{id}: {} of {} samples have no curve, so the intervals are doubtful: run more motions or levels",
+                bootstrap.failed,
+                bootstrap.samples.len()
+            ));
+        }
+    }
+    warnings
+}
+
+/// A pair of ends as an array.
+pub(crate) fn ends(pair: Option<(f64, f64)>) -> Value<'static> {
+    pair.map(|(low, high)| [low, high]).into()
+}
+
+impl ObjectFragility {
+    /// Its curves, for a hazard.
+    pub(crate) fn curves(&self, measure: Measure, at: At) -> ObjectCurves {
+        ObjectCurves { id: self.id.clone(), measure, at, curves: self.fit.curves.clone(), line: 0 }
+    }
+
+    fn runs(&self) -> f64 {
+        self.outcomes.totals().iter().sum()
+    }
+
+    fn facts(&self, measure: Measure, at: At) -> Facts<'static> {
+        let totals = self.outcomes.totals();
+        let count = |class: OutcomeClass| totals[class.index()];
+        let counts = Facts::default()
+            .key("no_uplift", count(OutcomeClass::NoUplift))
+            .key("rocked", count(OutcomeClass::Rocked))
+            .key("exceeded", count(OutcomeClass::Exceeded))
+            .key("overturned", count(OutcomeClass::Overturned));
+        let curves: Vec<Facts> = self
+            .fit
+            .curves
+            .iter()
+            .map(|curve| {
+                let interval = self.interval(curve.limit_state);
+                Facts::default()
+                    .key("limit_state", curve.limit_state.name())
+                    .key("kind", curve.kind.name())
+                    .key("median", curve.kind.median())
+                    .key("beta", curve.kind.beta())
+                    .key("median_ci95", ends(interval.map(|interval| interval.0)))
+                    .key("beta_ci95", ends(interval.map(|interval| interval.1)))
+                    .key("lower", curve.kind.lower())
+                    .key("upper", curve.kind.upper())
+            })
+            .collect();
+        let shock = self.two_stage.map(|two_stage| {
+            let TwoStage { shock, tolerance_g, .. } = two_stage;
+            Facts::default()
+                .key("tolerance_g", tolerance_g)
+                .key("ceiling_g", shock.ceiling_g)
+                .key("intercept", shock.intercept)
+                .key("slope", shock.slope)
+                .key("sigma", shock.sigma)
+                .key("log_likelihood", shock.log_likelihood)
+                .key("median", two_stage.median())
+                .key("why", two_stage.is_above_ceiling().then_some("ceiling"))
+        });
+        let goodness = self.goodness.map(|goodness| {
+            Facts::default()
+                .key("deviance", goodness.deviance)
+                .key("dof", goodness.dof as f64)
+                .key("p_value", goodness.p_value)
+                .key("ks", goodness.ks)
+                .key("misfit", goodness.is_misfit())
+        });
+        let bootstrap = self
+            .bootstrap
+            .as_ref()
+            .map(|samples| Facts::default().key("replicates", samples.samples.len()).key("failed", samples.failed));
+        let has_fit = !self.fit.fitted_states().is_empty();
+        let levels = self.outcomes.levels();
+        let crossing = levels.first().zip(levels.last()).and_then(|(from, to)| self.fit.crossing(*from, *to));
+        Facts::default()
+            .key("id", self.id.clone())
+            .key("im", measure.name())
+            .key("im_unit", measure.unit())
+            .key("at", at.name())
+            .key("method", METHOD)
+            .key("fit", name_of(FITS, self.fit.kind))
+            .key("motions", self.outcomes.motions())
+            .key("runs", self.runs())
+            .key("unresolved", self.unresolved)
+            .key("counts", counts)
+            .key("curves", curves)
+            .key("exceeds_by_shock", shock)
+            .key("crossing_im", crossing.map(|(_, _, x)| x))
+            .key("log_likelihood", has_fit.then_some(self.fit.log_likelihood))
+            .key("goodness", goodness)
+            .key("efficiency", capacity_spread(&self.outcomes, LimitState::Overturns))
+            .key("sufficiency", None::<f64>)
+            .key("bootstrap", bootstrap)
+    }
+
+    /// The 95 % intervals of the median and of β.
+    pub(crate) fn interval(&self, state: LimitState) -> Option<((f64, f64), (f64, f64))> {
+        let interval = self.bootstrap.as_ref()?.interval(state)?;
+        // Samples may have a curve where the whole has none.
+        matches!(self.fit.curve(state)?, CurveKind::Lognormal { .. }).then_some((interval.median, interval.beta))
+    }
+}
+
+/// How the runs were chosen: not known of a table.
+const METHOD: &str = "outcomes";
+
+impl FragilityReport {
+    /// The files for another program, by their paths in the output folder.
+    ///
+    /// # Errors
+    /// Fits or measures that the program cannot take, a demand or a site that is missing.
+    pub fn export(&self, request: &ExportRequest) -> Result<Vec<(String, Vec<u8>)>, Problem> {
+        let demand = request.demand.as_deref().map(|text| self.table.measure.quantity(text)).transpose();
+        let demand = demand.map_err(|problem| problem.named("demand"))?;
+        let (folder, files) = match request.format {
+            ExportFormat::Csv => return Ok(Vec::new()),
+            ExportFormat::Pelicun => {
+                let of = PelicunRequest { demand, realizations: request.realizations, beta: request.beta };
+                ("pelicun", pelicun_files(self, &of)?)
+            }
+            ExportFormat::OpenQuake => {
+                let missing = |key: &'static str, example: &str| {
+                    let message = format!("a scenario of OpenQuake needs `{key}`");
+                    Problem::new(ProblemKind::Missing, message).hint(format!("give `{key} = \"{example}\"`")).of(&[key])
+                };
+                let demand = demand.ok_or_else(|| missing("demand", "0.4 m/s"))?;
+                let site_deg = request.site_deg.ok_or_else(|| missing("site_coordinates", "151.2,-33.9"))?;
+                ("openquake", openquake_files(self, &OpenQuakeRequest { demand, site_deg, beta: request.beta })?)
+            }
+        };
+        Ok(files.into_iter().map(|(name, bytes)| (format!("{folder}/{name}"), bytes)).collect())
+    }
+
+    /// The document.
+    pub fn facts(&self) -> Facts<'static> {
+        let objects: Vec<Facts> = self.objects.iter().map(|object| object.facts(self.table.measure, self.at)).collect();
+        let input = Facts::default()
+            .key("path", self.table.file.path.display().to_string())
+            .key("sha256", self.table.file.sha256.clone());
+        Facts::default()
+            .key("version", env!("CARGO_PKG_VERSION"))
+            .key("seed", self.request.seed)
+            .key("inputs", vec![input])
+            .key("objects", objects)
+    }
+
+    /// One row for each curve, for people.
+    pub fn rows(&self) -> Vec<Facts<'static>> {
+        let rows = self.objects.iter().flat_map(|object| {
+            object.fit.curves.iter().map(move |curve| {
+                let interval = object.interval(curve.limit_state);
+                let (median, beta) = interval.unzip();
+                let both = |pair: Option<(f64, f64)>| {
+                    pair.map(|(low, high)| format!("{} to {}", significant(low, 3), significant(high, 3)))
+                };
+                Facts::default()
+                    .key("id", object.id.clone())
+                    .key("limit_state", curve.limit_state.name())
+                    .key("kind", curve.kind.name())
+                    .key("median", curve.kind.median())
+                    .key("median_ci95", both(median))
+                    .key("beta", curve.kind.beta())
+                    .key("beta_ci95", both(beta))
+                    .key("lower", curve.kind.lower())
+                    .key("upper", curve.kind.upper())
+            })
+        });
+        let by_shock = self.objects.iter().filter_map(|object| {
+            let two_stage = object.two_stage?;
+            let none = None::<f64>;
+            let row = Facts::default()
+                .key("id", object.id.clone())
+                .key("limit_state", LimitState::Exceeds.name())
+                .key("kind", TWO_STAGE)
+                .key("median", two_stage.median())
+                .key("median_ci95", none)
+                .key("beta", none)
+                .key("beta_ci95", none)
+                .key("lower", none)
+                .key("upper", none);
+            Some(row)
+        });
+        rows.chain(by_shock).collect()
+    }
+
+    /// `fragility.csv`: one row for each curve.
+    ///
+    /// # Errors
+    /// None in practice: see [`table_csv`].
+    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
+        table_csv(self.objects.iter().flat_map(|object| {
+            object.fit.curves.iter().map(move |curve| {
+                let interval = object.interval(curve.limit_state);
+                let (median, beta) = interval.unzip();
+                Facts::default()
+                    .key("id", object.id.as_str())
+                    .key("im", self.table.measure.name())
+                    .key("im_unit", self.table.measure.unit())
+                    .key("at", self.at.name())
+                    .key("limit_state", curve.limit_state.name())
+                    .key("kind", curve.kind.name())
+                    .key("median", curve.kind.median())
+                    .key("beta", curve.kind.beta())
+                    .key("median_ci95_low", median.map(|ends| ends.0))
+                    .key("median_ci95_high", median.map(|ends| ends.1))
+                    .key("beta_ci95_low", beta.map(|ends| ends.0))
+                    .key("beta_ci95_high", beta.map(|ends| ends.1))
+                    .key("lower", curve.kind.lower())
+                    .key("upper", curve.kind.upper())
+                    .key("method", METHOD)
+                    .key("fit", name_of(FITS, object.fit.kind))
+                    .key("motions", object.outcomes.motions())
+                    .key("runs", object.runs())
+            })
+        }))
+    }
+
+    /// `empirical.csv`: what was seen at each level, or the capacities of the motions.
+    ///
+    /// # Errors
+    /// None in practice: see [`table_csv`].
+    pub fn empirical_csv(&self) -> Result<Vec<u8>, Problem> {
+        let rows: Vec<Facts> = self
+            .objects
+            .par_iter()
+            .flat_map_iter(|object| {
+                object.fit.curves.iter().flat_map(move |curve| {
+                    empirical(&object.outcomes, curve.limit_state).into_iter().map(move |seen| {
+                        let (low, high) = clopper_pearson(seen.reached, seen.trials, 0.95);
+                        Facts::default()
+                            .key("id", object.id.as_str())
+                            .key("limit_state", curve.limit_state.name())
+                            .key("intensity", seen.intensity)
+                            .key("trials", seen.trials)
+                            .key("reached", seen.reached)
+                            .key("share", seen.reached / seen.trials)
+                            .key("share_ci95_low", low)
+                            .key("share_ci95_high", high)
+                            .key("fitted", curve.kind.probability(seen.intensity))
+                    })
+                })
+            })
+            .collect();
+        table_csv(rows)
+    }
+
+    /// The curves with what was seen, of the first six objects.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn figure(&self) -> Result<Figure, FigureError> {
+        figure::curves_figure(self)
+    }
+}

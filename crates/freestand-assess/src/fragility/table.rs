@@ -1,0 +1,216 @@
+//! CSV tables with named columns, read strictly: a cell that cannot be read is refused with its line
+//! and column.
+
+use std::path::{Path, PathBuf};
+
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
+use freestand_input::words::nearest;
+
+/// A heading, `pfv [m/s]`: its name, and the unit between the brackets.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Heading {
+    pub(crate) name: String,
+    pub(crate) unit: Option<String>,
+    /// As it is written.
+    written: String,
+}
+
+/// A row with its line in the file, from 1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Row {
+    pub(crate) line: usize,
+    cells: Vec<String>,
+}
+
+/// A table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Table {
+    pub(crate) path: PathBuf,
+    pub(crate) headings: Vec<Heading>,
+    pub(crate) rows: Vec<Row>,
+    /// Line of the headings.
+    line: usize,
+    /// Comments, which begin with `#`, above the headings.
+    pub(crate) comments: Vec<String>,
+    /// What the headings should be.
+    hint: &'static str,
+}
+
+impl Table {
+    /// Reads the bytes of a file; `hint` says what its headings should be.
+    pub(crate) fn read(bytes: &[u8], path: &Path, hint: &'static str) -> Result<Self, Problem> {
+        let format = |message: String| Problem::new(ProblemKind::Format, message).in_file(path).hint(hint);
+        if bytes.starts_with(b"PK\x03\x04") {
+            let problem = format("this is a workbook, not a CSV file".to_owned());
+            return Err(problem.hint("save the sheet as CSV"));
+        }
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .comment(Some(b'#'))
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .from_reader(bytes);
+        let mut records = reader.records().map(|record| {
+            let record = record.map_err(|error| {
+                let line = error.position().map_or(1, |position| position.line() as usize);
+                format("the text is not UTF-8, or a quotation mark is not closed".to_owned()).at_line(line)
+            })?;
+            let line = record.position().map_or(1, |position| line_of(bytes, position));
+            Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
+        });
+        let head: Row = records.next().unwrap_or_else(|| Err(format("the file is empty".to_owned())))?;
+        let headings: Vec<Heading> = head.cells.iter().map(|cell| heading(cell)).collect();
+        let mut rows = Vec::new();
+        for row in records {
+            let row = row?;
+            if row.cells.len() != headings.len() {
+                let message = format!("this row has {} cells, and the header has {}", row.cells.len(), headings.len());
+                let hint = "write one row per line with a cell for each heading; quote a text that has a comma";
+                return Err(format(message).at_line(row.line).hint(hint));
+            }
+            rows.push(row);
+        }
+        let comments = String::from_utf8_lossy(bytes)
+            .lines()
+            .take_while(|line| line.starts_with('#'))
+            .map(str::to_owned)
+            .collect();
+        let table = Self { path: path.to_path_buf(), headings, rows, line: head.line, comments, hint };
+        for (i, one) in table.headings.iter().enumerate() {
+            if table.headings.iter().take(i).any(|other| !one.name.is_empty() && other.name == one.name) {
+                return Err(table.header_problem(format!("the column \"{}\" is there twice", shorten(&one.name))));
+            }
+        }
+        if table.rows.is_empty() {
+            return Err(table.header_problem("no rows follow the headings".to_owned()));
+        }
+        Ok(table)
+    }
+
+    /// A problem with the headings.
+    pub(crate) fn header_problem(&self, message: String) -> Problem {
+        Problem::new(ProblemKind::Format, message).in_file(&self.path).at_line(self.line).hint(self.hint)
+    }
+
+    /// The place of a column.
+    pub(crate) fn column(&self, name: &str) -> Option<usize> {
+        self.headings.iter().position(|heading| heading.name == name)
+    }
+
+    /// The place of a column that must be there.
+    pub(crate) fn needed(&self, name: &str) -> Result<usize, Problem> {
+        self.column(name).ok_or_else(|| {
+            let names: Vec<&str> = self.headings.iter().map(|heading| heading.name.as_str()).collect();
+            let similar = nearest(name, &names).map(|near| format!("; is it \"{near}\"?")).unwrap_or_default();
+            self.header_problem(format!("there is no column \"{name}\"{similar}"))
+        })
+    }
+
+    /// A problem with a cell.
+    pub(crate) fn cell_problem(&self, row: &Row, column: usize, message: &str) -> Problem {
+        let written = self.headings.get(column).map_or("", |heading| heading.written.as_str());
+        Problem::new(ProblemKind::Value, format!("column {} (\"{}\"): {message}", column + 1, shorten(written)))
+            .in_file(&self.path)
+            .at_line(row.line)
+            .hint("correct the cell, or leave out the row")
+    }
+
+    /// The text of a cell.
+    pub(crate) fn text<'a>(&self, row: &'a Row, column: usize) -> &'a str {
+        row.cells.get(column).map_or("", String::as_str)
+    }
+
+    /// The text of a cell that must not be empty.
+    pub(crate) fn filled<'a>(&self, row: &'a Row, column: usize) -> Result<&'a str, Problem> {
+        match self.text(row, column) {
+            "" => Err(self.cell_problem(row, column, "the cell is empty")),
+            text => Ok(text),
+        }
+    }
+
+    /// A number.
+    fn number(&self, row: &Row, column: usize, kind: &str, is_fine: impl Fn(f64) -> bool) -> Result<f64, Problem> {
+        let text = self.filled(row, column)?;
+        let value = text.parse::<f64>().ok().filter(|value| value.is_finite() && is_fine(*value));
+        value.ok_or_else(|| self.cell_problem(row, column, &format!("\"{}\" is not {kind}", shorten(text))))
+    }
+
+    /// A number above 0.
+    pub(crate) fn positive(&self, row: &Row, column: usize) -> Result<f64, Problem> {
+        self.number(row, column, "a number above 0", |value| value > 0.0)
+    }
+
+    /// A number of 0 or more.
+    pub(crate) fn non_negative(&self, row: &Row, column: usize) -> Result<f64, Problem> {
+        self.number(row, column, "a number of 0 or more", |value| value >= 0.0)
+    }
+
+    /// A number of 0 or more; `None` without the column or in an empty cell.
+    pub(crate) fn optional(&self, row: &Row, column: Option<usize>) -> Result<Option<f64>, Problem> {
+        let filled = column.filter(|&column| !self.text(row, column).is_empty());
+        filled.map(|column| self.non_negative(row, column)).transpose()
+    }
+}
+
+/// The line of a record, whose position is where the one before it ended: above it may be blank lines
+/// and comments.
+fn line_of(bytes: &[u8], position: &csv::Position) -> usize {
+    let mut line = position.line() as usize;
+    let mut rest = bytes.get(position.byte() as usize..).unwrap_or_default();
+    while let Some((first, after)) = rest.split_first() {
+        rest = match first {
+            b'\n' => {
+                line += 1;
+                after
+            }
+            b'\r' => after,
+            // Up to the end of the comment, which is counted above.
+            b'#' => rest.iter().position(|byte| *byte == b'\n').map_or(&[][..], |end| &rest[end..]),
+            _ => break,
+        };
+    }
+    line
+}
+
+fn heading(cell: &str) -> Heading {
+    let split = cell.strip_suffix(']').and_then(|cell| cell.rsplit_once('['));
+    let (name, unit) = split.map_or((cell, None), |(name, unit)| (name, Some(unit.trim().to_owned())));
+    Heading { name: name.trim().to_owned(), unit, written: cell.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Table, Problem> {
+        Table::read(text.as_bytes(), Path::new("t.csv"), "a, b")
+    }
+
+    #[test]
+    fn lines_are_those_of_the_file() {
+        let table = read("\u{feff}# a comment\nid, pfv [m/s]\n\n\"a, b\",0.5\n# more\r\n\r\nc,x\n").unwrap();
+        assert_eq!(table.headings[1].unit.as_deref(), Some("m/s"));
+        assert_eq!((table.rows[0].line, table.text(&table.rows[0], 0)), (4, "a, b"));
+        assert_eq!(table.positive(&table.rows[0], 1), Ok(0.5));
+        let problem = table.positive(&table.rows[1], 1).unwrap_err();
+        assert_eq!(problem.to_string(), "t.csv:7: column 2 (\"pfv [m/s]\"): \"x\" is not a number above 0");
+    }
+
+    #[test]
+    fn what_is_no_table_is_refused() {
+        let cases = [
+            ("", "empty"),
+            ("a,b\n", "no rows"),
+            ("a,b\n1\n", "t.csv:2: this row has 1 cells"),
+            ("a,a [g]\n1,2\n", "twice"),
+            ("PK\u{3}\u{4}", "a workbook"),
+        ];
+        for (text, said) in cases {
+            let problem = read(text).unwrap_err();
+            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{problem}");
+        }
+        assert!(read("objekt,b\n1,2\n").unwrap().needed("object").unwrap_err().message.contains("is it \"objekt\"?"));
+    }
+}

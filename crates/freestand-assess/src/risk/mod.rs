@@ -1,0 +1,331 @@
+//! How often objects fail, what that costs, and which options are worth their money.
+
+mod costs;
+mod hazard;
+mod objects;
+mod plan;
+mod portfolio;
+
+use std::path::PathBuf;
+
+use freestand::fragility::LimitState;
+use freestand_input::file::InputFile;
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::shorten;
+use freestand_input::words::{counted, number, percent_significant};
+use freestand_output::facts::{Facts, table_csv};
+
+use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
+
+use costs::{Costs, load_costs, load_options};
+use hazard::{MeasuredHazard, hazard_of};
+use objects::ObjectRisk;
+use plan::Measures;
+use portfolio::Portfolio;
+
+pub use hazard::{HAZARD_CODES, HazardCode, HazardSource};
+
+/// The schema of the document.
+pub const RISK_SCHEMA: &str = "freestand.risk/1";
+
+/// Years of the stated probabilities where none are given.
+pub const DEFAULT_YEARS: f64 = 50.0;
+
+/// Longitude and latitude, `151.2,-33.9` \[degrees\].
+///
+/// # Errors
+/// Anything but two numbers, or a place that is not on the globe.
+pub fn coordinates(text: &str) -> Result<(f64, f64), Problem> {
+    let parsed = text
+        .split_once(',')
+        .and_then(|(lon, lat)| Some((lon.trim().parse::<f64>().ok()?, lat.trim().parse::<f64>().ok()?)));
+    parsed.filter(|(lon, lat)| lon.abs() <= 360.0 && lat.abs() <= 90.0).ok_or_else(|| {
+        let message = format!("\"{}\" is not a longitude and a latitude", shorten(text));
+        Problem::value(message, "write degrees, longitude first, such as \"151.2,-33.9\"")
+    })
+}
+
+/// An amount of money with its currency, `20000 AUD`.
+///
+/// # Errors
+/// No number above 0, or no currency.
+pub fn amount(text: &str) -> Result<(f64, String), Problem> {
+    let parsed = text.trim().split_once(' ').and_then(|(number, currency)| {
+        let number = number.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite())?;
+        Some((number, currency.trim().to_owned())).filter(|(_, currency)| !currency.is_empty())
+    });
+    parsed.ok_or_else(|| {
+        let message = format!("\"{}\" is not an amount of money", shorten(text));
+        Problem::value(message, "write a number and a currency, such as \"20000 AUD\"")
+    })
+}
+
+/// A number of years, `40 yr` or `40`.
+///
+/// # Errors
+/// No number above 0, or another unit.
+pub fn years(text: &str) -> Result<f64, Problem> {
+    number_with(text, &["", "yr", "years", "year"], "a number of years", "40 yr")
+}
+
+/// A rate per year, `1e-4 /yr`.
+///
+/// # Errors
+/// No number above 0, or another unit.
+pub fn yearly_rate(text: &str) -> Result<f64, Problem> {
+    number_with(text, &["/yr", "1/yr", "/year", "1/year"], "a rate per year", "1e-4 /yr")
+}
+
+fn number_with(text: &str, units: &[&str], what: &str, example: &str) -> Result<f64, Problem> {
+    let (number, unit) = text.trim().split_once(' ').unwrap_or((text.trim(), ""));
+    let number = number.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite());
+    number
+        .filter(|_| units.contains(&unit.trim()))
+        .ok_or_else(|| Problem::value(format!("\"{}\" is not {what}", shorten(text)), format!("write \"{example}\"")))
+}
+
+/// Where the fragilities come from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RiskCurves {
+    /// `fragility.csv`.
+    File(PathBuf),
+    /// A table of outcomes, which is fitted first.
+    Outcomes(FragilityRequest),
+}
+
+/// A question about risk.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RiskRequest {
+    /// The fragilities.
+    pub curves: RiskCurves,
+    /// The hazard.
+    pub hazard: HazardSource,
+    /// Where a spectral acceleration of the hazard is taken.
+    pub hazard_at: Option<At>,
+    /// Longitude and latitude of the site, for a hazard file with several \[degrees\].
+    pub site_deg: Option<(f64, f64)>,
+    /// Costs and accepted rates.
+    pub inventory: Option<PathBuf>,
+    /// Options.
+    pub options: Option<PathBuf>,
+    /// The most that options may cost, with its currency.
+    pub budget: Option<(f64, String)>,
+    /// Over which options pay \[years\].
+    pub horizon_years: Option<f64>,
+    /// Discount rate per year.
+    pub discount_ratio: Option<f64>,
+    /// Rate of overturning that is accepted where the inventory has none \[1/year\].
+    pub accepted_rate: Option<f64>,
+    /// Years of the stated probabilities; `None`: [`DEFAULT_YEARS`].
+    pub years: Option<f64>,
+}
+
+/// The answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RiskReport {
+    years: f64,
+    currency: Option<String>,
+    hazard: MeasuredHazard,
+    objects: Vec<ObjectRisk>,
+    portfolio: Option<Portfolio>,
+    measures: Option<Measures>,
+    inputs: Vec<InputFile>,
+    /// What to know beside the result.
+    pub warnings: Vec<String>,
+}
+
+/// Calculates how often the objects fail, and with costs what that costs.
+///
+/// A plan that is not proven to be the best after ten seconds is reported with its bound.
+///
+/// # Errors
+/// Files that cannot be read, a hazard of another measure than that of the fragilities, two
+/// currencies, options without a horizon and a discount rate.
+pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
+    let hazard = hazard_of(&request.hazard, request.hazard_at, request.site_deg)?;
+    let mut warnings = hazard.warnings.clone();
+    let mut inputs: Vec<InputFile> = hazard.file.iter().cloned().collect();
+    let mut fitted: Option<FragilityReport> = None;
+    let curves: Vec<ObjectCurves> = match &request.curves {
+        RiskCurves::File(path) => {
+            let (file, curves) = load_curves(path)?;
+            inputs.push(file);
+            curves
+        }
+        RiskCurves::Outcomes(outcomes) => {
+            let report = fragility(outcomes.clone())?;
+            warnings.extend(report.warnings.iter().cloned());
+            inputs.push(report.table.file.clone());
+            let curves = report.objects.iter().map(|object| object.curves(report.table.measure, report.at)).collect();
+            fitted = Some(report);
+            curves
+        }
+    };
+    check_measures(request, &hazard, &curves)?;
+    let costs = request.inventory.as_deref().map(load_costs).transpose()?;
+    inputs.extend(costs.iter().map(|costs| costs.file.clone()));
+    let years = request.years.unwrap_or(DEFAULT_YEARS);
+    let mut objects = Vec::new();
+    for one in &curves {
+        let cost = costs.as_ref().and_then(|costs| costs.rows.iter().find(|row| row.id == one.id));
+        let fit = fitted.as_ref().and_then(|report| report.objects.iter().find(|object| object.id == one.id));
+        objects.push(ObjectRisk::new(one, fit, cost, &hazard.hazard, years, request.accepted_rate));
+    }
+    warnings.extend(unmatched(costs.as_ref(), &curves));
+    let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
+    let measures = match &request.options {
+        Some(path) => {
+            let (file, options) = load_options(path, currency.as_deref())?;
+            inputs.push(file);
+            Some(plan::measures(request, &options, &objects, &hazard, currency.as_deref())?)
+        }
+        None => {
+            if request.budget.is_some() {
+                let hint = "give the options with `options = \"options.csv\"`";
+                return Err(Problem::value("a budget needs options to spend it on", hint).of(&["budget"]).into());
+            }
+            None
+        }
+    };
+    let portfolio = match (&fitted, &costs) {
+        (Some(report), Some(costs)) => portfolio::portfolio(report, costs, &objects, &hazard, &mut warnings)?,
+        _ => None,
+    };
+    Ok(RiskReport { years, currency, hazard, objects, portfolio, measures, inputs, warnings })
+}
+
+/// A hazard says how often motions of its own measure happen, and nothing about another one.
+fn check_measures(request: &RiskRequest, hazard: &MeasuredHazard, curves: &[ObjectCurves]) -> Result<(), Problem> {
+    let named = |measure: crate::fragility::Measure, at: At| format!("{} of the {}", measure.name(), at.name());
+    for object in curves {
+        if object.measure != hazard.measure || object.at != hazard.at {
+            let message = format!(
+                "the hazard is that of {}, and the fragility of {} is against {}",
+                named(hazard.measure, hazard.at),
+                object.id,
+                named(object.measure, object.at)
+            );
+            let hint = "give the hazard of that measure at that place, or fit the outcomes against the measure of the \
+                        hazard";
+            let problem = Problem::value(message, hint);
+            return Err(match &request.curves {
+                RiskCurves::File(path) => problem.in_file(path).at_line(object.line),
+                RiskCurves::Outcomes(outcomes) => problem.in_file(&outcomes.outcomes),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Objects of one list that the other does not have.
+fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<String> {
+    let Some(costs) = costs else { return Vec::new() };
+    let listed = |ids: Vec<&str>, what: &str| {
+        let first = ids.first()?;
+        let rest = if ids.len() > 1 { format!(" and {} more", ids.len() - 1) } else { String::new() };
+        Some(format!("{} {what}: {first}{rest}", counted(ids.len(), "object")))
+    };
+    let without_costs = curves.iter().filter(|one| costs.rows.iter().all(|row| row.id != one.id));
+    let without_curves = costs.rows.iter().filter(|row| curves.iter().all(|one| one.id != row.id));
+    [
+        listed(without_costs.map(|one| one.id.as_str()).collect(), "without a row in the inventory"),
+        listed(without_curves.map(|row| row.id.as_str()).collect(), "of the inventory without a fragility"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+impl RiskReport {
+    /// Whether every accepted rate is kept, as far as it is known.
+    pub fn is_accepted(&self) -> bool {
+        self.objects.iter().all(|object| object.verdict != Some(objects::RiskVerdict::Exceeds))
+    }
+
+    /// Expected annual loss of all objects with costs.
+    fn expected_annual_loss(&self) -> Option<f64> {
+        let losses: Vec<f64> = self.objects.iter().filter_map(|object| object.expected_annual_loss).collect();
+        (!losses.is_empty()).then(|| losses.iter().sum())
+    }
+
+    /// The document.
+    pub fn facts(&self) -> Facts<'static> {
+        let inputs: Vec<Facts> = self
+            .inputs
+            .iter()
+            .map(|file| {
+                Facts::default().key("path", file.path.display().to_string()).key("sha256", file.sha256.clone())
+            })
+            .collect();
+        Facts::default()
+            .key("version", env!("CARGO_PKG_VERSION"))
+            .key("inputs", inputs)
+            .key("years", self.years)
+            .key("currency", self.currency.clone())
+            .key("hazard", self.hazard.facts())
+            .key("objects", self.objects.iter().map(ObjectRisk::facts).collect::<Vec<_>>())
+            .key("expected_annual_loss", self.expected_annual_loss())
+            .key("portfolio", self.portfolio.as_ref().map(|portfolio| portfolio.facts(self.currency.as_deref())))
+            .key("ranking", self.measures.as_ref().map(|measures| measures.ranking_facts()))
+            .key("plan", self.measures.as_ref().and_then(|measures| measures.plan_facts()))
+    }
+
+    /// `risk.csv`: one row for each object and limit state.
+    ///
+    /// # Errors
+    /// None in practice: see [`table_csv`].
+    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
+        table_csv(self.objects.iter().flat_map(|object| object.rows(self.years)))
+    }
+
+    /// The answer for people.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        let years = number(self.years, 4);
+        for object in &self.objects {
+            text += &format!("{}\n", object.id);
+            for one in &object.states {
+                text += &format!("  {:10}  {}\n", one.limit_state.name(), one.words(&years));
+            }
+            if let Some(verdict) = object.verdict {
+                let accepted = object
+                    .accepted_rate
+                    .map_or(String::new(), |rate| format!(" (accepted for overturning: {} a year)", number(rate, 3)));
+                let sure = if object.is_certain == Some(false) { ", not certain" } else { "" };
+                text += &format!("  verdict     {}{sure}{accepted}\n", verdict.words());
+            }
+            if let (Some(loss), Some(currency)) = (object.expected_annual_loss, &self.currency) {
+                text += &format!("  loss        {} {currency} a year\n", number(loss, 4));
+            }
+            if !object.not_counted.is_empty() && object.expected_annual_loss.is_some() {
+                text += &format!("  not counted {}\n", object.not_counted.join(", "));
+            }
+        }
+        let currency = self.currency.as_deref().unwrap_or("");
+        if let Some(loss) = self.expected_annual_loss().filter(|_| self.objects.len() > 1) {
+            text += &format!("All objects: {} {currency} a year\n", number(loss, 4));
+        }
+        if let Some(portfolio) = &self.portfolio {
+            text += &portfolio.text(currency);
+        }
+        if let Some(measures) = &self.measures {
+            text += &measures.text(currency);
+        }
+        text
+    }
+}
+
+/// A rate for people: how often, and the chance in a number of years.
+pub(crate) fn rate_words(rate: f64, probability: f64, years: &str) -> String {
+    let every = if rate > 0.0 { format!("once in {} years", rounded(1.0 / rate, 3)) } else { "never".to_owned() };
+    format!("{} a year ({every}), {} in {years} years", number(rate, 3), percent_significant(probability, 3))
+}
+
+/// A number with a few significant digits, also before the decimal point: 10900, not 10932.
+pub(crate) fn rounded(value: f64, digits: usize) -> String {
+    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    number(text.parse().unwrap_or(value), digits)
+}
+
+/// The states whose curves enter a loss.
+pub(crate) const LOSS_STATES: [LimitState; 2] = [LimitState::Exceeds, LimitState::Overturns];

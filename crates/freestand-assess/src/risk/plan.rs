@@ -1,0 +1,203 @@
+//! What options are worth, and the best of them within a budget.
+
+use std::time::{Duration, Instant};
+
+use freestand::risk::{Choice, Plan, best_plan, present_value_factor_years, renewed_cost};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+use freestand_input::words::{counted, number};
+use freestand_output::facts::Facts;
+
+use super::RiskRequest;
+use super::costs::OptionRow;
+use super::hazard::MeasuredHazard;
+use super::objects::{ObjectRisk, loss_of};
+
+/// Budgets of the frontier.
+const FRONTIER: u32 = 20;
+/// How long a plan is searched, and all of the frontier together.
+const PLAN_TIME: Duration = Duration::from_secs(10);
+
+/// What one option is worth.
+#[derive(Debug, Clone, PartialEq)]
+struct Worth {
+    id: String,
+    option: String,
+    object: usize,
+    cost: f64,
+    /// With renewals.
+    cost_present_value: f64,
+    benefit_present_value: f64,
+}
+
+impl Worth {
+    /// `None` for what costs nothing.
+    fn ratio(&self) -> Option<f64> {
+        (self.cost_present_value > 0.0).then(|| self.benefit_present_value / self.cost_present_value)
+    }
+
+    fn net(&self) -> f64 {
+        self.benefit_present_value - self.cost_present_value
+    }
+
+    fn facts(&self) -> Facts<'static> {
+        Facts::default()
+            .key("id", self.id.clone())
+            .key("option", self.option.clone())
+            .key("cost", self.cost)
+            .key("cost_present_value", self.cost_present_value)
+            .key("benefit_present_value", self.benefit_present_value)
+            .key("benefit_cost_ratio", self.ratio())
+            .key("net_present_value", self.net())
+    }
+}
+
+/// All options, by their ratio of benefit to cost, and the plan within the budget.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Measures {
+    ranking: Vec<Worth>,
+    plan: Option<Chosen>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct Chosen {
+    budget: f64,
+    plan: Plan,
+    chosen: Vec<Worth>,
+    /// Budget, cost and net present value of the best plan within it.
+    frontier: Vec<(f64, f64, f64)>,
+}
+
+pub(crate) fn measures(
+    request: &RiskRequest,
+    options: &[OptionRow],
+    objects: &[ObjectRisk],
+    hazard: &MeasuredHazard,
+    currency: Option<&str>,
+) -> Result<Measures, Problem> {
+    let (Some(horizon), Some(discount)) = (request.horizon_years, request.discount_ratio) else {
+        let message = "options pay over years, and the horizon or the discount rate is not given";
+        let hint = "give `horizon = \"40 yr\"` and `discount = \"3 %\"`";
+        return Err(Problem::value(message, hint).of(&["horizon", "discount"]));
+    };
+    let Some(currency) = currency else {
+        let hint = "give an inventory with replacement_cost [AUD], or other costs";
+        return Err(Problem::value("options are worth nothing without the cost of failures", hint).of(&["inventory"]));
+    };
+    if let Some((_, other)) = request.budget.as_ref().filter(|(_, other)| other != currency) {
+        let message = format!("the budget is in {}, and the costs are in {currency}", shorten(other));
+        return Err(Problem::value(message, format!("give the budget in {currency}")).of(&["budget"]));
+    }
+    let money = |error: freestand::risk::MoneyError| {
+        Problem::value(error.to_string(), "correct `horizon`, `discount` or the column life")
+    };
+    let years = present_value_factor_years(discount, horizon).map_err(money)?;
+    let mut ranking = Vec::new();
+    for option in options {
+        let found = objects.iter().enumerate().find(|(_, object)| object.id == option.id);
+        let Some((place, object)) = found else {
+            let message =
+                format!("the option {} is for {}, which has no fragility", option.option, shorten(&option.id));
+            return Err(Problem::value(message, "remove the option, or add the curves of the object").of(&["options"]));
+        };
+        let Some((cost, loss)) = object.cost.as_ref().zip(object.expected_annual_loss) else {
+            let message = format!("the option {} is for {}, which has no costs", option.option, shorten(&option.id));
+            return Err(Problem::value(message, "give the costs of its failures in the inventory").of(&["options"]));
+        };
+        let after = loss_of(&object.curves, &option.effect, cost, &hazard.hazard);
+        ranking.push(Worth {
+            id: option.id.clone(),
+            option: option.option.clone(),
+            object: place,
+            cost: option.cost,
+            cost_present_value: renewed_cost(option.cost, option.life_years, discount, horizon).map_err(money)?,
+            benefit_present_value: years * (loss - after),
+        });
+    }
+    // Stable, so that equal ratios stay in the order of the file; what costs nothing comes first if
+    // it is worth anything.
+    let key = |worth: &Worth| worth.ratio().unwrap_or(if worth.net() > 0.0 { f64::INFINITY } else { 0.0 });
+    ranking.sort_by(|a, b| key(b).total_cmp(&key(a)));
+    let plan = request.budget.as_ref().map(|(budget, _)| chosen(&ranking, objects.len(), *budget));
+    Ok(Measures { ranking, plan })
+}
+
+/// Whether a search that begins now may go on.
+fn within(time: Duration) -> impl FnMut() -> bool {
+    let start = Instant::now();
+    move || start.elapsed() < time
+}
+
+fn chosen(ranking: &[Worth], objects: usize, budget: f64) -> Chosen {
+    let mut choices: Vec<Vec<Choice>> = vec![Vec::new(); objects];
+    let mut worths: Vec<Vec<&Worth>> = vec![Vec::new(); objects];
+    for worth in ranking {
+        choices[worth.object].push(Choice { cost: worth.cost, value: worth.net() });
+        worths[worth.object].push(worth);
+    }
+    let plan = best_plan(&choices, budget, within(PLAN_TIME));
+    let chosen =
+        plan.chosen.iter().zip(&worths).filter_map(|(number, worths)| worths.get((*number)?).copied().cloned());
+    let chosen = chosen.collect();
+    let frontier = (1..=FRONTIER).map(|i| {
+        let part = budget * f64::from(i) / f64::from(FRONTIER);
+        let plan = best_plan(&choices, part, within(PLAN_TIME / FRONTIER));
+        (part, plan.cost, plan.value)
+    });
+    let frontier = frontier.collect();
+    Chosen { budget, plan, chosen, frontier }
+}
+
+impl Measures {
+    pub(crate) fn ranking_facts(&self) -> Vec<Facts<'static>> {
+        self.ranking.iter().map(Worth::facts).collect()
+    }
+
+    pub(crate) fn plan_facts(&self) -> Option<Facts<'static>> {
+        let Chosen { budget, plan, chosen, frontier } = self.plan.as_ref()?;
+        let frontier: Vec<Facts> = frontier
+            .iter()
+            .map(|&(budget, cost, value)| {
+                Facts::default().key("budget", budget).key("cost", cost).key("net_present_value", value)
+            })
+            .collect();
+        Some(
+            Facts::default()
+                .key("budget", *budget)
+                .key("cost", plan.cost)
+                .key("net_present_value", plan.value)
+                .key("chosen", chosen.iter().map(Worth::facts).collect::<Vec<_>>())
+                .key("method", "dynamic programming with bounds")
+                .key("bound", plan.bound)
+                .key("optimal", plan.is_optimal)
+                .key("frontier", frontier),
+        )
+    }
+
+    pub(crate) fn text(&self, currency: &str) -> String {
+        let line = |worth: &Worth| {
+            let ratio = worth.ratio().map_or("-".to_owned(), |ratio| number(ratio, 3));
+            format!(
+                "  {}: {}, cost {} {currency}, worth {} {currency}, benefit/cost {ratio}\n",
+                worth.id,
+                worth.option,
+                number(worth.cost, 4),
+                number(worth.benefit_present_value, 4)
+            )
+        };
+        let mut text = "Options by benefit over cost:\n".to_owned();
+        text.extend(self.ranking.iter().map(line));
+        if let Some(Chosen { budget, plan, chosen, .. }) = &self.plan {
+            let proven = if plan.is_optimal { "the best" } else { "the best found so far" };
+            text += &format!(
+                "Plan within {} {currency}, {proven}: {}, cost {} {currency}, net present value {} {currency}\n",
+                number(*budget, 4),
+                counted(chosen.len(), "option"),
+                number(plan.cost, 4),
+                number(plan.value, 4)
+            );
+            text.extend(chosen.iter().map(line));
+        }
+        text
+    }
+}

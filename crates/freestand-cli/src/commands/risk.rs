@@ -1,0 +1,214 @@
+//! `freestand risk`: how often objects fail, what that costs, and which options pay.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand::fragility::FitKind;
+use freestand_assess::fragility::{At, FITS, FragilityRequest, Measure};
+use freestand_assess::risk::{
+    HAZARD_CODES, HazardCode, HazardSource, RISK_SCHEMA, RiskCurves, RiskRequest, amount, coordinates, risk,
+    yearly_rate, years,
+};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, shorten};
+use freestand_output::json::document;
+
+use super::Done;
+use super::fragility::PLACES;
+use crate::args::GlobalArgs;
+use crate::failure::Failure;
+use crate::files::Files;
+use crate::printer::Printer;
+use crate::values::{Given, Reads, Values, choice, name_of};
+
+/// Calculate how often objects fail, what that costs a year, and which options pay
+///
+/// The hazard says how often motions are as strong, the fragility how likely the object fails then;
+/// their integral is exact. Costs are those of the inventory, and nothing is assumed: what is
+/// missing is listed. Exit status 1: an object fails more often than accepted.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  How often, with a hazard curve of a seismologist:
+    freestand risk --fragility fragility.csv --hazard hazard.csv
+  By a power law:
+    freestand risk --fragility fragility.csv --hazard-im pgv \\
+      --hazard-power \"k0=1e-4 /yr, k=2.5, reference=1 m/s\"
+  By the return periods of a code, for peak ground acceleration:
+    freestand risk --fragility fragility.csv --hazard-code as1170.4 --hazard-im pga \\
+      --site De --hazard-factor 0.12 --accepted \"1e-3 /yr\"
+  What it costs, and what to restrain first:
+    freestand risk --outcomes outcomes.csv --hazard hazard.csv --inventory costs.csv \\
+      --options options.csv --budget \"20000 AUD\" --horizon \"40 yr\" --discount \"3 %\"")]
+pub(crate) struct RiskArgs {
+    /// Fragilities, as freestand fragility writes them (CSV)
+    #[arg(
+        long,
+        value_name = "FILE",
+        required_unless_present = "outcomes",
+        conflicts_with = "outcomes",
+        help_heading = "Fragility"
+    )]
+    fragility: Option<PathBuf>,
+    /// Table of outcomes, which is fitted first (CSV); stripes also give the losses of all objects
+    #[arg(long, value_name = "FILE", help_heading = "Fragility")]
+    outcomes: Option<PathBuf>,
+    /// How the limit states of an object are fitted
+    #[arg(long, value_parser = choice(FITS), default_value = name_of(FITS, FitKind::Ordered), help_heading = "Fragility")]
+    fit: FitKind,
+    /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
+    #[arg(long, value_name = "N", help_heading = "Fragility")]
+    bootstrap: Option<u32>,
+    /// Where a spectral acceleration is taken [default: ground]
+    #[arg(long, value_parser = choice(PLACES), help_heading = "Fragility")]
+    at: Option<At>,
+
+    /// Hazard curve: "pgv [m/s],annual_rate", or a hazard_curve-*.csv of OpenQuake
+    #[arg(long, value_name = "FILE", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    hazard: Option<PathBuf>,
+    /// Power law, "k0=1e-4 /yr, k=2.5, reference=1 m/s", of --hazard-im
+    #[arg(long, value_name = "LAW", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    hazard_power: Option<String>,
+    /// Return periods of a code, for pga or sa(T)
+    #[arg(long, value_parser = choice(HAZARD_CODES), help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    hazard_code: Option<HazardCode>,
+    /// Intensity measure of the power law or the code: pga, pgv, pfv, sa(0.5) and so on
+    #[arg(long, value_name = "IM", read = measure, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    hazard_im: Option<Given<Measure>>,
+    /// Site class of the code
+    #[arg(long, value_name = "CLASS", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    site: Option<String>,
+    /// Hazard factor Z of the code
+    #[arg(long, positive = Dimension::Ratio, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    hazard_factor: Option<Given>,
+    /// Distance to the nearest major fault, of NZS 1170.5
+    #[arg(long, non_negative = Dimension::Length, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    fault_distance: Option<Given>,
+    /// Longitude and latitude in degrees, for a hazard file with several sites
+    #[arg(long, value_name = "LON,LAT", read = coordinates, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    site_coordinates: Option<Given<(f64, f64)>>,
+
+    /// Costs and accepted rates of objects (CSV)
+    #[arg(long, value_name = "FILE", help_heading = "Money")]
+    inventory: Option<PathBuf>,
+    /// Options, such as straps or pads: id, option, cost [AUD], median_factor or curves (CSV)
+    #[arg(long, value_name = "FILE", help_heading = "Money")]
+    options: Option<PathBuf>,
+    /// The most that options may cost, such as "20000 AUD"
+    #[arg(long, value_name = "AMOUNT", read = amount, help_heading = "Money")]
+    budget: Option<Given<(f64, String)>>,
+    /// Over which options pay, such as "40 yr"
+    #[arg(long, value_name = "YEARS", read = years, help_heading = "Money")]
+    horizon: Option<Given>,
+    /// Discount rate per year, such as "3 %"
+    #[arg(long, non_negative = Dimension::Ratio, help_heading = "Money")]
+    discount: Option<Given>,
+
+    /// Rate of overturning that is accepted where the inventory has none, such as "1e-4 /yr"
+    #[arg(long, value_name = "RATE", read = yearly_rate)]
+    accepted: Option<Given>,
+    /// Years for which the chance of a failure is stated [default: 50]
+    #[arg(long, value_name = "YEARS", read = years)]
+    years: Option<Given>,
+}
+
+fn measure(text: &str) -> Result<Measure, Problem> {
+    Measure::parse(text).ok_or_else(|| {
+        let message = format!("\"{}\" is not an intensity measure", shorten(text));
+        Problem::value(
+            message,
+            "write pga, pgv, pfa, pfv, sa(0.5), sa_avg(0.2:2), velocity_ratio or acceleration_ratio",
+        )
+    })
+}
+
+pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let request = request(args, global)?;
+    let inputs: Vec<PathBuf> = [&args.fragility, &args.outcomes, &args.hazard, &args.inventory, &args.options]
+        .into_iter()
+        .flatten()
+        .cloned()
+        .collect();
+    let files = Files::begin(global, &inputs)?;
+    let report = risk(&request)?;
+    let facts = report.facts();
+    if files.wanted() {
+        let csv = report.csv()?;
+        files.write("risk.csv", || csv)?;
+        let json = document(RISK_SCHEMA, &facts, &report.warnings)?;
+        files.write("risk.json", || json)?;
+    }
+    files.finish_result(RISK_SCHEMA, &report.warnings)?;
+    printer.result(RISK_SCHEMA, &facts, &report.warnings, || report.text())?;
+    Ok(Done { criterion_met: report.is_accepted() })
+}
+
+fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure> {
+    let mut values = Values::default();
+    let measure = values.read(&args.hazard_im);
+    let hazard_factor = values.read(&args.hazard_factor);
+    let fault_distance_m = values.read(&args.fault_distance);
+    let site_deg = values.read(&args.site_coordinates);
+    let (budget, horizon_years) = (values.read(&args.budget), values.read(&args.horizon));
+    let (discount_ratio, accepted_rate) = (values.read(&args.discount), values.read(&args.accepted));
+    let years = values.read(&args.years);
+    values.finish()?;
+    let hazard = hazard(args, measure, hazard_factor, fault_distance_m)?;
+    let curves = match (&args.fragility, &args.outcomes) {
+        (_, Some(outcomes)) => RiskCurves::Outcomes(FragilityRequest {
+            outcomes: outcomes.clone(),
+            at: args.at,
+            fit: args.fit,
+            shock: None,
+            replicates: args.bootstrap,
+            seed: global.seed(),
+        }),
+        (Some(path), None) => RiskCurves::File(path.clone()),
+        (None, None) => {
+            return Err(Failure::usage("no fragility is given", "give --fragility FILE or --outcomes FILE"));
+        }
+    };
+    Ok(RiskRequest {
+        curves,
+        hazard,
+        hazard_at: args.at,
+        site_deg,
+        inventory: args.inventory.clone(),
+        options: args.options.clone(),
+        budget,
+        horizon_years,
+        discount_ratio,
+        accepted_rate,
+        years,
+    })
+}
+
+fn hazard(
+    args: &RiskArgs,
+    measure: Option<Measure>,
+    hazard_factor: Option<f64>,
+    fault_distance_m: Option<f64>,
+) -> Result<HazardSource, Failure> {
+    let needed = |flag: &str, example: &str| {
+        Failure::usage(format!("the hazard needs {flag}"), format!("give {flag} {example}"))
+    };
+    match (&args.hazard, &args.hazard_power, args.hazard_code) {
+        (Some(path), None, None) => Ok(HazardSource::File(path.clone())),
+        (None, Some(text), None) => {
+            let measure = measure.ok_or_else(|| needed("--hazard-im", "pgv"))?;
+            Ok(HazardSource::PowerLaw { text: text.clone(), measure })
+        }
+        (None, None, Some(code)) => Ok(HazardSource::Code {
+            code,
+            site: args.site.clone().ok_or_else(|| needed("--site", "De"))?,
+            hazard_factor: hazard_factor.ok_or_else(|| needed("--hazard-factor", "0.12"))?,
+            fault_distance_km: fault_distance_m.map(|distance| distance / 1e3),
+            measure: measure.ok_or_else(|| needed("--hazard-im", "pga"))?,
+        }),
+        (None, None, None) => Err(Failure::usage(
+            "nothing says how often the ground shakes",
+            "give one of --hazard FILE, --hazard-power LAW and --hazard-code CODE",
+        )),
+        _ => Err(Failure::usage("--hazard, --hazard-power and --hazard-code exclude each other", "keep one of them")),
+    }
+}

@@ -1,0 +1,295 @@
+//! How sure a fit is, and how well it fits: by drawing motions again.
+
+use rand::RngExt;
+use rand_distr::{Distribution, StandardNormal};
+use rayon::prelude::*;
+
+use super::draws::draw_stream;
+use super::ordered::{Curve, CurveKind, Fit, FitKind, fit_counts};
+use super::outcomes::{Counts, LimitState, OutcomeClass, Outcomes};
+
+/// Keys of the random numbers, beside those of objects.
+const RESAMPLED: u64 = u64::MAX;
+const SIMULATED: u64 = u64::MAX - 1;
+
+/// The fits of samples of motions drawn again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bootstrap {
+    /// The curves of every sample, in the order of the limit states.
+    pub samples: Vec<Vec<Curve>>,
+    /// Samples in which a limit state that the fit has a curve for has none.
+    pub failed: usize,
+}
+
+/// The ends of 95 % intervals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurveInterval {
+    /// Of the median.
+    pub median: (f64, f64),
+    /// Of β.
+    pub beta: (f64, f64),
+}
+
+impl Bootstrap {
+    /// The curves of one limit state in the samples that have one.
+    pub fn lognormals(&self, state: LimitState) -> impl Iterator<Item = (f64, f64)> {
+        self.samples.iter().flatten().filter(move |curve| curve.limit_state == state).filter_map(|curve| {
+            if let CurveKind::Lognormal { median, beta } = curve.kind { Some((median, beta)) } else { None }
+        })
+    }
+
+    /// The 95 % percentile intervals of a limit state: from the 2.5th to the 97.5th percentile of
+    /// the samples that have a curve. `None` without any.
+    pub fn interval(&self, state: LimitState) -> Option<CurveInterval> {
+        let (medians, betas): (Vec<f64>, Vec<f64>) = self.lognormals(state).unzip();
+        Some(CurveInterval { median: percentiles(medians)?, beta: percentiles(betas)? })
+    }
+}
+
+/// The 2.5th and the 97.5th percentile, linear between the values; `None` without values.
+///
+/// # Example
+/// ```
+/// let values = (0..=1000).map(f64::from).collect();
+/// assert_eq!(freestand::fragility::percentiles(values), Some((25.0, 975.0)));
+/// ```
+pub fn percentiles(mut values: Vec<f64>) -> Option<(f64, f64)> {
+    values.sort_by(f64::total_cmp);
+    let at = |share: f64| {
+        let place = share * (values.len() - 1) as f64;
+        let (below, part) = (place.floor(), place.fract());
+        let low = values[below as usize];
+        values.get(below as usize + 1).map_or(low, |high| low + part * (high - low))
+    };
+    (!values.is_empty()).then(|| (at(0.025), at(0.975)))
+}
+
+/// Fits samples of as many motions as there are, drawn with replacement; all levels of a motion stay
+/// together. Sample i uses the random numbers of (seed, i) and nothing else, so the samples do not
+/// depend on threads, and objects under the same motions share them. `None` for counts, which have
+/// no motions.
+///
+/// # Reference
+/// Efron, B. and Tibshirani, R. (1993). An introduction to the bootstrap, chapter 8 (clusters).
+///
+/// # Accuracy
+/// Coverage by simulation (`cargo run --release -p freestand --example bootstrap_coverage`): see
+/// docs/risk.md.
+pub fn bootstrap(
+    outcomes: &Outcomes,
+    states: &[LimitState],
+    kind: FitKind,
+    replicates: u32,
+    seed: u64,
+) -> Option<Bootstrap> {
+    let motions = outcomes.motions()?;
+    let whole = fit_counts(outcomes.levels(), &outcomes.counts(None), states, kind);
+    let expected = whole.fitted_states();
+    let samples: Vec<Vec<Curve>> = (0..replicates)
+        .into_par_iter()
+        .map(|replicate| {
+            let mut random = draw_stream(seed, RESAMPLED, u64::from(replicate), 0);
+            let mut times = vec![0.0; motions];
+            for _ in 0..motions {
+                times[random.random_range(0..motions)] += 1.0;
+            }
+            fit_counts(outcomes.levels(), &outcomes.counts(Some(&times)), states, kind).curves
+        })
+        .collect();
+    let fits = |curves: &&Vec<Curve>| {
+        let is_fitted = |curve: &&Curve| matches!(curve.kind, CurveKind::Lognormal { .. });
+        let fitted: Vec<LimitState> = curves.iter().filter(is_fitted).map(|curve| curve.limit_state).collect();
+        expected.iter().all(|state| fitted.contains(state))
+    };
+    let failed = samples.len() - samples.iter().filter(fits).count();
+    Some(Bootstrap { samples, failed })
+}
+
+/// How well curves fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Goodness {
+    /// Twice the log-likelihood that is missing to that of the shares of each level.
+    pub deviance: f64,
+    /// Degrees of freedom: shares less parameters.
+    pub dof: i64,
+    /// Share of simulated samples, made with the fitted curves, whose deviance is as large. `None`
+    /// if none was simulated.
+    pub p_value: Option<f64>,
+    /// Largest distance between the distribution of the capacities and its curve (Kolmogorov and
+    /// Smirnov); of counts between the share at a level and the curve.
+    pub ks: f64,
+}
+
+impl Goodness {
+    /// Whether the curves do not fit: less than 5 % of samples deviate as much.
+    pub fn is_misfit(&self) -> bool {
+        self.p_value.is_some_and(|p| p < 0.05)
+    }
+}
+
+/// How well curves fit; `None` if no limit state has a lognormal curve.
+///
+/// A simulated sample has one capacity for each motion: a standard normal number ε, and at the
+/// intensity x the limit states whose ln(x/θ)/β is above it are reached. So the levels of a motion
+/// belong together, as those of a motion that is scaled do. Counts have no motions, and every run
+/// has its own ε. Sample i uses the random numbers of (seed, i).
+pub fn goodness(outcomes: &Outcomes, fit: &Fit, replicates: u32, seed: u64) -> Option<Goodness> {
+    let states = fit.fitted_states();
+    if states.is_empty() {
+        return None;
+    }
+    let (deviance, dof) = deviance(outcomes, fit, &states);
+    let simulate = |replicate: u32| -> Option<f64> {
+        let simulated = simulated(outcomes, fit, &states, seed, replicate);
+        let counts = simulated.counts(None);
+        let again = fit_counts(simulated.levels(), &counts, &states, fit.kind);
+        // A sample without β for a state cannot be compared.
+        (again.fitted_states() == states).then(|| self::deviance(&simulated, &again, &states).0)
+    };
+    let simulated: Vec<f64> = (0..replicates).into_par_iter().filter_map(simulate).collect();
+    let larger = simulated.iter().filter(|other| **other >= deviance).count();
+    // The sample itself is one of them.
+    let p_value = (!simulated.is_empty()).then(|| (larger + 1) as f64 / (simulated.len() + 1) as f64);
+    Some(Goodness { deviance, dof, p_value, ks: distance(outcomes, fit, &states) })
+}
+
+/// Runs with the outcomes that the curves give to drawn capacities.
+fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, replicate: u32) -> Outcomes {
+    let mut random = draw_stream(seed, SIMULATED, u64::from(replicate), 0);
+    let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+    let class = |level: usize, epsilon: f64| {
+        let x = outcomes.levels()[level].ln();
+        let reached = states.iter().rfind(|state| match fit.curve(**state) {
+            Some(CurveKind::Lognormal { median, beta }) => x - median.ln() >= beta * epsilon,
+            _ => false,
+        });
+        reached.map_or(OutcomeClass::NoUplift, |state| state.first_class())
+    };
+    match outcomes.motions() {
+        Some(motions) => {
+            let capacities: Vec<f64> = (0..motions).map(|_| normal()).collect();
+            outcomes.with_classes(|run| class(run.level, capacities[run.motion]))
+        }
+        None => {
+            let mut runs = Vec::new();
+            for (level, counts) in outcomes.counts(None).iter().enumerate() {
+                let mut drawn = [0.0; 4];
+                for _ in 0..counts.iter().sum::<f64>().round() as u64 {
+                    drawn[class(level, normal()).index()] += 1.0;
+                }
+                let intensity = outcomes.levels()[level];
+                let run = |(class, &weight): (&OutcomeClass, &f64)| super::Run {
+                    motion: None,
+                    intensity,
+                    class: *class,
+                    weight,
+                };
+                runs.extend(OutcomeClass::ALL.iter().zip(&drawn).map(run));
+            }
+            Outcomes::new(&runs).unwrap_or_else(|_| outcomes.clone())
+        }
+    }
+}
+
+/// The deviance and its degrees of freedom.
+fn deviance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> (f64, i64) {
+    let counts = outcomes.counts(None);
+    let by_states = |states: &[LimitState]| -> (f64, i64) {
+        let mut firsts: Vec<usize> = states.iter().map(|state| state.first_class().index()).collect();
+        firsts.dedup();
+        let saturated: f64 = counts.iter().map(|counts| saturated(counts, &firsts)).sum();
+        (saturated, (counts.len() * firsts.len()) as i64)
+    };
+    let (saturated, shares, parameters) = match fit.kind {
+        FitKind::Ordered => {
+            let (saturated, shares) = by_states(states);
+            (saturated, shares, states.len() + 1)
+        }
+        FitKind::Separate => {
+            let each: Vec<(f64, i64)> = states.iter().map(|state| by_states(&[*state])).collect();
+            let sum = each.iter().fold((0.0, 0), |sum, each| (sum.0 + each.0, sum.1 + each.1));
+            (sum.0, sum.1, 2 * states.len())
+        }
+    };
+    (2.0 * (saturated - fit.log_likelihood), shares - parameters as i64)
+}
+
+/// Σ n ln(n/N) over the groups of classes that begin with these.
+fn saturated(counts: &Counts, firsts: &[usize]) -> f64 {
+    let all: f64 = counts.iter().sum();
+    let mut groups = [0.0; 4];
+    for (class, count) in counts.iter().enumerate() {
+        groups[firsts.iter().filter(|first| class >= **first).count()] += count;
+    }
+    groups.iter().filter(|count| **count > 0.0).map(|count| count * (count / all).ln()).sum()
+}
+
+/// The largest distance between what was seen and the curves.
+fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> f64 {
+    let mut largest: f64 = 0.0;
+    for state in states {
+        let Some(kind) = fit.curve(*state) else { continue };
+        let mut seen: Vec<(f64, f64)> = Vec::new();
+        if let Some(motions) = outcomes.motions() {
+            let mut capacities: Vec<f64> = outcomes.capacities(*state).into_iter().flatten().collect();
+            capacities.sort_by(f64::total_cmp);
+            let share = |i: usize| (i + 1) as f64 / motions as f64;
+            seen.extend(capacities.iter().enumerate().map(|(i, x)| (*x, share(i))));
+            // Of equal capacities only the last counts: the others lie within the step.
+            seen.reverse();
+            seen.dedup_by(|next, kept| next.0 == kept.0);
+        } else {
+            for (level, counts) in outcomes.levels().iter().zip(outcomes.counts(None)) {
+                let reached: f64 = counts[state.first_class().index()..].iter().sum();
+                seen.push((*level, reached / counts.iter().sum::<f64>()));
+            }
+        }
+        for (x, share) in seen {
+            largest = largest.max((share - kind.probability(x).unwrap_or(share)).abs());
+        }
+    }
+    largest
+}
+
+/// The spread of the capacities of the motions, the *efficiency* of the intensity measure: the
+/// standard deviation of the logarithm of the lowest intensity at which each motion reaches the
+/// limit state. `None` for counts, and unless at least two motions reach it and all do.
+pub fn capacity_spread(outcomes: &Outcomes, state: LimitState) -> Option<f64> {
+    let logs: Option<Vec<f64>> = outcomes.capacities(state).into_iter().map(|x| x.map(f64::ln)).collect();
+    let logs = logs.filter(|logs| logs.len() >= 2)?;
+    let mean = logs.iter().sum::<f64>() / logs.len() as f64;
+    Some((logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (logs.len() - 1) as f64).sqrt())
+}
+
+/// What was seen of a limit state at one intensity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Empirical {
+    /// The intensity.
+    pub intensity: f64,
+    /// Runs, or motions where it is a distribution of capacities.
+    pub trials: f64,
+    /// How many of them reached the limit state.
+    pub reached: f64,
+}
+
+/// The share of runs that reached a limit state at each level; where every motion has levels of its
+/// own (fewer than two runs per level on average), the distribution of the capacities of the
+/// motions instead.
+pub fn empirical(outcomes: &Outcomes, state: LimitState) -> Vec<Empirical> {
+    let is_incremental = outcomes.motions().is_some() && outcomes.runs().len() < 2 * outcomes.levels().len();
+    if is_incremental {
+        let capacities = outcomes.capacities(state);
+        let trials = capacities.len() as f64;
+        let mut known: Vec<f64> = capacities.into_iter().flatten().collect();
+        known.sort_by(f64::total_cmp);
+        let seen = known.iter().enumerate().map(|(i, x)| Empirical { intensity: *x, trials, reached: (i + 1) as f64 });
+        return seen.collect();
+    }
+    let first = state.first_class().index();
+    let seen = outcomes.levels().iter().zip(outcomes.counts(None)).map(|(level, counts)| Empirical {
+        intensity: *level,
+        trials: counts.iter().sum(),
+        reached: counts[first..].iter().sum(),
+    });
+    seen.collect()
+}

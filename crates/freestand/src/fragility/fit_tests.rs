@@ -1,0 +1,374 @@
+use rand::RngExt;
+use rand_distr::{Distribution, StandardNormal};
+
+use super::*;
+
+const STATES: [LimitState; 3] = LimitState::ALL;
+
+/// Motions with one capacity each, at the same levels: class ≥ j where ln(x/θⱼ)/β is above ε.
+fn clustered(seed: u64, motions: usize, levels: &[f64], medians: [f64; 3], beta: f64) -> Vec<Run> {
+    let mut random = draw_stream(seed, 0, 0, 99);
+    let mut runs = Vec::new();
+    for motion in 0..motions {
+        let epsilon: f64 = StandardNormal.sample(&mut random);
+        for &intensity in levels {
+            let reached = medians.iter().filter(|median| (intensity / **median).ln() >= beta * epsilon).count();
+            runs.push(Run { motion: Some(motion), intensity, class: OutcomeClass::ALL[reached], weight: 1.0 });
+        }
+    }
+    runs
+}
+
+fn grid(from: f64, to: f64, count: usize) -> Vec<f64> {
+    (0..count).map(|i| from * (to / from).powf(i as f64 / (count - 1) as f64)).collect()
+}
+
+fn lognormal(fit: &Fit, state: LimitState) -> (f64, f64) {
+    match fit.curve(state) {
+        Some(CurveKind::Lognormal { median, beta }) => (median, beta),
+        other => panic!("{state:?}: {other:?}"),
+    }
+}
+
+/// The multinomial likelihood, written out.
+fn likelihood(runs: &[Run], curves: &[(LimitState, f64, f64)]) -> f64 {
+    let p = |state: &(LimitState, f64, f64), x: f64| lognormal_probability(x, state.1, state.2);
+    runs.iter()
+        .map(|run| {
+            let reached = curves.iter().rfind(|curve| curve.0.is_reached(run.class));
+            let next = curves.iter().find(|curve| !curve.0.is_reached(run.class));
+            let above = reached.map_or(1.0, |curve| p(curve, run.intensity));
+            run.weight * (above - next.map_or(0.0, |curve| p(curve, run.intensity))).ln()
+        })
+        .sum()
+}
+
+/// Counts in the exact proportions of known curves: the fit is these curves. The shares are rounded
+/// to 1e-9, and the score to 1e-8 of the runs.
+#[test]
+fn known_curves_are_found_again() {
+    let (medians, beta) = ([0.08, 0.3, 0.5], 0.25);
+    let mut runs = Vec::new();
+    for intensity in grid(0.04, 1.2, 12) {
+        let p = medians.map(|median| lognormal_probability(intensity, median, beta));
+        let shares = [1.0 - p[0], p[0] - p[1], p[1] - p[2], p[2]];
+        for (class, share) in OutcomeClass::ALL.into_iter().zip(shares) {
+            runs.push(Run { motion: None, intensity, class, weight: (1e9 * share).round() });
+        }
+    }
+    let outcomes = Outcomes::new(&runs).unwrap();
+    for kind in [FitKind::Ordered, FitKind::Separate] {
+        let fit = fit_curves(&outcomes, &STATES, kind);
+        assert!(fit.score_per_run <= 1e-8, "{}", fit.score_per_run);
+        for (state, median) in STATES.into_iter().zip(medians) {
+            let found = lognormal(&fit, state);
+            assert!((found.0 / median - 1.0).abs() < 1e-7 && (found.1 / beta - 1.0).abs() < 1e-7, "{found:?}");
+        }
+        assert_eq!(fit.crossing(0.001, 10.0), None);
+    }
+}
+
+/// Random runs of every kind, also few, steep, flat and uneven: no step of 0.4 % in a median or in β
+/// raises the likelihood, which is the one written out above.
+#[test]
+fn no_small_step_is_better() {
+    let mut fitted = 0;
+    for sample in 0..300 {
+        let mut random = draw_stream(7, sample, 0, 0);
+        let beta = [0.02, 0.1, 0.3, 0.6, 1.5][random.random_range(0..5)];
+        let levels = random.random_range(2..12);
+        let count = random.random_range(5..200);
+        let with_tolerance = random.random::<bool>();
+        let runs: Vec<Run> = (0..count)
+            .map(|_| {
+                let x = grid(0.2, 3.0, levels)[random.random_range(0..levels)];
+                let epsilon: f64 = StandardNormal.sample(&mut random);
+                let reached = [0.5, 0.8, 1.0].iter().filter(|m| (x / **m).ln() >= beta * epsilon).count();
+                let class = match OutcomeClass::ALL[reached] {
+                    OutcomeClass::Exceeded if !with_tolerance => OutcomeClass::Rocked,
+                    class => class,
+                };
+                Run { motion: None, intensity: x, class, weight: f64::from(random.random_range(1..4)) }
+            })
+            .collect();
+        let outcomes = Outcomes::new(&runs).unwrap();
+        let fit = fit_curves(&outcomes, &outcomes.limit_states(), FitKind::Ordered);
+        let states = fit.fitted_states();
+        if states.is_empty() {
+            continue;
+        }
+        fitted += 1;
+        assert!(fit.score_per_run <= 1e-8);
+        let curves: Vec<_> = states
+            .iter()
+            .map(|state| {
+                let (median, beta) = lognormal(&fit, *state);
+                (*state, median, beta)
+            })
+            .collect();
+        let best = likelihood(&runs, &curves);
+        let rounding = 1e-9 * (1.0 + best.abs());
+        assert!((best - fit.log_likelihood).abs() < rounding, "{best} {}", fit.log_likelihood);
+        for factor in [0.996, 1.004] {
+            for i in 0..=curves.len() {
+                let mut other = curves.clone();
+                match other.get_mut(i) {
+                    Some(curve) => curve.1 *= factor,
+                    None => other.iter_mut().for_each(|curve| curve.2 *= factor),
+                }
+                // Two states that share a curve move together; apart, one of them would be crossed.
+                let ties = curves.windows(2).any(|pair| pair[0].1 == pair[1].1);
+                let value = likelihood(&runs, &other);
+                assert!(ties || value.is_nan() || value <= best + rounding, "{sample}: {value} {best}");
+            }
+        }
+    }
+    assert!(fitted > 150, "{fitted}");
+}
+
+/// Rows and the table of their counts are the same numbers, so the fits agree to the bit, also of
+/// samples in another order.
+#[test]
+fn counts_and_rows_are_one_fit() {
+    let rows = clustered(3, 40, &grid(0.1, 1.5, 9), [0.2, 0.4, 0.6], 0.4);
+    let outcomes = Outcomes::new(&rows).unwrap();
+    let mut counts = Vec::new();
+    for &intensity in outcomes.levels() {
+        for class in OutcomeClass::ALL {
+            let weight = rows.iter().filter(|run| run.intensity == intensity && run.class == class).count() as f64;
+            counts.push(Run { motion: None, intensity, class, weight });
+        }
+    }
+    counts.reverse();
+    let counts = Outcomes::new(&counts).unwrap();
+    assert_eq!((counts.motions(), outcomes.motions()), (None, Some(40)));
+    for kind in [FitKind::Ordered, FitKind::Separate] {
+        assert_eq!(fit_curves(&outcomes, &STATES, kind), fit_curves(&counts, &STATES, kind));
+    }
+    assert!(bootstrap(&counts, &STATES, FitKind::Ordered, 10, 1).is_none());
+}
+
+/// x → c x: θ → c θ, the same β and likelihood. Only ln x differs, by rounding.
+#[test]
+fn a_fit_of_ordered_states_does_not_know_its_unit() {
+    let rows = clustered(4, 30, &grid(0.1, 1.5, 9), [0.2, 0.4, 0.6], 0.4);
+    let scaled: Vec<Run> = rows.iter().map(|run| Run { intensity: 9.80665 * run.intensity, ..*run }).collect();
+    let [one, other] = [rows, scaled].map(|runs| fit_curves(&Outcomes::new(&runs).unwrap(), &STATES, FitKind::Ordered));
+    for state in STATES {
+        let (a, b) = (lognormal(&one, state), lognormal(&other, state));
+        assert!((b.0 / a.0 / 9.80665 - 1.0).abs() < 1e-9 && (b.1 / a.1 - 1.0).abs() < 1e-9, "{a:?} {b:?}");
+    }
+    assert!((one.log_likelihood - other.log_likelihood).abs() < 1e-9 * one.log_likelihood.abs());
+}
+
+#[test]
+fn data_without_a_spread_are_results() {
+    let fit = |classes: &[(f64, OutcomeClass)], kind| {
+        let run = |&(intensity, class): &(f64, OutcomeClass)| Run { motion: Some(0), intensity, class, weight: 1.0 };
+        let runs: Vec<Run> = classes.iter().map(run).collect();
+        fit_curves(&Outcomes::new(&runs).unwrap(), &STATES, kind)
+    };
+    use OutcomeClass::{Exceeded, NoUplift, Overturned, Rocked};
+    let stepped = [(1.0, Rocked), (2.0, Rocked), (4.0, Exceeded), (3.0, Exceeded), (5.0, Rocked), (8.0, Exceeded)];
+    for kind in [FitKind::Ordered, FitKind::Separate] {
+        let fit = fit(&stepped, kind);
+        assert_eq!(fit.curve(LimitState::Rocks), Some(CurveKind::All { upper: 1.0 }));
+        assert_eq!(fit.curve(LimitState::Overturns), Some(CurveKind::None { lower: 8.0 }));
+        assert_eq!(fit.fitted_states(), [LimitState::Exceeds]);
+    }
+    let step = [(1.0, NoUplift), (4.0, Overturned), (9.0, Overturned)];
+    let fit_of_step = fit(&step, FitKind::Ordered);
+    let kind = fit_of_step.curve(LimitState::Overturns).unwrap();
+    assert_eq!(kind, CurveKind::Step { lower: 1.0, upper: 4.0 });
+    assert_eq!((kind.median(), kind.beta(), kind.name()), (Some(2.0), None, "step"));
+    assert_eq!((kind.probability(1.9), kind.probability(2.1)), (Some(0.0), Some(1.0)));
+    assert_eq!((fit_of_step.log_likelihood, fit_of_step.fitted_states()), (0.0, vec![]));
+    // Fewer overturn at the higher intensity.
+    let falling = [(1.0, Overturned), (1.0, NoUplift), (2.0, NoUplift)];
+    let falling = fit(&falling, FitKind::Ordered).curve(LimitState::Overturns).unwrap();
+    assert_eq!(falling, CurveKind::NotIncreasing { lower: 1.0, upper: 2.0 });
+    // No run ended between two states: they share a curve.
+    let tied = [(1.0, NoUplift), (2.0, Overturned), (3.0, NoUplift), (4.0, Overturned)];
+    let tied = fit(&tied, FitKind::Ordered);
+    assert_eq!(lognormal(&tied, LimitState::Rocks), lognormal(&tied, LimitState::Overturns));
+    let bad = Run { motion: None, intensity: 0.0, class: Rocked, weight: 1.0 };
+    assert!(matches!(Outcomes::new(&[bad]), Err(OutcomesError::Intensity { run: 1, .. })));
+    assert_eq!(Outcomes::new(&[]), Err(OutcomesError::Empty));
+}
+
+/// β 0.2 and 0.8 from separate fits: ln x = (0.8 ln 1 − 0.2 ln 1.5)/0.6 where the curves cross.
+#[test]
+fn separate_curves_that_cross_say_where() {
+    let curve = |limit_state, median, beta| Curve { limit_state, kind: CurveKind::Lognormal { median, beta } };
+    let curves = vec![curve(LimitState::Exceeds, 1.0, 0.2), curve(LimitState::Overturns, 1.5, 0.8)];
+    let fit = Fit { kind: FitKind::Separate, curves, log_likelihood: 0.0, score_per_run: 0.0 };
+    let (_, _, at) = fit.crossing(0.01, 100.0).unwrap();
+    assert!((at - 1.5_f64.powf(-1.0 / 3.0)).abs() < 1e-12, "{at}");
+    assert!((lognormal_probability(at, 1.0, 0.2) - lognormal_probability(at, 1.5, 0.8)).abs() < 1e-12);
+    assert_eq!(fit.crossing(1.0, 100.0), None);
+}
+
+/// The mean of ln θ over m motions has the standard deviation β/√m. The width of one sample scatters
+/// by 1/√(2m), 5 % at m = 200, so the mean of 12 samples is within four times 1.5 %.
+#[test]
+fn the_motions_are_the_sample_and_not_the_runs() {
+    let (motions, beta) = (200, 0.3);
+    let widths: Vec<f64> = (0..12)
+        .map(|seed| {
+            let runs = clustered(seed, motions, &grid(0.1, 3.0, 40), [0.2, 0.4, 0.6], beta);
+            let outcomes = Outcomes::new(&runs).unwrap();
+            let samples = bootstrap(&outcomes, &STATES, FitKind::Ordered, 300, seed).unwrap();
+            assert_eq!((samples.failed, samples.samples.len()), (0, 300));
+            let (low, high) = samples.interval(LimitState::Overturns).unwrap().median;
+            (high / low).ln()
+        })
+        .collect();
+    let mean = widths.iter().sum::<f64>() / 12.0;
+    let expected = 2.0 * 1.96 * beta / (motions as f64).sqrt();
+    assert!((mean / expected - 1.0).abs() < 0.06, "{mean} {expected}");
+}
+
+#[test]
+fn threads_do_not_change_a_sample() {
+    let runs = clustered(5, 20, &grid(0.1, 3.0, 15), [0.2, 0.4, 0.6], 0.3);
+    let outcomes = Outcomes::new(&runs).unwrap();
+    let fit = fit_curves(&outcomes, &STATES, FitKind::Ordered);
+    let [one, three] = [1, 3].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| (bootstrap(&outcomes, &STATES, FitKind::Ordered, 60, 9), goodness(&outcomes, &fit, 60, 9)))
+    });
+    assert_eq!(one, three);
+    assert_ne!(one.0, bootstrap(&outcomes, &STATES, FitKind::Ordered, 60, 10), "another seed");
+}
+
+/// Curves that made the runs fit; one lognormal curve does not fit two groups of motions whose
+/// capacities differ by a factor of ten.
+#[test]
+fn a_misfit_is_seen() {
+    let levels = grid(0.05, 5.0, 20);
+    let states = [LimitState::Overturns];
+    let good = Outcomes::new(&clustered(1, 60, &levels, [0.1, 0.2, 0.5], 0.4)).unwrap();
+    let fit = fit_curves(&good, &states, FitKind::Ordered);
+    let well = goodness(&good, &fit, 99, 1).unwrap();
+    assert!(!well.is_misfit() && well.dof == 18 && well.ks < 0.15, "{well:?}");
+    let mut runs = clustered(2, 60, &levels, [0.1, 0.1, 0.12], 0.1);
+    runs.extend(
+        clustered(3, 60, &levels, [0.1, 0.1, 1.9], 0.1)
+            .into_iter()
+            .map(|run| Run { motion: run.motion.map(|motion| motion + 60), ..run }),
+    );
+    let mixed = Outcomes::new(&runs).unwrap();
+    let fit = fit_curves(&mixed, &states, FitKind::Ordered);
+    let badly = goodness(&mixed, &fit, 99, 1).unwrap();
+    assert!(badly.is_misfit() && badly.ks > 0.2, "{badly:?}");
+}
+
+/// Capacities are the lowest levels, also where a motion spares the object at a higher one.
+#[test]
+fn capacities_are_the_lowest_levels() {
+    let run = |motion, intensity, class| Run { motion: Some(motion), intensity, class, weight: 1.0 };
+    use OutcomeClass::{Overturned, Rocked};
+    let runs = [run(3, 1.0, Rocked), run(3, 2.0, Overturned), run(3, 4.0, Rocked), run(7, 2.5, Rocked)];
+    let outcomes = Outcomes::new(&runs).unwrap();
+    assert_eq!(outcomes.capacities(LimitState::Overturns), [Some(2.0), None]);
+    assert_eq!(outcomes.capacities(LimitState::Rocks), [Some(1.0), Some(2.5)]);
+    assert_eq!(capacity_spread(&outcomes, LimitState::Overturns), None);
+    let spread = capacity_spread(&outcomes, LimitState::Rocks).unwrap();
+    assert!((spread - 2.5_f64.ln() / 2.0_f64.sqrt()).abs() < 1e-15);
+}
+
+/// Shocks of known a, b, σ below a ceiling, drawn by inversion.
+fn shocks(seed: u64, count: usize, (a, b, sigma): (f64, f64, f64), ceiling_g: f64) -> Vec<ShockRun> {
+    let mut random = draw_stream(seed, 0, 0, 7);
+    let mut runs = Vec::new();
+    while runs.len() < count {
+        let intensity = 0.1 * 20_f64.powf(random.random::<f64>());
+        let normal: f64 = StandardNormal.sample(&mut random);
+        let shock_g = (a + b * intensity.ln() + sigma * normal).exp();
+        if shock_g <= ceiling_g {
+            runs.push(ShockRun { intensity, shock_g, weight: 1.0 });
+        }
+    }
+    runs
+}
+
+/// 4000 shocks of which a third is cut off: within four standard errors, about σ/√n · 2 for a and b
+/// at this truncation, found with the scatter over seeds.
+#[test]
+fn a_truncated_distribution_is_found_again() {
+    let truth = (2.0, 0.8, 0.35);
+    let found: Vec<ShockDistribution> =
+        (0..8).map(|seed| fit_shock(&shocks(seed, 4000, truth, 6.0), 6.0).unwrap()).collect();
+    let mean = |of: &dyn Fn(&ShockDistribution) -> f64| found.iter().map(of).sum::<f64>() / found.len() as f64;
+    let values = |fit: &ShockDistribution| [fit.intercept, fit.slope, fit.sigma];
+    for (i, truth) in [truth.0, truth.1, truth.2].into_iter().enumerate() {
+        let mean = mean(&|fit| values(fit)[i]);
+        let spread = found.iter().map(|fit| (values(fit)[i] - mean).powi(2)).sum::<f64>() / 7.0;
+        let error = (spread / 8.0).sqrt();
+        assert!((mean - truth).abs() < 4.0 * error && error < 0.02, "{mean} {truth} {error}");
+    }
+    assert!(found.iter().all(|fit| fit.score_per_run <= 1e-8));
+}
+
+/// The likelihood of ln s, written out, at steps of 0.4 % in a, b and σ.
+#[test]
+fn no_small_step_of_a_truncated_distribution_is_better() {
+    let ceiling_g = 6.0;
+    for (seed, truth) in [(1, (2.0, 0.8, 0.35)), (2, (1.0, 0.2, 0.9)), (3, (0.0, 1.5, 0.1))] {
+        let runs = shocks(seed, 60, truth, ceiling_g);
+        let fit = fit_shock(&runs, ceiling_g).unwrap();
+        let value = |a: f64, b: f64, sigma: f64| -> f64 {
+            let of = |run: &ShockRun| {
+                let mu = a + b * run.intensity.ln();
+                let z = (run.shock_g.ln() - mu) / sigma;
+                ordered::density(z).ln() - sigma.ln() - normal_ratio((ceiling_g.ln() - mu) / sigma).ln()
+            };
+            runs.iter().map(of).sum()
+        };
+        let best = value(fit.intercept, fit.slope, fit.sigma);
+        assert!((best - fit.log_likelihood).abs() < 1e-9 * best.abs().max(1.0), "{best} {}", fit.log_likelihood);
+        for factor in [0.996, 1.004] {
+            assert!(value(fit.intercept * factor, fit.slope, fit.sigma) <= best);
+            assert!(value(fit.intercept, fit.slope * factor, fit.sigma) <= best);
+            assert!(value(fit.intercept, fit.slope, fit.sigma * factor) <= best);
+        }
+    }
+}
+
+#[test]
+fn what_no_shock_distribution_fits_is_said() {
+    let run = |intensity, shock_g| ShockRun { intensity, shock_g, weight: 1.0 };
+    let few = [run(1.0, 1.0), run(2.0, 2.0)];
+    assert_eq!(fit_shock(&few, 9.0), Err(ShockFitError::TooFew { runs: 2 }));
+    let one_level = [run(1.0, 1.0), run(1.0, 2.0), run(1.0, 3.0)];
+    assert_eq!(fit_shock(&one_level, 9.0), Err(ShockFitError::TooFew { runs: 3 }));
+    let above = [run(1.0, 1.0), run(2.0, 9.5), run(1.0, 3.0)];
+    assert!(matches!(fit_shock(&above, 9.0), Err(ShockFitError::Shock { run: 2, .. })));
+    let line = [run(1.0, 1.0), run(2.0, 2.0), run(3.0, 3.0)];
+    assert_eq!(fit_shock(&line, 9.0), Err(ShockFitError::NoMaximum));
+}
+
+/// At the ceiling only overturning exceeds; far below it everything that rocks does.
+#[test]
+fn a_tolerance_at_the_ceiling_is_exceeded_only_by_overturning() {
+    let shock = fit_shock(&shocks(1, 200, (2.0, 0.8, 0.35), 6.0), 6.0).unwrap();
+    let curve = |median| CurveKind::Lognormal { median, beta: 0.4 };
+    let at = |tolerance_g| TwoStage { rocks: curve(0.2), overturns: curve(0.9), shock, tolerance_g };
+    for x in [0.1, 0.5, 2.0] {
+        let [rocks, overturns] = [0.2, 0.9].map(|median| lognormal_probability(x, median, 0.4));
+        assert_eq!(at(6.0).probability(x), overturns);
+        assert!((at(1e-9).probability(x) - rocks).abs() < 1e-12);
+        assert!(at(3.0).probability(x) > overturns && at(3.0).probability(x) < rocks);
+    }
+    assert!(at(6.0).is_above_ceiling() && !at(5.9).is_above_ceiling());
+    let median = at(3.0).median().unwrap();
+    assert!((at(3.0).probability(median) - 0.5).abs() < 1e-12 && median < 0.9, "{median}");
+    assert!((at(6.0).median().unwrap() - 0.9).abs() < 1e-12);
+    // Far above the data the median is beyond the ceiling, and the two tails are still compared.
+    let mut before = 0.0;
+    for i in 0..60 {
+        let p = shock.exceedance(5.0, 10_f64.powi(i));
+        assert!((before..=1.0).contains(&p), "10^{i}: {p} {before}");
+        before = p;
+    }
+}

@@ -1,0 +1,21 @@
+//! How often a limit state is reached, what that costs, and what to restrain first.
+//!
+//! A [`Hazard`] says how often a ground or floor motion is as strong as x, a
+//! [`CurveKind`](crate::fragility::CurveKind) how likely the object reaches a limit state then;
+//! [`annual_rate`] is the integral of both. With the user's costs it is an expected annual loss,
+//! and [`best_plan`] chooses the measures that are worth most within a budget.
+
+mod hazard;
+mod loss;
+mod money;
+mod plan;
+mod rate;
+
+pub use hazard::{Hazard, HazardError, HazardPoint};
+pub use loss::{
+    LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance, loss_at_return_period,
+    loss_exceedance,
+};
+pub use money::{MoneyError, expected_annual_loss, present_value_factor_years, renewed_cost};
+pub use plan::{Choice, Plan, best_plan};
+pub use rate::{AnnualRates, Bin, annual_rate, deaggregation, probability_in_years};
