@@ -7,10 +7,13 @@ mod failure;
 mod files;
 mod hazard;
 mod keys;
+#[cfg(feature = "page")]
+mod page;
 mod printer;
 mod processing;
 mod reading;
 mod rows;
+mod session;
 mod stop;
 mod target;
 mod values;

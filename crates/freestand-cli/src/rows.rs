@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::files::{Files, RESULT};
-use crate::printer::{Printer, print_bytes};
+use crate::printer::Printer;
 
 /// Name of the table in the output folder.
 pub(crate) const ROWS: &str = "rows.csv";
@@ -22,6 +22,7 @@ pub(crate) struct Rows {
     tables: Vec<StreamedFile>,
     documents: Vec<StreamedFile>,
     print: bool,
+    printer: Printer,
     /// Whether nothing has been written yet.
     first: bool,
 }
@@ -38,7 +39,7 @@ impl Rows {
         let csv = csv.map(|path| StreamedFile::begin(path, inputs)).transpose()?;
         let tables = csv.into_iter().chain(files.begin_file(ROWS)?).collect();
         let documents = files.begin_file(RESULT)?.into_iter().collect();
-        Ok(Self { schema, tables, documents, print: printer.json(), first: true })
+        Ok(Self { schema, tables, documents, print: printer.json(), printer: printer.clone(), first: true })
     }
 
     /// Appends the rows of a chunk to every output.
@@ -87,9 +88,9 @@ impl Rows {
         }
         files.finish_result(self.schema, warnings)?;
         if !printer.json() {
-            print_bytes(text().as_bytes())?;
+            printer.print(&text())?;
         } else if self.print {
-            print_bytes(tail.as_bytes())?;
+            printer.print(&tail)?;
         }
         printer.warn(warnings);
         Ok(())
@@ -109,7 +110,7 @@ impl Rows {
         if !self.print {
             return Ok(());
         }
-        match print_bytes(piece) {
+        match self.printer.print_bytes(piece) {
             // The reader has closed the pipe, but the files must be completed.
             Err(Failure::BrokenPipe) if !self.tables.is_empty() || !self.documents.is_empty() => self.print = false,
             other => other?,

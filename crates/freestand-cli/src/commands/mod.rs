@@ -14,6 +14,8 @@ mod place;
 mod restrain;
 mod rock;
 mod run;
+#[cfg(feature = "page")]
+mod serve;
 mod shock;
 mod shock_spectrum;
 mod sliding;
@@ -81,6 +83,8 @@ pub(crate) enum Command {
     Place(place::PlaceArgs),
     Restrain(Box<restrain::RestrainArgs>),
     Validate(validate::ValidateArgs),
+    #[cfg(feature = "page")]
+    Serve(serve::ServeArgs),
     Completions(completions::CompletionsArgs),
 }
 
@@ -103,6 +107,8 @@ impl Command {
             Self::Place(args) => place::run(args, global, printer),
             Self::Restrain(args) => restrain::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
+            #[cfg(feature = "page")]
+            Self::Serve(args) => serve::run(args, global, printer),
             Self::Completions(args) => completions::run(args, global, printer),
         }
     }
