@@ -70,7 +70,8 @@ fn facts() -> Value {
         },
         "examples": [
             {"command": "object", "options": {
-                "place": "Melbourne", "floor": "roof", "storeys": 30, "height": "1.8 m", "thickness": "400 mm"}},
+                "place": "Melbourne", "floor": "roof", "storeys": 30, "height": "1.8 m", "thickness": "400 mm",
+                "mass": "150 kg", "on": "4380 N/mm"}},
         ],
     })
 }

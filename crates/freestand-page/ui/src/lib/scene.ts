@@ -110,7 +110,7 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
       context.moveTo(0, at);
       context.lineTo(w, at);
       context.stroke();
-      if (mark > 0) context.fillText(`${mark} ${name}`, 8, at - 4);
+      if (mark > 0 && at > 14) context.fillText(`${mark} ${name}`, 8, at - 4);
     }
     if (theta !== 0) {
       const side = Math.sign(theta);
@@ -123,7 +123,8 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
       context.stroke();
       context.setLineDash([]);
       context.textAlign = side > 0 ? 'left' : 'right';
-      if (Math.abs(theta) < 0.9) context.fillText(t('stage.balance'), edge + side * 6, y - 0.98 * history.height_m * scale);
+      // On the side to which it turns, near the floor, where the body is not.
+      if (Math.abs(theta) < 1) context.fillText(t('stage.balance'), edge + side * 8, y - 8);
       context.textAlign = 'left';
     }
   }

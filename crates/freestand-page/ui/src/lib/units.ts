@@ -38,6 +38,7 @@ export function lengthText(metres: number, units: Units): string {
 export function lengthShown(metres: number, units: Units): string {
   if (units === 'si') {
     const mm = metres * 1000;
+    if (mm > 0 && mm < 1) return '< 1 mm';
     return mm >= 1000 ? `${metres.toFixed(2)} m` : `${mm >= 100 ? mm.toFixed(0) : Number(mm.toPrecision(2))} mm`;
   }
   const inches = metres / INCH_M;
