@@ -173,7 +173,7 @@ const rows = [
   'id,item,floor,height,thickness,mass,stiffness', 'A-1,cabinet,1,1.8 m,0.4 m,150 kg,4380 N/mm', 'A-2,shelf,2,2.1 m,0.3 m,80 kg,',
   'A-3,rack,roof,2 m,0.6 m,300 kg,', 'A-4,vase,1,sixty,0.25 m,,',
 ].join('\n');
-const study = '[ground]\nplace = "Melbourne"\n[building]\nstoreys = 3\nstorey_height = "3.2 m"\n[assessment.worlds]\nfirst = 4\nmost = 8\nshares = false\n';
+const study = '[ground]\nplace = "Melbourne"\n[building]\nstoreys = 3\nstorey_height = "3.2 m"\n[worlds]\nfirst = 4\nmost = 8\nshares = false\n';
 writeFileSync(join(folder, 'list.csv'), rows);
 writeFileSync(join(folder, 'study.toml'), process.env.STUDY ?? study);
 

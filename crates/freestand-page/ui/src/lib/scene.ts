@@ -94,7 +94,7 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
   if (!ready) return;
   const [context, w, h] = ready;
   const diagonal = Math.hypot(history.height_m, history.thickness_m);
-  const scale = Math.min((w - 16) / (2 * diagonal + history.base_width_m), (h - 50) / (1.06 * diagonal));
+  const scale = Math.min((w - 16) / (2 * diagonal + history.base_width_m), (h - 50) / ((isSmall ? 1.02 : 1.13) * diagonal));
   const [x, y] = [w / 2, h - 40];
   const theta = tilt(history, time) * enlarged(history);
   const minus = (text: string) => text.replace('-', '−');
@@ -119,12 +119,12 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
       context.strokeStyle = colours.mu;
       context.beginPath();
       context.moveTo(edge, y);
-      context.lineTo(edge, y - 1.05 * history.height_m * scale);
+      context.lineTo(edge, y - 1.12 * diagonal * scale);
       context.stroke();
       context.setLineDash([]);
       context.textAlign = side > 0 ? 'left' : 'right';
-      // On the side to which it turns, near the floor, where the body is not.
-      if (Math.abs(theta) < 1) context.fillText(t('stage.balance'), edge + side * 8, y - 8);
+      // Above the body, wherever it turns.
+      context.fillText(t('stage.balance'), edge + side * 6, y - 1.08 * diagonal * scale);
       context.textAlign = 'left';
     }
   }
