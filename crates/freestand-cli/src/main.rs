@@ -7,8 +7,6 @@ mod failure;
 mod files;
 mod hazard;
 mod keys;
-#[cfg(feature = "page")]
-mod page;
 mod printer;
 mod processing;
 mod reading;

@@ -54,7 +54,7 @@ impl Guard {
 
     /// Refuses what comes from elsewhere; before anything else is looked at.
     pub(crate) fn check_origin<B>(&self, request: &Request<B>) -> Result<(), Refusal> {
-        let forbidden = |kind, message: &str| {
+        let forbidden = |kind: &'static str, message: &str| {
             Refusal::new(Status::Forbidden, kind, message, "open the address that freestand serve printed")
         };
         let is_host = |text: &str| self.hosts.iter().any(|own| text.eq_ignore_ascii_case(own));

@@ -64,17 +64,17 @@ pub struct Refusal {
     #[serde(skip)]
     pub status: Status,
     /// One word, such as `value`, `token`, `superseded`.
-    pub kind: String,
+    pub kind: &'static str,
     /// The option that it is about.
-    pub key: Option<String>,
+    pub key: Option<Box<str>>,
     /// The file, by the name that the user gave it.
-    pub file: Option<String>,
+    pub file: Option<Box<str>>,
     /// The line in it.
-    pub line: Option<usize>,
+    pub line: Option<u32>,
     /// What is wrong.
-    pub message: String,
+    pub message: Box<str>,
     /// What to do.
-    pub hint: String,
+    pub hint: Box<str>,
     /// Further problems of the same request.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<Refusal>,
@@ -82,8 +82,8 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that is about no option and no file.
-    pub fn new(status: Status, kind: &str, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        let (kind, message, hint) = (kind.to_owned(), message.into(), hint.into());
+    pub fn new(status: Status, kind: &'static str, message: impl Into<Box<str>>, hint: impl Into<Box<str>>) -> Self {
+        let (message, hint) = (message.into(), hint.into());
         Self { status, kind, key: None, file: None, line: None, message, hint, others: Vec::new() }
     }
 

@@ -1,5 +1,7 @@
 //! The server over raw sockets, with a made-up program: every refusal, slots, jobs, files.
 
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may stop at what it cannot set up")]
+
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::path::Path;

@@ -1,5 +1,7 @@
 //! `freestand serve`: the local page.
 
+mod request;
+
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
@@ -9,10 +11,10 @@ use freestand_output::json::document;
 use freestand_page::{Server, Settings};
 use serde_json::json;
 
+use self::request::PROGRAM;
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::page::PROGRAM;
 use crate::printer::Printer;
 
 /// Open a page in the browser that answers on this machine

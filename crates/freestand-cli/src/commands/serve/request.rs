@@ -26,7 +26,7 @@ use crate::stop::Stop;
 use crate::values::finished;
 
 /// What the page's server knows of this program.
-pub(crate) const PROGRAM: Program = Program { facts, kind, answer };
+pub(super) const PROGRAM: Program = Program { facts, kind, answer };
 
 /// The commands that the page may ask for.
 const COMMANDS: [&str; 17] = [
@@ -346,7 +346,7 @@ impl Seen {
         };
         let mut all = problems.iter().map(|problem| self.of_problem(problem));
         let Some(mut first) = all.next() else {
-            return Refusal { kind: "stopped".to_owned(), ..Refusal::superseded() };
+            return Refusal { kind: "stopped", ..Refusal::superseded() };
         };
         first.others = all.collect();
         first
@@ -367,9 +367,9 @@ impl Seen {
         let flag = message.strip_prefix("--").and_then(|rest| rest.split([':', ' ']).next()).map(str::to_owned);
         let key = problem.keys.first().map(|key| KeyStyle::Flag.name(key).trim_start_matches('-').to_owned());
         Refusal {
-            key: key.or(flag),
-            file: problem.path.as_ref().map(|path| self.named(&path.to_string_lossy())),
-            line: problem.line,
+            key: key.or(flag).map(String::into_boxed_str),
+            file: problem.path.as_ref().map(|path| self.named(&path.to_string_lossy()).into_boxed_str()),
+            line: problem.line.and_then(|line| u32::try_from(line).ok()),
             ..Refusal::new(Status::BadInput, kind, message, shown(hint_of(problem)))
         }
     }
