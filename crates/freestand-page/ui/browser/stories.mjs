@@ -5,6 +5,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { strict as assert } from 'node:assert';
+import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 const program = process.env.FREESTAND ?? 'freestand';
@@ -215,6 +216,45 @@ await story('a job is cancelled', {}, async (page) => {
   await page.waitForFunction(() => !document.querySelector('#progress'), undefined, PATIENT);
 });
 
+const validation = fileURLToPath(new URL('../../../../validation/', import.meta.url));
+
+await story('drop tests become a pad', {}, async (page) => {
+  await answered(page);
+  await page.click('#tab-pads');
+  await page.fill('#pads-mass', '0.365 kg');
+  await page.fill('#pads-impact-velocity', '1.40 m/s');
+  await page.setInputFiles('#drop-pads', [...[1, 2, 3].map((i) => join(validation, `cushion/drop-00${i}.csv`)), join(validation, 'cushion/README.md')]);
+  await page.waitForSelector('text=2192 N/mm, 95 % interval 2175 to 2209', PATIENT);
+  assert.match(await page.textContent('#panel-pads'), /README.md: no row of numbers/);
+  await accessible(page, 'pads with results');
+  await fits(page);
+  await picture(page, 'pads');
+  await page.click('text="Use this pad"');
+  await page.click('#tab-fall');
+  await answered(page);
+  assert.equal(await page.inputValue('#on'), '2192 N/mm');
+});
+
+await story('a record is looked at and used', {}, async (page) => {
+  await answered(page);
+  await page.click('#tab-records');
+  await page.setInputFiles('#drop-records', join(validation, 'rocking/records/synthfloor.csv'));
+  await page.waitForSelector('#panel-records canvas', PATIENT);
+  assert.match(await page.textContent('#panel-records'), /0\.102/);
+  await accessible(page, 'records with results');
+  await fits(page);
+  await picture(page, 'records');
+  await page.fill('#record-scale', 'three');
+  await page.locator('#record-scale').blur();
+  await page.waitForSelector('#panel-records .error');
+  await page.fill('#record-scale', '');
+  await page.locator('#record-scale').blur();
+  await page.click('text="Use as floor motion"');
+  await page.waitForFunction(() => document.querySelector('#answer').textContent.startsWith('Under this motion'), undefined, PATIENT);
+  await answered(page);
+  assert.match(await page.textContent('#command code'), /--motion synthfloor.csv/);
+});
+
 for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844], ['reflow', 320, 600]]) {
   for (const colorScheme of ['light', 'dark']) {
     await story(`${name}, ${colorScheme}`, { viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
@@ -222,10 +262,13 @@ for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844], [
       await accessible(page, 'fall');
       await fits(page);
       await picture(page, `fall-${name}-${colorScheme}`);
-      await page.click('#tab-inventory');
-      await accessible(page, 'inventory');
-      await fits(page);
-      await picture(page, `inventory-${name}-${colorScheme}`);
+      for (const tab of ['inventory', 'pads', 'records']) {
+        await page.click(`#tab-${tab}`);
+        await page.waitForSelector(`#drop-${tab}`);
+        await accessible(page, tab);
+        await fits(page);
+        await picture(page, `${tab}-${name}-${colorScheme}`);
+      }
     });
   }
 }

@@ -111,7 +111,9 @@ export function commandLine(ask: Ask, names: Record<string, string> = {}): strin
   const parts = ['freestand', ask.command];
   for (const [flag, paths] of Object.entries(ask.files ?? {})) {
     const files = paths.map((id) => quoted(names[id] ?? id)).join(' ');
-    parts.push(flag === 'file' ? files : `--${flag} ${files}`);
+    // A study and the files of most commands are arguments without a flag.
+    const isPlain = flag === 'file' || (ask.command === 'assess' && flag === 'study');
+    parts.push(isPlain ? files : `--${flag} ${files}`);
   }
   for (const [flag, value] of Object.entries(ask.options)) {
     if (value === false || value === '') continue;
