@@ -115,6 +115,13 @@ impl Printer {
         }
     }
 
+    /// Prints the problems of the files that failed; where the document is kept, it names them.
+    pub(crate) fn failed(&self, failed: &[Failed]) {
+        if self.session.is_none() {
+            failed.iter().for_each(|one| print_problem(&one.problem));
+        }
+    }
+
     /// Prints a detail if `-v` is given.
     pub(crate) fn detail(&self, text: &str) {
         if self.verbose {
@@ -153,11 +160,6 @@ fn error_line(text: &str) {
 pub(crate) fn print_failure(failure: &Failure) {
     let Failure::Problems(problems) = failure else { return };
     problems.iter().for_each(print_problem);
-}
-
-/// Prints the problems of the files that failed.
-pub(crate) fn print_failed(failed: &[Failed]) {
-    failed.iter().for_each(|one| print_problem(&one.problem));
 }
 
 fn print_problem(problem: &Problem) {

@@ -1,9 +1,14 @@
 //! A history as it is drawn: few points, from which no angle is off by more than a tolerance.
 
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::compliant::{CompliantBase, CompliantOptions, EdgeSide, rock_compliant_observed};
 use freestand::motion::Motion;
-use freestand::rocking::Side;
+use freestand::rocking::{Base, Side};
+use freestand_input::problem::Problem;
 use serde::Serialize;
 
+use crate::compliant::problem;
 use crate::rock::RockReport;
 
 /// No angle that is drawn is off by more than this \[rad\]: 0.02°, a third of a millimetre at the top of
@@ -16,6 +21,9 @@ const THINNING_RATIO: f64 = 0.75;
 
 /// The part of its peak by which the acceleration of the floor may be off, which is drawn as an arrow.
 const ACCELERATION_RATIO: f64 = 0.005;
+
+/// Between these times the rotation on pads is sampled, besides at the steps of its solver \[s\].
+const ON_PADS_DT_S: f64 = 0.0025;
 
 /// A history, piecewise linear in time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -34,6 +42,8 @@ pub struct DrawnHistory {
     pub tolerance_rad: f64,
     /// `rocked`, `overturned` …
     pub outcome: &'static str,
+    /// `rigid` or `compliant`: what the object stands on.
+    pub base: &'static str,
     /// Height of the block \[m\].
     pub height_m: f64,
     /// Its side in the plane of the motion \[m\].
@@ -58,23 +68,71 @@ pub struct DrawnImpact {
 }
 
 /// The history of a report that was sampled.
-pub fn drawn(report: &RockReport, base: Option<&Motion>) -> DrawnHistory {
-    let block = &report.block;
+pub fn drawn(report: &RockReport, floor: Option<&Motion>) -> DrawnHistory {
     let impacts = report.landings.iter().map(|one| DrawnImpact {
         time_s: one.time_s,
         edge_acceleration_g: one.edge_acceleration_g,
         // Turning about the right edge (θ > 0), it comes back with ω < 0 and the left edge lands.
         edge: if one.omega_before_rad_s < 0.0 { Side::Left.name() } else { Side::Right.name() },
     });
-    let impacts: Vec<DrawnImpact> = impacts.collect();
     let points = rising(report.history.iter().map(|point| (point.time_s, point.theta_rad)));
+    of_points(&report.block, points, impacts.collect(), floor, (report.outcome.name(), "rigid"))
+}
+
+/// The history of a block on its pads under a motion, with every contact of an edge as an impact.
+///
+/// # Errors
+/// Those of the solver.
+pub fn drawn_on_pads(
+    block: &Block,
+    base: &CompliantBase,
+    motion: Base<'_>,
+    options: &CompliantOptions,
+) -> Result<DrawnHistory, Problem> {
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    let mut last = (0.0, 0.0);
+    let rocking = rock_compliant_observed(block, base, motion, options, |piece| {
+        let (start_s, length_s) = (piece.start_s(), piece.length_s());
+        let samples = (length_s / ON_PADS_DT_S).ceil().max(1.0);
+        let at = |share: f64| (start_s + share * length_s, piece.rotation(share).0);
+        points.extend((0..samples as usize).map(|i| at(i as f64 / samples)));
+        last = at(1.0);
+    })
+    .map_err(problem)?;
+    points.push(last);
+    points.push((rocking.end_time_s, last.1));
+    let impacts = rocking.touches.iter().map(|touch| DrawnImpact {
+        time_s: touch.time_s,
+        edge_acceleration_g: Some(touch.peak_acceleration_m_s2 / G0_M_S2),
+        edge: match touch.edge {
+            EdgeSide::Left => Side::Left.name(),
+            EdgeSide::Right => Side::Right.name(),
+        },
+    });
+    let outcome = (rocking.outcome.name(), "compliant");
+    Ok(of_points(block, rising(points.into_iter()), impacts.collect(), motion.horizontal, outcome))
+}
+
+/// Both, from points with rising times.
+fn of_points(
+    block: &Block,
+    points: Vec<(f64, f64)>,
+    mut impacts: Vec<DrawnImpact>,
+    floor: Option<&Motion>,
+    (outcome, base): (&'static str, &'static str),
+) -> DrawnHistory {
+    impacts.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+    let points = with_times(points, impacts.iter().map(|impact| impact.time_s));
     let mut at = impacts.iter().map(|impact| impact.time_s).peekable();
     let is_kept = |time_s: f64| {
-        while at.next_if(|impact_s| *impact_s < time_s).is_some() {}
-        at.next_if(|impact_s| *impact_s == time_s).is_some()
+        let mut is_one = false;
+        while let Some(impact_s) = at.next_if(|impact_s| *impact_s <= time_s) {
+            is_one |= impact_s == time_s;
+        }
+        is_one
     };
     let (time_s, theta_rad) = thinned(&points, THINNING_RATIO * TOLERANCE_RAD, is_kept).into_iter().unzip();
-    let samples = base.map(|motion| {
+    let samples = floor.map(|motion| {
         let of = |(i, accel): (usize, &f64)| (i as f64 * motion.dt_s(), *accel);
         motion.accel_m_s2().iter().enumerate().map(of).collect::<Vec<_>>()
     });
@@ -89,13 +147,31 @@ pub fn drawn(report: &RockReport, base: Option<&Motion>) -> DrawnHistory {
         base_accel_m_s2,
         impacts,
         tolerance_rad: TOLERANCE_RAD,
-        outcome: report.outcome.name(),
+        outcome,
+        base,
         height_m: block.height_m(),
         thickness_m: block.thickness_m(),
         base_width_m: block.base_width_m(),
         cg_height_m: block.cg_height_m(),
         balance_rad: block.pivot().slenderness_angle_rad,
     }
+}
+
+/// The points, with those at these rising times between them.
+fn with_times(points: Vec<(f64, f64)>, times: impl Iterator<Item = f64>) -> Vec<(f64, f64)> {
+    let mut found = Vec::with_capacity(points.len());
+    let mut times = times.peekable();
+    for point in points {
+        while let Some(time) = times.next_if(|time| *time < point.0) {
+            if let Some(&(t0, y0)) = found.last()
+                && t0 < time
+            {
+                found.push((time, y0 + (point.1 - y0) * (time - t0) / (point.0 - t0)));
+            }
+        }
+        found.push(point);
+    }
+    found
 }
 
 /// Points with rising times: of several at one time, the first.
@@ -168,6 +244,10 @@ mod tests {
     fn nothing_and_little() {
         assert!(thinned(&[], 1.0, |_| false).is_empty());
         assert_eq!(thinned(&[(0.0, 1.0)], 1.0, |_| false), [(0.0, 1.0)]);
+        assert_eq!(
+            with_times(vec![(0.0, 0.0), (2.0, 4.0)], [0.0, 1.0, 1.0, 2.0, 3.0].into_iter()),
+            [(0.0, 0.0), (1.0, 2.0), (2.0, 4.0)]
+        );
         assert_eq!(rising([(0.0, 1.0), (0.0, 2.0), (1.0, 3.0)].into_iter()), [(0.0, 1.0), (1.0, 3.0)]);
     }
 }

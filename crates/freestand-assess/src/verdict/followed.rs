@@ -1,21 +1,27 @@
 //! Some earthquakes of one object, and its history in one of them, for those who draw it.
 
-use freestand::rocking::{Outcome, Restitution};
-use freestand::wall::Walls;
+use freestand::G0_M_S2;
+use freestand::compliant::{CompliantBase, CompliantOptions};
+use freestand::cushion::{ContactLaw, Cushion};
+use freestand::motion::Motion;
+use freestand::rocking::{Outcome, Restitution, RockingSummary};
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::cushion::EdgeCushion;
-use freestand_study::drawn::{DrawnHistory, drawn};
+use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
 use freestand_study::rock::{RockRequest, rock};
 use freestand_study::walls::WallStiffness;
 use serde::Serialize;
 
 use super::Context;
-use super::object::Hit;
-use super::response::{AxisMotion, Lived, options};
-use super::trial::Trial;
+use super::response::{AxisMotion, Lived, PadMotion, options};
+use super::tally::deciding;
+use super::trial::{Model, Trial};
 
 /// Earthquakes that are shown.
 const MAX_SHOWN: usize = 10;
+
+/// How long an object on pads is followed after the motion, so that it can land or fall \[s\].
+const TAIL_S: f64 = 3.0;
 
 /// The earthquake whose history is followed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,7 +32,7 @@ pub enum Follow {
     Named(String),
 }
 
-/// Some earthquakes of an object on a rigid floor, and its history in one of them.
+/// Some earthquakes of an object, and its history in one of them, by the model that decides whether it falls.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Shown {
     /// At most ten, from the gentlest to the strongest for this object.
@@ -46,38 +52,40 @@ pub struct ShownEarthquake {
     pub outcome: &'static str,
     /// Largest uplift of an edge; `None`: it overturns \[m\].
     pub uplift_m: Option<f64>,
-    /// Largest shock of a landing, from the impact model \[g\]; `None`: it overturns, or mass and pads
-    /// are not known.
+    /// Largest shock of a landing \[g\]; `None`: it overturns, or mass and pads are not known.
     pub landing_acceleration_g: Option<f64>,
-    /// Peak acceleration of the floor \[m/s²\].
-    pub floor_accel_m_s2: f64,
 }
 
-/// What is shown of a trial.
+/// What is shown of a trial, by the model that decides whether it falls.
 pub(super) fn shown(context: &Context, trial: &Trial, follow: &Follow) -> Result<Shown, Problems> {
+    let model = deciding(context, trial);
     let strength = |(world, lived): (usize, &Lived)| {
-        let (axis, motion) = worse(lived)?;
-        let has_fallen = motion.rocking.outcome.has_fallen();
-        let turned = if has_fallen { f64::INFINITY } else { motion.rocking.peak_rotation_rad };
-        Some((turned, world as u32, axis))
+        let found = in_world(lived, model)?;
+        let strength = if found.has_fallen { f64::INFINITY } else { found.uplift_m };
+        Some((strength, world as u32, found))
     };
-    let mut all: Vec<(f64, u32, usize)> = trial.lived.iter().enumerate().filter_map(strength).collect();
+    let mut all: Vec<(f64, u32, InWorld)> = trial.lived.iter().enumerate().filter_map(strength).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let count = all.len().min(MAX_SHOWN);
     let place = |i: usize| if count < 2 { 0 } else { (i * (all.len() - 1) + (count - 1) / 2) / (count - 1) };
-    let chosen: Vec<(f64, u32, usize)> = (0..count).filter_map(|i| all.get(place(i)).copied()).collect();
-    let earthquakes = chosen.iter().filter_map(|(_, world, _)| earthquake(context, trial, *world)).collect();
-    let found = match follow {
-        Follow::Telling => chosen.iter().find(|one| one.0.is_infinite()).or(chosen.last()),
+    let chosen: Vec<&(f64, u32, InWorld)> = (0..count).filter_map(|i| all.get(place(i))).collect();
+    let earthquakes = chosen.iter().map(|(_, world, found)| ShownEarthquake {
+        name: context.worlds.name(*world),
+        outcome: found.outcome,
+        uplift_m: (!found.has_fallen).then_some(found.uplift_m),
+        landing_acceleration_g: found.landing_g.filter(|_| !found.has_fallen),
+    });
+    let followed = match follow {
+        Follow::Telling => chosen.iter().find(|one| one.0.is_infinite()).or(chosen.last()).copied(),
         Follow::Named(name) => all.iter().find(|one| is_named(&context.worlds.name(one.1), name)),
     };
-    let Some(&(_, world, axis)) = found else {
+    let Some(&(_, world, found)) = followed else {
         let names: Vec<String> = chosen.iter().map(|one| context.worlds.name(one.1)).collect();
         let hint = format!("choose one of them, such as {}", names.join(", "));
         return Err(Problem::value("there is no earthquake of this name", hint).into());
     };
-    let followed = context.worlds.name(world);
-    Ok(Shown { earthquakes, followed, history: history(context, trial, world, axis)? })
+    let history = history(context, trial, model, world, found.axis)?;
+    Ok(Shown { earthquakes: earthquakes.collect(), followed: context.worlds.name(world), history })
 }
 
 /// A motion that worlds use in turn is named with its world; it may be asked for without.
@@ -85,36 +93,56 @@ fn is_named(own: &str, name: &str) -> bool {
     own == name || own.strip_prefix(name).is_some_and(|rest| rest.starts_with(" (world "))
 }
 
-/// The axis about which it falls, or turns farthest.
-fn worse(lived: &Lived) -> Option<(usize, &AxisMotion)> {
-    let axes = lived.rigid.as_ref().ok()?;
-    let turned = |motion: &AxisMotion| (motion.rocking.outcome.has_fallen(), motion.rocking.peak_rotation_rad);
-    let farther = |a: &(usize, &AxisMotion), b: &(usize, &AxisMotion)| {
-        let (a, b) = (turned(a.1), turned(b.1));
-        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-    };
-    axes.iter().enumerate().max_by(farther)
+/// What one model says of a world, about the axis that is worse.
+#[derive(Debug, Clone, Copy)]
+struct InWorld {
+    axis: usize,
+    outcome: &'static str,
+    has_fallen: bool,
+    uplift_m: f64,
+    landing_g: Option<f64>,
 }
 
-fn earthquake(context: &Context, trial: &Trial, world: u32) -> Option<ShownEarthquake> {
-    let lived = trial.lived.get(world as usize)?;
-    let rocking = &worse(lived)?.1.rocking;
-    let hits = lived.rigid.iter().flatten().filter_map(|axis| axis.hit.as_ref().map(Hit::larger_g));
-    let stands = !rocking.outcome.has_fallen();
-    Some(ShownEarthquake {
-        name: context.worlds.name(world),
-        outcome: rocking.outcome.name(),
-        uplift_m: stands.then_some(rocking.uplift_m),
-        landing_acceleration_g: hits
-            .reduce(f64::max)
-            .filter(|_| stands && rocking.outcome != Outcome::NoUplift)
-            .map(|shock_g| lived.draw.model * shock_g),
-        floor_accel_m_s2: lived.pfa_m_s2,
-    })
+fn in_world(lived: &Lived, model: Model) -> Option<InWorld> {
+    let axes: Vec<InWorld> = match model {
+        Model::Rigid => {
+            lived.rigid.as_ref().ok()?.iter().enumerate().map(|(axis, one)| of_rigid(axis, one, lived)).collect()
+        }
+        Model::Pads => lived.pads.as_ref()?.as_ref().ok()?.iter().enumerate().map(of_pads).collect(),
+    };
+    let farther = |a: &InWorld, b: &InWorld| a.has_fallen.cmp(&b.has_fallen).then(a.uplift_m.total_cmp(&b.uplift_m));
+    axes.into_iter().max_by(farther)
+}
+
+fn of_rigid(axis: usize, motion: &AxisMotion, lived: &Lived) -> InWorld {
+    let RockingSummary { outcome, uplift_m, .. } = motion.rocking;
+    let landing_g = motion.hit.as_ref().map(|hit| lived.draw.model * hit.larger_g());
+    InWorld {
+        axis,
+        outcome: outcome.name(),
+        has_fallen: outcome.has_fallen(),
+        uplift_m,
+        landing_g: landing_g.filter(|_| outcome != Outcome::NoUplift),
+    }
+}
+
+fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
+    let outcome = match (motion.has_overturned, motion.has_let_go) {
+        (true, _) => Outcome::Overturned,
+        (false, true) => Outcome::Rocked,
+        (false, false) => Outcome::NoUplift,
+    };
+    InWorld {
+        axis,
+        outcome: outcome.name(),
+        has_fallen: motion.has_overturned,
+        uplift_m: motion.lift_m,
+        landing_g: motion.has_let_go.then_some(motion.edge_m_s2 / G0_M_S2),
+    }
 }
 
 /// The object in a world, with the values that were drawn there.
-fn history(context: &Context, trial: &Trial, world: u32, axis: usize) -> Result<DrawnHistory, Problems> {
+fn history(context: &Context, trial: &Trial, model: Model, world: u32, axis: usize) -> Result<DrawnHistory, Problems> {
     let nothing = || Problem::value("nothing rocks here", "objects on free casters have no rocking history");
     let lived = trial.lived.get(world as usize).ok_or_else(nothing)?;
     let (draw, subject) = (&lived.draw, &trial.subject);
@@ -122,18 +150,27 @@ fn history(context: &Context, trial: &Trial, world: u32, axis: usize) -> Result<
         return Err(nothing().into());
     }
     let (block, restitution): (_, Restitution) = draw.block(subject, axis).ok_or_else(nothing)?;
-    let walls: Walls = draw.walls(subject, axis);
     let floor = context.worlds.floor(world, subject.level_ratio)?;
     let base = floor.base(draw.is_along_x(axis));
-    let cushion = draw
-        .body(subject)
-        .map(|(mass_kg, cushion)| (mass_kg, EdgeCushion { cushion, pad_thickness_m: None, notes: Vec::new() }));
+    let body = draw.body(subject);
+    if let (Model::Pads, Some((mass_kg, cushion))) = (model, &body) {
+        // As in the worlds: pads that are springs have the damping that was drawn.
+        let damped = cushion.linear_stiffness_n_m().and_then(|stiffness_n_m| {
+            let damping_n_s_m = draw.pad_damping_n_s_m(stiffness_n_m, *mass_kg);
+            Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).ok()
+        });
+        let on_pads = CompliantBase::new(*mass_kg, damped.unwrap_or_else(|| cushion.clone()));
+        let end_s = base.horizontal.map_or(0.0, Motion::duration_s) + TAIL_S;
+        let options = CompliantOptions { duration_s: Some(end_s), ..CompliantOptions::default() };
+        return Ok(drawn_on_pads(&block, &on_pads, base, &options)?);
+    }
     let request = RockRequest {
         block,
         horizontal: base.horizontal.cloned(),
         vertical: base.vertical.cloned(),
-        options: options(restitution, walls),
-        cushion,
+        options: options(restitution, draw.walls(subject, axis)),
+        cushion: body
+            .map(|(mass_kg, cushion)| (mass_kg, EdgeCushion { cushion, pad_thickness_m: None, notes: Vec::new() })),
         wall: WallStiffness::default(),
         friction: None,
     };

@@ -10,6 +10,7 @@ export interface History {
   impacts: Impact[];
   tolerance_rad: number;
   outcome: string;
+  base: 'rigid' | 'compliant';
   height_m: number;
   thickness_m: number;
   base_width_m: number;
