@@ -95,6 +95,10 @@ pub fn drawn_on_pads(
         let (start_s, length_s) = (piece.start_s(), piece.length_s());
         let samples = (length_s / ON_PADS_DT_S).ceil().max(1.0);
         let at = |share: f64| (start_s + share * length_s, piece.rotation(share).0);
+        if points.is_empty() && start_s > 0.0 {
+            // Before its first step it is at rest.
+            points.push((0.0, at(0.0).1));
+        }
         points.extend((0..samples as usize).map(|i| at(i as f64 / samples)));
         last = at(1.0);
     })

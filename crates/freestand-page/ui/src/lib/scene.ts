@@ -157,9 +157,14 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
   context.fillText(minus(t('stage.tilt', { deg: degrees(tilt(history, time)).toFixed(1) })), w - 10, y + 26);
   context.textAlign = 'left';
   const lasts = Math.max(0.1, FLASH_S) * speed;
-  for (const { time_s, edge_acceleration_g, edge } of shown) {
+  // Of several landings of an edge, the hardest is shown: their numbers would hide each other.
+  const seen = shown.filter(({ time_s }) => time >= time_s && time - time_s < lasts);
+  const hardest = (['left', 'right'] as const).flatMap((side) => {
+    const own = seen.filter(({ edge }) => edge === side);
+    return own.length > 0 ? [own.reduce((a, b) => ((b.edge_acceleration_g ?? 0) > (a.edge_acceleration_g ?? 0) ? b : a))] : [];
+  });
+  for (const { time_s, edge_acceleration_g, edge } of hardest) {
     const since = time - time_s;
-    if (since < 0 || since >= lasts) continue;
     const left = 1 - since / lasts;
     const side = edge === 'right' ? 1 : -1;
     const at = x + (side * history.base_width_m * scale) / 2;
