@@ -242,7 +242,7 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
     arguments.extend(request.command.split(' ').map(OsString::from));
     let mut positional: Vec<OsString> = Vec::new();
     for (name, value) in &request.options {
-        let arg = option(command, name)?;
+        let arg = option(command, request, name)?;
         if names_a_file(arg) || OF_THE_SHELL.contains(&name.as_str()) {
             let message = format!("--{name} names a file or belongs to the command line");
             return Err(Failure::usage(message, "leave it out; files are uploaded and named by their ids in `files`"));
@@ -256,7 +256,7 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
         }
     }
     for (name, paths) in &request.files {
-        let arg = option(command, name)?;
+        let arg = option(command, request, name)?;
         if !names_a_file(arg) || is_written(arg) {
             return Err(Failure::usage(format!("--{name} names no file that is read"), "put its value into `options`"));
         }
@@ -279,15 +279,22 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
     Cli::from_arg_matches(&matches).map_err(|error| failure::usage(&error))
 }
 
-/// An option by its long flag, or an argument without a flag by its name (`file`, `files`).
-fn option<'a>(command: &'a Command, name: &str) -> Result<&'a Arg, Failure> {
-    let is_named = |arg: &&Arg| match arg.get_long() {
-        Some(flag) => flag == name,
-        None => arg.get_id() == name || ["file", "files"].contains(&name),
+/// What people call the files of a command that takes them without a flag.
+const FILES: [&str; 7] = ["file", "files", "motion", "motions", "record", "records", "inventory"];
+
+/// An option by its long flag, or an argument without a flag by its name in the usage line: `word`,
+/// `files`.
+fn option<'a>(command: &'a Command, request: &Request, name: &str) -> Result<&'a Arg, Failure> {
+    let is_flag = |arg: &&Arg| arg.get_long() == Some(name);
+    let is_argument = |arg: &&Arg| {
+        let shown = arg.get_value_names().unwrap_or_default();
+        let is_named = arg.get_id() == name || shown.iter().any(|shown| shown.eq_ignore_ascii_case(name));
+        arg.is_positional() && (is_named || names_a_file(arg) && FILES.contains(&name))
     };
-    command.get_arguments().find(is_named).ok_or_else(|| {
-        let message = format!("{} has no option --{name}", command.get_name());
-        Failure::usage(message, format!("see freestand {} --help", command.get_name()))
+    let found = command.get_arguments().find(is_flag).or_else(|| command.get_arguments().find(is_argument));
+    found.ok_or_else(|| {
+        let message = format!("{} has no option --{name}", request.command);
+        Failure::usage(message, format!("see freestand {} --help", request.command))
     })
 }
 
