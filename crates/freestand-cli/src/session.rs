@@ -1,6 +1,8 @@
 //! A command that was asked for by another program than the command line: its document is kept, and
 //! what it tells while it works goes to that program.
 
+#![cfg_attr(not(feature = "page"), allow(dead_code, reason = "nobody begins a session"))]
+
 use std::fmt::Debug;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -53,7 +55,6 @@ impl Debug for Session {
     }
 }
 
-#[cfg_attr(not(feature = "page"), allow(dead_code, reason = "nobody begins a session"))]
 impl Session {
     pub(crate) fn new(
         stop: Stop,
