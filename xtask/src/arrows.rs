@@ -18,7 +18,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("freestand-records", &["freestand", "freestand-input"]),
     ("freestand-study", &["freestand", "freestand-input", "freestand-output", "freestand-records"]),
     ("freestand-assess", &["freestand", "freestand-input", "freestand-output", "freestand-records", "freestand-study"]),
-    ("freestand-page", SHELL),
+    // It knows no command.
+    ("freestand-page", &[]),
     ("freestand-py", SHELL),
     // The command line starts the page, which is handed a function that runs a request.
     (

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-use crate::{arrows, source, validate_shock};
+use crate::{arrows, page, source, validate_shock};
 
 /// What a check came to.
 enum Outcome {
@@ -41,6 +41,18 @@ pub fn all(root: &Path) -> bool {
     check("examples in the documentation", &mut || of(tests.run(root, &["--doc"])));
     check("documentation", &mut || {
         of(cargo(root, &["doc", "--workspace", "--locked", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")]))
+    });
+    check("the page is the one that its sources give", &mut || match page::missing_node() {
+        Some(why) => Outcome::Skipped(format!("not compared: {why}")),
+        None => of(page::compare(root)),
+    });
+    check("the page: types and units", &mut || match page::missing_node() {
+        Some(why) => Outcome::Skipped(format!("not run: {why}")),
+        None => of(page::check(root)),
+    });
+    check("the page in a browser", &mut || match page::missing_node().or_else(page::missing_browser) {
+        Some(why) => Outcome::Skipped(format!("not run: {why}")),
+        None => of(page::browse(root)),
     });
     check("shock response spectra beside public packages", &mut || {
         if !validate_shock::is_installed(root) {

@@ -1,12 +1,14 @@
 //! `cargo xtask test`: everything that has to hold, with all set-up; what the README names and what CI runs.
 //! `cargo xtask arrows`: the first of these checks alone, which takes a second.
 //! `cargo xtask validate-shock`: shock response spectra beside public packages, which it fetches from PyPI.
+//! `cargo xtask ui`: builds the page that `freestand serve` hands out; the result is committed.
 //! `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a developer's tool talks to the terminal")]
 
 mod arrows;
 mod checks;
+mod page;
 mod source;
 mod texts;
 mod validate_shock;
@@ -14,7 +16,7 @@ mod validate_shock;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask test | arrows | validate-shock | texts [--flagged] [PATH…]";
+const USAGE: &str = "usage: cargo xtask test | arrows | ui | validate-shock | texts [--flagged] [PATH…]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -26,6 +28,7 @@ fn main() -> ExitCode {
     let done = match (command, rest) {
         ("test", []) => Ok(checks::all(&root)),
         ("arrows", []) => checks::arrows(&root).map(|()| true),
+        ("ui", []) => page::build(&root).map(|()| true),
         ("validate-shock", []) => validate_shock::fetch_and_compare(&root).map(|()| true),
         ("texts", rest) => texts::print(&root, rest).map(|()| true),
         _ => {

@@ -20,7 +20,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::run::ground_motions;
 use freestand_study::study::assessment::WorldSettings;
-use freestand_study::study::{Ground, Level, RecordedMotion, Study, SyntheticGround, VerticalTarget};
+use freestand_study::study::{BuildingInput, Ground, Level, RecordedMotion, Study, SyntheticGround, VerticalTarget};
 
 /// Largest difference between two level ratios of the same floor: inventories give two or three
 /// digits.
@@ -28,6 +28,52 @@ const SAME_LEVEL: f64 = 5e-3;
 
 /// Ground motions that are kept in memory: 1280 worlds of two components of 45 s take 190 MB.
 const MAX_KEPT: usize = 1536;
+
+/// The motions of worlds, kept from one request to the next: whoever moves a slider asks about many
+/// objects on one floor. It keeps those of the last few grounds and buildings.
+#[derive(Default)]
+pub struct Memory(Mutex<Vec<Remembered>>);
+
+/// Grounds and buildings whose motions are remembered; each takes up to 300 MB.
+const MAX_REMEMBERED: usize = 2;
+
+/// What the motions of worlds depend on, and those that are known.
+struct Remembered {
+    ground: Ground,
+    building: Option<BuildingInput>,
+    settings: WorldSettings,
+    seed: u64,
+    vertical_amplification_ratio: f64,
+    kept: Arc<Mutex<Kept>>,
+    floors: Arc<Mutex<KeptFloors>>,
+}
+
+/// Floors by the number of their world and the bits of their level.
+type KeptFloors = HashMap<(u32, u64), Arc<FloorOfWorld>>;
+
+impl Remembered {
+    fn of(study: &Study) -> Self {
+        Self {
+            ground: study.ground.clone(),
+            building: study.building.clone(),
+            settings: study.assessment.worlds,
+            seed: study.assessment.seed,
+            vertical_amplification_ratio: study.vertical_amplification_ratio,
+            kept: Arc::default(),
+            floors: Arc::default(),
+        }
+    }
+
+    fn is_of(&self, study: &Study) -> bool {
+        // How many worlds are asked does not change them.
+        let settings = WorldSettings { looks: self.settings.looks, ..study.assessment.worlds };
+        self.ground == study.ground
+            && self.building == study.building
+            && self.settings == settings
+            && self.seed == study.assessment.seed
+            && self.vertical_amplification_ratio == study.vertical_amplification_ratio
+    }
+}
 
 /// Draws the worlds of a study.
 pub(crate) struct Worlds<'a> {
@@ -41,6 +87,8 @@ pub(crate) struct Worlds<'a> {
     kept: Arc<Mutex<Kept>>,
     /// Those of other processes too.
     on_disk: Option<Arc<KeptMotions>>,
+    /// Floors at the intensity of the study; `None`: they are not kept.
+    floors: Option<Arc<Mutex<KeptFloors>>>,
 }
 
 /// Ground motions by the number of their world, and how often they were drawn again.
@@ -144,12 +192,61 @@ impl<'a> Worlds<'a> {
             intensity_ratio: 1.0,
             kept: Arc::default(),
             on_disk: None,
+            floors: None,
         })
     }
 
     /// The same worlds, with ground motions that several processes make once.
     pub(crate) fn kept_in(self, folder: KeptMotions) -> Self {
         Self { on_disk: Some(Arc::new(folder)), ..self }
+    }
+
+    /// The same worlds, with the motions that are remembered of earlier requests.
+    pub(crate) fn remembering(mut self, memory: &Memory) -> Self {
+        if !matches!(self.source, Source::Synthetic(_)) {
+            return self;
+        }
+        let mut all = memory.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = match all.iter().position(|one| one.is_of(self.study)) {
+            Some(place) => all.remove(place),
+            None => Remembered::of(self.study),
+        };
+        self.kept = Arc::clone(&known.kept);
+        self.floors = Some(Arc::clone(&known.floors));
+        all.truncate(MAX_REMEMBERED - 1);
+        all.insert(0, known);
+        self
+    }
+
+    /// The floors in one world, those that are remembered and those that are made.
+    fn remembered(
+        &self,
+        world: u32,
+        levels_ratio: &[f64],
+        again: Again,
+        building: Option<BuildingDraw>,
+    ) -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
+        let make = || -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
+            let made = self.floors_of_world(world, levels_ratio, again, building)?;
+            Ok(made.into_iter().map(Arc::new).collect())
+        };
+        let is_plain = again == Again::default() && building.is_none() && self.intensity_ratio == 1.0;
+        let Some(floors) = self.floors.as_ref().filter(|_| is_plain) else { return make() };
+        let key = |level_ratio: &f64| (world, level_ratio.to_bits());
+        let known = {
+            let floors = floors.lock().unwrap_or_else(PoisonError::into_inner);
+            levels_ratio.iter().map(|level| floors.get(&key(level)).cloned()).collect::<Option<Vec<_>>>()
+        };
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let made = make()?;
+        let mut floors = floors.lock().unwrap_or_else(PoisonError::into_inner);
+        if floors.len() + made.len() > MAX_KEPT {
+            floors.clear();
+        }
+        floors.extend(levels_ratio.iter().map(key).zip(made.iter().cloned()));
+        Ok(made)
     }
 
     /// The motions that the worlds use in turn; `None`: each world has its own.
@@ -196,6 +293,7 @@ impl<'a> Worlds<'a> {
             intensity_ratio: ratio,
             kept: Arc::clone(&self.kept),
             on_disk: self.on_disk.clone(),
+            floors: self.floors.clone(),
         }
     }
 
@@ -305,10 +403,8 @@ impl<'a> Worlds<'a> {
         let mut first: Vec<(u32, u32)> = worlds.clone().map(|world| (shaking(world), world)).collect();
         first.sort_unstable();
         first.dedup_by_key(|(shaking, _)| *shaking);
-        let floors = |&(shaking, world): &(u32, u32)| {
-            let floors = self.floors_of_world(world, levels_ratio, again, building)?;
-            Ok((shaking, floors.into_iter().map(Arc::new).collect()))
-        };
+        let floors =
+            |&(shaking, world): &(u32, u32)| Ok((shaking, self.remembered(world, levels_ratio, again, building)?));
         let made: Vec<Result<_, Problems>> = first.par_iter().map(floors).collect();
         let made: HashMap<u32, Vec<Arc<FloorOfWorld>>> = made.into_iter().collect::<Result<_, _>>()?;
         let of_level = |level: usize| {
@@ -325,8 +421,8 @@ impl<'a> Worlds<'a> {
     }
 
     /// The motion of a floor in one world.
-    pub(crate) fn floor(&self, world: u32, level_ratio: f64) -> Result<FloorOfWorld, Problems> {
-        let mut floors = self.floors_of_world(world, &[level_ratio], Again::default(), None)?;
+    pub(crate) fn floor(&self, world: u32, level_ratio: f64) -> Result<Arc<FloorOfWorld>, Problems> {
+        let mut floors = self.remembered(world, &[level_ratio], Again::default(), None)?;
         Ok(floors.swap_remove(0))
     }
 

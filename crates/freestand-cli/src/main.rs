@@ -11,6 +11,7 @@ mod printer;
 mod processing;
 mod reading;
 mod rows;
+mod session;
 mod stop;
 mod target;
 mod values;

@@ -2,6 +2,7 @@
 //! error.
 
 use std::io::{self, IsTerminal, Write};
+use std::sync::Arc;
 
 use comfy_table::{Cell, CellAlignment, Table, presets};
 use freestand_input::keys::KeyStyle;
@@ -16,18 +17,54 @@ use serde::Serialize;
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
+use crate::session::Session;
+use crate::stop::Stop;
 
-/// Prints the result of a command.
-#[derive(Debug, Clone, Copy)]
+/// Prints the result of a command, or keeps it for who asked for the command in another way than on
+/// the command line.
+#[derive(Debug, Clone)]
 pub(crate) struct Printer {
     json: bool,
     quiet: bool,
     verbose: bool,
+    session: Option<Arc<Session>>,
 }
 
 impl Printer {
     pub(crate) fn new(global: &GlobalArgs) -> Self {
-        Self { json: global.json, quiet: global.quiet, verbose: global.verbose }
+        Self { json: global.json, quiet: global.quiet, verbose: global.verbose, session: None }
+    }
+
+    /// For a command whose document is kept in `session`.
+    #[cfg(feature = "page")]
+    pub(crate) fn keeping(session: Arc<Session>) -> Self {
+        Self { json: true, quiet: true, verbose: false, session: Some(session) }
+    }
+
+    /// Prints a text, or keeps it.
+    pub(crate) fn print(&self, text: &str) -> Result<(), Failure> {
+        self.print_bytes(text.as_bytes())
+    }
+
+    /// Prints UTF-8, or keeps it.
+    pub(crate) fn print_bytes(&self, bytes: &[u8]) -> Result<(), Failure> {
+        match &self.session {
+            None => print_bytes(bytes),
+            Some(session) => {
+                session.keep(bytes);
+                Ok(())
+            }
+        }
+    }
+
+    /// Whether the user wants to stop the command.
+    pub(crate) fn stop(&self) -> Stop {
+        self.session.as_ref().map_or_else(Stop::listen, |session| session.stop.clone())
+    }
+
+    /// Who asked for the command, if it was not the command line.
+    pub(crate) fn session(&self) -> Option<&Session> {
+        self.session.as_deref()
     }
 
     /// Prints the result, as JSON (`body` with `schema` and `warnings`) or as text, and then the
@@ -40,9 +77,9 @@ impl Printer {
         text: impl FnOnce() -> String,
     ) -> Result<(), Failure> {
         if self.json {
-            print_text(&document(schema, body, warnings)?)?;
+            self.print(&document(schema, body, warnings)?)?;
         } else {
-            print_text(&text())?;
+            self.print(&text())?;
         }
         self.warn(warnings);
         Ok(())
@@ -78,6 +115,13 @@ impl Printer {
         }
     }
 
+    /// Prints the problems of the files that failed; where the document is kept, it names them.
+    pub(crate) fn failed(&self, failed: &[Failed]) {
+        if self.session.is_none() {
+            failed.iter().for_each(|one| print_problem(&one.problem));
+        }
+    }
+
     /// Prints a detail if `-v` is given.
     pub(crate) fn detail(&self, text: &str) {
         if self.verbose {
@@ -102,7 +146,7 @@ pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
 }
 
 /// Writes UTF-8 to standard output and flushes it.
-pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(bytes).and_then(|()| out.flush()).map_err(|error| Failure::output(&error))
 }
@@ -118,21 +162,20 @@ pub(crate) fn print_failure(failure: &Failure) {
     problems.iter().for_each(print_problem);
 }
 
-/// Prints the problems of the files that failed.
-pub(crate) fn print_failed(failed: &[Failed]) {
-    failed.iter().for_each(|one| print_problem(&one.problem));
-}
-
 fn print_problem(problem: &Problem) {
     error_line(&format!("error: {}", one_line(&KeyStyle::Flag.shown(&problem.to_string()))));
-    let hint = problem.hint.as_deref().unwrap_or(match problem.kind {
+    error_line(&format!("hint: {}", one_line(&KeyStyle::Flag.shown(hint_of(problem)))));
+}
+
+/// What to do about a problem.
+pub(crate) fn hint_of(problem: &Problem) -> &str {
+    problem.hint.as_deref().unwrap_or(match problem.kind {
         ProblemKind::Io => "check the path and its permissions",
         ProblemKind::Format => "check that the file is complete and of a supported format",
         ProblemKind::Value | ProblemKind::Missing => "--help shows what is accepted",
         ProblemKind::Computation => "check that the input is physically possible",
         ProblemKind::Stopped => "run it again",
-    });
-    error_line(&format!("hint: {}", one_line(&KeyStyle::Flag.shown(hint))));
+    })
 }
 
 /// A table for people: a line of headings, then rows; columns of numbers are aligned to the right.

@@ -13,7 +13,7 @@ use serde_json::json;
 
 use crate::failure::Failure;
 use crate::files::{Files, RESULT};
-use crate::printer::{Printer, print_bytes};
+use crate::printer::Printer;
 
 /// Name of the table in the output folder.
 pub(crate) const ROWS: &str = "rows.csv";
@@ -25,6 +25,7 @@ pub(crate) struct Rows {
     documents: Vec<StreamedFile>,
     parquet: Option<Parquet>,
     print: bool,
+    printer: Printer,
     /// Whether nothing has been written yet.
     first: bool,
 }
@@ -79,7 +80,8 @@ impl Rows {
         let documents = files.begin_file(RESULT)?.into_iter().collect();
         let parquet = parquet.map(|path| StreamedFile::begin(path, inputs)).transpose()?;
         let parquet = parquet.map(|file| Parquet::Waiting(file, inputs.to_vec()));
-        Ok(Self { schema, tables, documents, parquet, print: printer.json(), first: true })
+        let (print, printer) = (printer.json(), printer.clone());
+        Ok(Self { schema, tables, documents, parquet, print, printer, first: true })
     }
 
     /// Appends the rows of a chunk to every output.
@@ -135,9 +137,9 @@ impl Rows {
         }
         files.finish_result(self.schema, warnings)?;
         if !printer.json() {
-            print_bytes(text().as_bytes())?;
+            printer.print(&text())?;
         } else if self.print {
-            print_bytes(tail.as_bytes())?;
+            printer.print(&tail)?;
         }
         printer.warn(warnings);
         Ok(())
@@ -157,7 +159,7 @@ impl Rows {
         if !self.print {
             return Ok(());
         }
-        match print_bytes(piece) {
+        match self.printer.print_bytes(piece) {
             // The reader has closed the pipe, but the files must be completed.
             Err(Failure::BrokenPipe)
                 if !self.tables.is_empty() || !self.documents.is_empty() || self.parquet.is_some() =>

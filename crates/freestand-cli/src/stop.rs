@@ -28,6 +28,12 @@ impl Stop {
         Self(wanted)
     }
 
+    /// Stops when this flag is set.
+    #[cfg(feature = "page")]
+    pub(crate) fn on(flag: Arc<AtomicBool>) -> Self {
+        Self(flag)
+    }
+
     pub(crate) fn wanted(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

@@ -4,6 +4,7 @@ pub mod building;
 pub mod check;
 pub mod compliant;
 pub mod cushion;
+pub mod drawn;
 pub mod figures;
 #[cfg(test)]
 mod fixture;

@@ -65,6 +65,21 @@ pub struct RockReport {
     pub contacts: [Option<Contact>; 2],
     /// Its impacts on walls.
     pub wall_impacts: Vec<WallImpact>,
+    /// Its impacts on the floor.
+    pub landings: Vec<EdgeLanding>,
+    /// The block.
+    pub block: Block,
+}
+
+/// An impact on the floor, with its shock.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EdgeLanding {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// ω⁻, signed \[rad/s\].
+    pub omega_before_rad_s: f64,
+    /// Shock of the edge that lands, from the speed of the impact \[g\]; `None` without mass and cushion.
+    pub edge_acceleration_g: Option<f64>,
 }
 
 /// Calculates the response of the object; its history is sampled only if `record` is true.
@@ -198,8 +213,14 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)
         .fact("ceiling_g", "ceiling of the shock", shock.map(|s| s.ceiling_g))
         .and(facts!(rocking.effort; steps, evaluations));
+    let landed = |i: &RockingImpact| EdgeLanding {
+        time_s: i.time_s,
+        omega_before_rad_s: i.omega_before_rad_s,
+        edge_acceleration_g: shock_of(i.omega_before_rad_s),
+    };
+    let landings = rocking.impacts.iter().map(landed).collect();
     let Rocking { outcome, contacts, wall_impacts, .. } = rocking;
-    RockReport { facts, outcome, warnings, history, contacts, wall_impacts }
+    RockReport { facts, outcome, warnings, history, contacts, wall_impacts, landings, block: *block }
 }
 
 /// A problem of the solver, with what to do about it.

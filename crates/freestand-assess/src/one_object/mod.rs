@@ -20,6 +20,8 @@ use crate::inventory::{Casters, Surroundings};
 use crate::output::words::listed;
 use crate::result::Assessment;
 use crate::verdict::{Context, Member, Subject, Tally, assess_one};
+pub use crate::verdict::{Follow, Shown, ShownEarthquake};
+pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
 
 pub use sentence::AnswerKind;
@@ -161,6 +163,20 @@ pub fn one_object(
     request: &ObjectRequest,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
 ) -> Result<ObjectReport, Problems> {
+    Ok(one_object_shown(request, &Memory::default(), None, wants_to_stop)?.0)
+}
+
+/// As [`one_object`], with some of its earthquakes and the history in the one that is followed; motions
+/// of the ground and the floor are taken from `memory` and kept there.
+///
+/// # Errors
+/// As for [`one_object`], or no earthquake of the name that is followed.
+pub fn one_object_shown(
+    request: &ObjectRequest,
+    memory: &Memory,
+    follow: Option<&Follow>,
+    wants_to_stop: &(dyn Fn() -> bool + Sync),
+) -> Result<(ObjectReport, Option<Shown>), Problems> {
     check(request)?;
     let shaken = shaking::shaken(request)?;
     let row = row::row(request, &shaken.study)?;
@@ -168,22 +184,23 @@ pub fn one_object(
         .map_err(|missing| Problem::new(ProblemKind::Missing, format!("its {} is missing", listed(&missing))))?;
     let member = Member::new(&row.item, subject, &shaken.study.assessment);
     let go_on = || if wants_to_stop() { Err(Problem::stopped().into()) } else { Ok(()) };
-    let worlds = Worlds::new(&shaken.study, go_on)?;
+    let worlds = Worlds::new(&shaken.study, go_on)?.remembering(memory);
     if !worlds.has_floor(member.subject.level_ratio) {
         let hint = "name a floor whose motions the study gives, or give the study a building";
         return Err(Problem::value("the study has no motion for this floor", hint).into());
     }
-    let at = |scale: f64| -> Result<(Assessment, Tally), Problems> {
-        assess_one(&Context::new(&shaken.study, worlds.at_intensity(scale), 1, wants_to_stop), &member)
+    let at = |scale: f64, follow| -> Result<(Assessment, Tally, Option<Shown>), Problems> {
+        assess_one(&Context::new(&shaken.study, worlds.at_intensity(scale), 1, wants_to_stop), &member, follow)
     };
-    let found = at(1.0)?;
+    let (found, tally, shown) = at(1.0, follow)?;
     let mut scales = Vec::new();
     if let Earthquake::Motions { scales: factors, .. } = &request.earthquake {
         for scale in factors {
-            scales.push((*scale, at(*scale)?));
+            let (found, tally, _) = at(*scale, None)?;
+            scales.push((*scale, (found, tally)));
         }
     }
-    Ok(report::report(request, &shaken, &row, found, scales))
+    Ok((report::report(request, &shaken, &row, (found, tally), scales), shown))
 }
 
 /// Everything that the parts of a request contradict.

@@ -13,6 +13,7 @@ mod capacity;
 mod comparisons;
 mod decision;
 mod draw;
+mod followed;
 mod object;
 mod outcomes;
 mod per_year;
@@ -42,6 +43,7 @@ use freestand_study::study::assessment::{Questions, Settings};
 use trial::Trial;
 
 pub(crate) use comparisons::restraint_of;
+pub use followed::{Follow, Shown, ShownEarthquake};
 pub(crate) use object::Subject;
 pub(crate) use tally::Tally;
 
@@ -138,12 +140,19 @@ pub(crate) fn assess_group(
     assessed(context, &trials)
 }
 
-/// The assessment of one object, the same as in a list, with what its worlds add up to.
-pub(crate) fn assess_one(context: &Context, member: &Member) -> Result<(Assessment, Tally), Problems> {
+/// The assessment of one object, the same as in a list, with what its worlds add up to, and some of
+/// its earthquakes where one is followed.
+pub(crate) fn assess_one(
+    context: &Context,
+    member: &Member,
+    follow: Option<&Follow>,
+) -> Result<(Assessment, Tally, Option<Shown>), Problems> {
     let trials = lived(context, std::slice::from_ref(member))?;
     let nothing = || Problem::new(ProblemKind::Computation, "the object was not assessed");
-    let tally = trials.first().map(|trial| tally::tally(context, trial)).ok_or_else(nothing)?;
-    Ok((assessed(context, &trials)?.pop().ok_or_else(nothing)?, tally))
+    let trial = trials.first().ok_or_else(nothing)?;
+    let tally = tally::tally(context, trial);
+    let shown = follow.map(|follow| followed::shown(context, trial, follow)).transpose()?;
+    Ok((assessed(context, &trials)?.pop().ok_or_else(nothing)?, tally, shown))
 }
 
 /// Objects in as many worlds as their questions need.

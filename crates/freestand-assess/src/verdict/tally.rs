@@ -35,11 +35,8 @@ pub(crate) struct Tally {
 pub(super) fn tally(context: &Context, trial: &Trial) -> Tally {
     let count = |is_one: &dyn Fn(&Lived) -> bool| trial.lived.iter().filter(|lived| is_one(lived)).count() as u32;
     let models: Vec<Model> = trial.models(context).collect();
+    let deciding = deciding(context, trial);
     let fallen = |lived: &Lived, model| trial.answer(lived, Question::Falls, model) == Some(Some(true));
-    // The model with the larger upper end decides, as in the verdict; of two equal ones the first.
-    let high = |model: &Model| trial.probability(context, Question::Falls, *model).high;
-    let deciding = models.iter().copied().reduce(|most, next| if high(&next) > high(&most) { next } else { most });
-    let deciding = deciding.unwrap_or(Model::Rigid);
     let exceeds =
         |lived: &Lived, model| !fallen(lived, model) && trial.answer(lived, Question::Shock, model) == Some(Some(true));
     let exceeded = models.iter().map(|model| count(&|lived| exceeds(lived, *model))).max();
@@ -59,6 +56,14 @@ pub(super) fn tally(context: &Context, trial: &Trial) -> Tally {
             .map(|axis| axis.block.pivot().slenderness_angle_rad.tan())
             .fold(f64::INFINITY, f64::min),
     }
+}
+
+/// The model that decides whether an object falls: that with the larger upper end, as in the verdict; of
+/// two equal ones the first.
+pub(super) fn deciding(context: &Context, trial: &Trial) -> Model {
+    let high = |model: &Model| trial.probability(context, Question::Falls, *model).high;
+    let models = trial.models(context);
+    models.reduce(|most, next| if high(&next) > high(&most) { next } else { most }).unwrap_or(Model::Rigid)
 }
 
 fn has_lifted(lived: &Lived) -> bool {

@@ -8,7 +8,6 @@ use freestand::G0_M_S2;
 use freestand::compliant::{
     CompliantAccuracy, CompliantBase, CompliantOptions, CompliantWorld, rock_compliant_many, rock_compliant_observed,
 };
-use freestand::cushion::{ContactLaw, Cushion};
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
 use freestand::rocking::{Restitution, RockingError, rock_between};
 use freestand::wall::Walls;
@@ -513,14 +512,7 @@ pub(super) fn on_any_pads(
 ) -> Result<PadMotion, String> {
     let missing = || "mass or cushion is missing".to_owned();
     let (block, _) = draw.block(subject, axis).ok_or_else(missing)?;
-    let (mass_kg, cushion) = draw.body(subject).ok_or_else(missing)?;
-    let cushion = match cushion.linear_stiffness_n_m() {
-        Some(stiffness_n_m) => {
-            let damping_n_s_m = draw.pad_damping_n_s_m(stiffness_n_m, mass_kg);
-            Cushion::new(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }).map_err(|error| error.to_string())?
-        }
-        None => cushion,
-    };
+    let (mass_kg, cushion) = draw.damped_body(subject).ok_or_else(missing)?;
     let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion) };
     let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
     let motion = floor.base(draw.is_along_x(axis));

@@ -24,8 +24,7 @@ use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::hazard::HazardArgs;
-use crate::printer::{Printer, print_text, significant, table};
-use crate::stop::Stop;
+use crate::printer::{Printer, significant, table};
 
 /// Decide which objects of an inventory to restrain, to put on softer pads or to leave
 #[derive(Debug, Args)]
@@ -195,13 +194,16 @@ impl ListArgs {
 
 /// Long work with a bar of its progress, which Ctrl-C stops.
 pub(crate) fn watched<T>(printer: &Printer, work: impl FnOnce(Progress) -> Result<T, Problems>) -> Result<T, Problems> {
-    let stop = Stop::listen();
+    let stop = printer.stop();
     let bar = printer.progress_bar(false);
     let progress = |step: Step| {
         if let Some(stage) = step.stage {
             bar.set_length(step.total as u64);
             bar.set_position(step.done as u64);
             bar.set_message(stage.name());
+            if let Some(session) = printer.session() {
+                session.progress(stage.name(), step.done, step.total);
+            }
         }
         if stop.wanted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
@@ -212,14 +214,17 @@ pub(crate) fn watched<T>(printer: &Printer, work: impl FnOnce(Progress) -> Resul
 
 /// Prints the result of an assessment whose files are in `out`.
 pub(crate) fn print(report: &JobReport, out: &Path, inventory: &Inventory, printer: &Printer) -> Result<(), Failure> {
+    if let Some(session) = printer.session() {
+        session.files(&report.files, report.interrupted);
+    }
     if let Some(note) = removed_note(&report.removed) {
         printer.note(&note);
     }
     if printer.json() {
-        print_json(report, out, inventory)?;
+        print_json(report, out, inventory, printer)?;
         printer.warn(&report.all_warnings());
     } else {
-        print_text(&text(report))?;
+        printer.print(&text(report))?;
         printer.warn(&report.warnings);
     }
     Ok(())
@@ -230,22 +235,25 @@ const PIECE_BYTES: usize = 1 << 16;
 
 /// The document: a row for each object, as they are in objects.csv, and the summary. Rows are
 /// printed one by one, because a million of them do not fit into memory.
-fn print_json(report: &JobReport, out: &Path, inventory: &Inventory) -> Result<(), Failure> {
+fn print_json(report: &JobReport, out: &Path, inventory: &Inventory, printer: &Printer) -> Result<(), Failure> {
     let mut pending = rows_head(SCHEMA)?;
     let mut separator = "\n    ";
     object_rows(out, inventory, |row| {
+        if let Some(session) = printer.session() {
+            session.object(row);
+        }
         let row =
             serde_json::to_string(row).map_err(|error| Failure::computation(format!("a row is not JSON: {error}")))?;
         pending.push_str(separator);
         pending.push_str(&row);
         separator = ",\n    ";
         if pending.len() > PIECE_BYTES {
-            print_text(&std::mem::take(&mut pending))?;
+            printer.print(&std::mem::take(&mut pending))?;
         }
         Ok::<(), Failure>(())
     })?;
     pending.push_str(&rows_tail(SCHEMA, report, &report.all_warnings())?);
-    print_text(&pending)
+    printer.print(&pending)
 }
 
 fn text(report: &JobReport) -> String {

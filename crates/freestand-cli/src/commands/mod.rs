@@ -16,6 +16,8 @@ mod restrain;
 mod risk;
 mod rock;
 mod run;
+#[cfg(feature = "page")]
+mod serve;
 mod shard;
 mod shock;
 mod shock_spectrum;
@@ -87,6 +89,8 @@ pub(crate) enum Command {
     Fragility(Box<fragility::FragilityArgs>),
     Risk(Box<risk::RiskArgs>),
     Validate(validate::ValidateArgs),
+    #[cfg(feature = "page")]
+    Serve(serve::ServeArgs),
     Completions(completions::CompletionsArgs),
 }
 
@@ -112,6 +116,8 @@ impl Command {
             Self::Fragility(args) => fragility::run(args, global, printer),
             Self::Risk(args) => risk::run(args, global, printer),
             Self::Validate(_) => validate::run(global, printer),
+            #[cfg(feature = "page")]
+            Self::Serve(args) => serve::run(args, global, printer),
             Self::Completions(args) => completions::run(args, global, printer),
         }
     }

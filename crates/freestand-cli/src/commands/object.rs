@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand_assess::inventory::{Casters, Surroundings, UpperBody};
 use freestand_assess::one_object::{
-    Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA, Withstood, one_object,
+    Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA, Withstood, one_object_shown,
 };
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
@@ -20,7 +20,7 @@ use crate::files::Files;
 use crate::keys::{Key, KeySet, Keys, key};
 use crate::printer::{Printer, lines, table};
 use crate::reading::ReadArgs;
-use crate::stop::Stop;
+use crate::session::Session;
 use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Say in one sentence whether an earthquake rocks one object and whether it falls over
@@ -257,11 +257,17 @@ pub(crate) fn run(args: &ObjectArgs, global: &GlobalArgs, printer: &Printer) -> 
     let request = request(args, global)?;
     let inputs: Vec<PathBuf> = args.read.inputs(&args.motion).into_iter().chain(args.study.clone()).collect();
     let files = Files::begin(global, &inputs)?;
-    let stop = Stop::listen();
-    let report = one_object(&request, &|| stop.wanted()).map_err(|problems| match problems.is_stopped() {
+    let stop = printer.stop();
+    let session = printer.session();
+    let (memory, follow) = (session.map(Session::memory).unwrap_or_default(), session.and_then(Session::follow));
+    let shown = one_object_shown(&request, &memory, follow.as_ref(), &|| stop.wanted());
+    let (report, shown) = shown.map_err(|problems| match problems.is_stopped() {
         true => Failure::Stopped { printed: false },
         false => problems.into(),
     })?;
+    if let Some((session, shown)) = session.zip(shown.as_ref()) {
+        session.beside(shown);
+    }
     files.print(printer, SCHEMA, &report.facts, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }

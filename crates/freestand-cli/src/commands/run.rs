@@ -25,7 +25,6 @@ use crate::files::Files;
 use crate::hazard::HazardArgs;
 use crate::printer::{Printer, optional, table};
 use crate::reading::{ReadArgs, SecondArgs};
-use crate::stop::Stop;
 use crate::values::Values;
 
 /// Run a whole study: motions, building, spectra of a grid of objects, figures and report
@@ -111,7 +110,7 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     };
     let out = global.folder(FOLDER);
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
-    let stop = Stop::listen();
+    let stop = printer.stop();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?.of_command(freestand_study::summary::SCHEMA)?;
     folder.check(&expected_names(&study, variations.is_some()))?;
 

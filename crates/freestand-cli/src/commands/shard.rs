@@ -14,7 +14,7 @@ use super::Done;
 use super::assess::{ListArgs, print, watched};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::printer::{Printer, print_text, significant};
+use crate::printer::{Printer, significant};
 
 /// Divide an assessment into shards that run on any machines, and put their results together
 ///
@@ -195,7 +195,7 @@ fn merge(args: &MergeArgs, global: &GlobalArgs, printer: &Printer) -> Result<Don
                 let body = json!({"missing": missing, "commands": commands});
                 printer.result(MERGE_SCHEMA, &body, &[], String::new)?;
             } else {
-                print_text(&format!(
+                printer.print(&format!(
                     "{} not finished, so nothing was written. Run them:\n{}",
                     if missing.len() == 1 { "1 shard is".to_owned() } else { format!("{} shards are", missing.len()) },
                     listed(&commands, &missing, &dir)

@@ -25,7 +25,6 @@ use crate::files::Files;
 use crate::printer::Printer;
 use crate::reading::{ReadArgs, VerticalArgs, path_text};
 use crate::rows::{ROWS, Rows};
-use crate::stop::Stop;
 use crate::values::{Given, Reads, Values};
 
 const SCHEMA: &str = "freestand.spectrum/1";
@@ -132,11 +131,14 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let reading = read(args)?;
     let mut warnings = reading.warnings;
 
-    let stop = Stop::listen();
+    let stop = printer.stop();
     let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut rows = Rows::begin(SCHEMA, printer, &files, (args.csv.as_deref(), args.parquet.as_deref()), &inputs)?;
     let total = request.grid.objects() * reading.motions.len();
+    if let Some(session) = printer.session() {
+        session.check_histories(total)?;
+    }
     let mut seen = Seen::new(reading.motions.len(), total, &request);
     let bar = printer.progress_bar(printer.json());
     bar.set_length(total as u64);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::G0_M_S2;
-use freestand::identify::FittedLaw;
+use freestand::identify::{DropTest, FittedLaw};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_output::facts::Facts;
@@ -16,13 +16,14 @@ use freestand_study::laboratory::drop_test::{
 };
 
 use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
+use serde::Serialize;
 
 use super::static_curve::{BOUNDARIES, IMPACTORS};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failed};
+use crate::printer::{Column, Printer, facts_table, failed_lines, lines};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Evaluate drop tests of a pad: stiffness with its 95 % interval, exponent and damping
@@ -116,9 +117,32 @@ pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Re
             files.drawn(&figure.name, &figure)?;
         }
     }
+    if let Some(session) = printer.session().filter(|session| session.wants_history()) {
+        session.beside(&Beside { loops: report.tests.iter().map(|test| Loop::of(&test.test)).collect() });
+    }
     files.print(printer, "freestand.cushion-drop/1", &report.facts(), &report.warnings, || text(&report))?;
-    print_failed(&report.failed);
+    printer.failed(&report.failed);
     Ok(Done { criterion_met: report.all_gave() })
+}
+
+/// What goes beside the document of who wants to draw the loops.
+#[derive(Debug, Serialize)]
+struct Beside {
+    loops: Vec<Loop>,
+}
+
+/// Force against compression, in the order of the tests.
+#[derive(Debug, Serialize)]
+struct Loop {
+    compression_m: Vec<f64>,
+    force_n: Vec<f64>,
+}
+
+impl Loop {
+    fn of(test: &DropTest) -> Self {
+        let (compression_m, force_n) = test.points.iter().map(|point| (point.compression_m, point.force_n)).unzip();
+        Self { compression_m, force_n }
+    }
 }
 
 fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure> {

@@ -14,7 +14,7 @@ use crate::commands::Done;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table, print_text};
+use crate::printer::{Column, Printer, facts_table};
 use crate::values::{Given, Reads, Values};
 
 /// Simulate drop tests and static tests of a cushion, with the imperfections of real ones
@@ -123,7 +123,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
     files.finish(SCHEMA, &report, &notes)?;
     if is_file {
         // Only the file is printed, so that it can be redirected.
-        print_text(&first)?;
+        printer.print(&first)?;
         printer.warn(&notes);
         return Ok(Done::OK);
     }

@@ -12,7 +12,7 @@ use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table, failed_lines, print_failed};
+use crate::printer::{Column, Printer, facts_table, failed_lines};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
 /// Evaluate static tests of a pad: tangent and secant stiffness at the working load, and hysteresis
@@ -76,7 +76,7 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
     }
     files.figure("static", || static_figure(&report))?;
     files.print(printer, "freestand.cushion-static/1", &report.facts(), &report.warnings, || text(&report))?;
-    print_failed(&report.failed);
+    printer.failed(&report.failed);
     Ok(Done { criterion_met: report.failed.is_empty() })
 }
 

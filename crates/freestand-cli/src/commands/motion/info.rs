@@ -16,7 +16,7 @@ use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
-use crate::printer::{Column, Printer, facts_table, failed_lines, lines, print_failed};
+use crate::printer::{Column, Printer, facts_table, failed_lines, lines};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values};
 
@@ -73,7 +73,7 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
     // The figures that were written.
     let facts = report.facts().key("plots", plots);
     out.print(printer, "freestand.motion-info/1", &facts, &report.warnings, || text(&report, block.is_some()))?;
-    print_failed(&report.failed);
+    printer.failed(&report.failed);
     Ok(Done { criterion_met: report.failed.is_empty() })
 }
 

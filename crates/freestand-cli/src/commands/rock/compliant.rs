@@ -3,12 +3,14 @@
 use clap::{Args, ValueEnum};
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, CompliantOptions, Start};
+use freestand::rocking::Base;
 use freestand_input::quantity::Dimension;
 use freestand_study::compliant::{
     CompliantRequest, Release, accuracy, history_csv, rock_on_cushions, start, trace_figure, with_tangential_stiffness,
 };
+use freestand_study::drawn::drawn_on_pads;
 
-use super::{Reading, RockArgs, spatial, stack};
+use super::{Beside, Reading, RockArgs, spatial, stack};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
@@ -86,6 +88,12 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let (request, reading) = request(args)?;
     let files = Files::begin(global, &reading.inputs)?;
     let report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
+    if let Some(session) = printer.session().filter(|session| session.wants_history()) {
+        let options = CompliantOptions { duration_s: Some(report.rocking.end_time_s), ..request.options.clone() };
+        let motion = Base { horizontal: request.horizontal.as_ref(), vertical: request.vertical.as_ref() };
+        let history = drawn_on_pads(&request.block, &request.base, motion, &options)?;
+        session.beside(&Beside { history });
+    }
     if !report.rocking.touches.is_empty() {
         files.figure("trace", || trace_figure(&report))?;
     }

@@ -15,9 +15,11 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_output::folder::write_file;
+use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::figures::rock_figure;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::rock::{RockRequest, history_csv, rock};
+use serde::Serialize;
 
 use self::compliant::CompliantArgs;
 use self::spatial::SpatialArgs;
@@ -165,7 +167,8 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         target.check(reading.horizontal.len().max(1))?;
     }
     let files = Files::begin(global, &reading.inputs)?;
-    let is_recorded = args.history.is_some() || files.wanted() || target.is_some();
+    let session = printer.session().filter(|session| session.wants_history());
+    let is_recorded = args.history.is_some() || files.wanted() || target.is_some() || session.is_some();
     if reading.horizontal.len() > 1 {
         return several(&request, reading, target.as_ref(), files, printer);
     }
@@ -173,6 +176,9 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let request = RockRequest { horizontal, ..request };
     let report = rock(&request, is_recorded)?;
     let history = || history_csv(&request.block, &report.history);
+    if let Some(session) = session {
+        session.beside(&Beside { history: drawn(&report, request.horizontal.as_ref()) });
+    }
     let mut plots = None;
     if let Some(target) = &target {
         let name = name.unwrap_or_else(|| "free rocking".to_owned());
@@ -185,6 +191,12 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         None => report.facts,
     };
     reading.finish(args.history.as_deref(), history, (facts, report.warnings), files, printer)
+}
+
+/// What goes beside the document of who wants to draw the history.
+#[derive(Debug, Serialize)]
+struct Beside {
+    history: DrawnHistory,
 }
 
 /// The table of several motions.

@@ -1,0 +1,129 @@
+//! A command that was asked for by another program than the command line: its document is kept, and
+//! what it tells while it works goes to that program.
+
+#![cfg_attr(not(feature = "page"), allow(dead_code, reason = "nobody begins a session"))]
+
+use std::fmt::Debug;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use freestand_assess::one_object::{Follow, Memory};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use crate::failure::Failure;
+use crate::stop::Stop;
+
+/// Histories of one request that is answered at once.
+const MAX_HISTORIES: usize = 1_000_000;
+
+/// Who asked for a command.
+pub(crate) struct Session {
+    pub(crate) stop: Stop,
+    /// Whose history is wanted beside the document.
+    follow: Option<Follow>,
+    memory: Arc<Memory>,
+    /// Whether somebody waits for the answer.
+    is_live: bool,
+    tell: Box<dyn Fn(Told) + Send + Sync>,
+    kept: Mutex<Kept>,
+}
+
+/// What a command tells while it works.
+pub(crate) enum Told {
+    /// So much is done of a phase.
+    Progress { phase: &'static str, done: usize, total: usize },
+    /// A finished object.
+    Object(Value),
+}
+
+/// What a command leaves behind.
+#[derive(Debug, Default)]
+pub(crate) struct Kept {
+    /// Its document.
+    pub(crate) document: Vec<u8>,
+    /// What goes beside it.
+    pub(crate) beside: Map<String, Value>,
+    /// The files that it wrote.
+    pub(crate) files: Vec<String>,
+    /// Whether it was stopped before its end.
+    pub(crate) is_interrupted: bool,
+}
+
+impl Debug for Session {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("Session").field("follow", &self.follow).field("is_live", &self.is_live).finish()
+    }
+}
+
+impl Session {
+    pub(crate) fn new(
+        stop: Stop,
+        (follow, is_live): (Option<Follow>, bool),
+        memory: Arc<Memory>,
+        tell: Box<dyn Fn(Told) + Send + Sync>,
+    ) -> Self {
+        Self { stop, follow, memory, is_live, tell, kept: Mutex::default() }
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Kept> {
+        self.kept.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What the command has left behind.
+    pub(crate) fn take(&self) -> Kept {
+        std::mem::take(&mut self.kept())
+    }
+
+    /// Keeps a piece of the document.
+    pub(crate) fn keep(&self, bytes: &[u8]) {
+        self.kept().document.extend(bytes);
+    }
+
+    /// Keeps what goes beside the document.
+    pub(crate) fn beside<T: Serialize>(&self, body: &T) {
+        if let Ok(Value::Object(keys)) = serde_json::to_value(body) {
+            self.kept().beside.extend(keys);
+        }
+    }
+
+    /// Whether a history is wanted.
+    pub(crate) fn wants_history(&self) -> bool {
+        self.follow.is_some()
+    }
+
+    /// Whose history is wanted.
+    pub(crate) fn follow(&self) -> Option<Follow> {
+        self.follow.clone()
+    }
+
+    /// Motions of earlier requests.
+    pub(crate) fn memory(&self) -> Arc<Memory> {
+        Arc::clone(&self.memory)
+    }
+
+    /// Refuses more histories than somebody would wait for.
+    pub(crate) fn check_histories(&self, histories: usize) -> Result<(), Failure> {
+        if !self.is_live || histories <= MAX_HISTORIES {
+            return Ok(());
+        }
+        let message = format!("these are {histories} histories, more than {MAX_HISTORIES}");
+        Err(Failure::usage(message, "ask for fewer objects or fewer motions, or use the command line"))
+    }
+
+    /// Tells how much is done, and gives way to others.
+    pub(crate) fn progress(&self, phase: &'static str, done: usize, total: usize) {
+        (self.tell)(Told::Progress { phase, done, total });
+    }
+
+    /// Tells a finished object.
+    pub(crate) fn object(&self, row: &Map<String, Value>) {
+        (self.tell)(Told::Object(Value::Object(row.clone())));
+    }
+
+    /// The files of the command, and whether it was stopped before its end.
+    pub(crate) fn files(&self, files: &[String], is_interrupted: bool) {
+        let mut kept = self.kept();
+        kept.files = files.to_vec();
+        kept.is_interrupted = is_interrupted;
+    }
+}

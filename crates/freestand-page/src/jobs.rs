@@ -1,0 +1,268 @@
+//! Work that takes long: started by one request, followed by another, stopped by a third.
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use bytes::Bytes;
+use serde_json::{Value, json};
+use tokio::sync::mpsc::Receiver;
+use tokio::sync::watch;
+
+use crate::reply::{Refusal, Status};
+use crate::{Cancel, Reply};
+
+/// Jobs that run at the same time.
+pub(crate) const MAX_RUNNING: usize = 4;
+
+/// Progress is told ten times a second at most.
+const BETWEEN_PROGRESS: Duration = Duration::from_millis(100);
+
+/// How long a job waits between looks at whether a live request is being answered.
+const YIELD: Duration = Duration::from_millis(2);
+
+/// A line is sent in this time even where nothing happens, so that both sides notice a lost
+/// connection.
+const ALIVE: Duration = Duration::from_secs(15);
+
+/// What work tells while it runs. Work of a live request tells nobody.
+#[derive(Clone, Default)]
+pub struct Events {
+    job: Option<Arc<Job>>,
+}
+
+impl Events {
+    /// How much is done of a phase.
+    pub fn progress(&self, phase: &str, done: usize, total: usize) {
+        let Some(job) = &self.job else { return };
+        let mut told = job.told.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_new = told.phase != phase || done >= total;
+        if !is_new && told.at.is_some_and(|at| at.elapsed() < BETWEEN_PROGRESS) {
+            return;
+        }
+        if told.phase == phase && told.done == Some(done) {
+            return;
+        }
+        *told = Told { phase: phase.to_owned(), at: Some(Instant::now()), done: Some(done) };
+        drop(told);
+        job.push("progress", &json!({"done": done, "total": total, "phase": phase}));
+    }
+
+    /// A finished object.
+    pub fn object(&self, row: &Value) {
+        if let Some(job) = &self.job {
+            job.push("object", row);
+        }
+    }
+
+    /// A problem that does not end the work.
+    pub fn problem(&self, problem: &Value) {
+        if let Some(job) = &self.job {
+            job.push("problem", problem);
+        }
+    }
+
+    /// Called between objects: waits until no live request is being answered.
+    pub fn give_way(&self) {
+        let Some(job) = &self.job else { return };
+        while job.live.0.load(Ordering::Acquire) > 0 && !job.cancel.is_cancelled() {
+            std::thread::sleep(YIELD);
+        }
+    }
+}
+
+/// The live requests that are being answered.
+#[derive(Clone, Default)]
+pub(crate) struct Live(Arc<AtomicUsize>);
+
+impl Live {
+    /// Counts one until it is dropped.
+    pub(crate) fn enter(&self) -> Entered {
+        self.0.fetch_add(1, Ordering::AcqRel);
+        Entered(self.clone())
+    }
+}
+
+pub(crate) struct Entered(Live);
+
+impl Drop for Entered {
+    fn drop(&mut self) {
+        self.0.0.fetch_sub(1, Ordering::AcqRel);
+    }
+}
+
+#[derive(Default)]
+struct Told {
+    phase: String,
+    at: Option<Instant>,
+    done: Option<usize>,
+}
+
+/// One job with everything that it has told.
+pub(crate) struct Job {
+    pub(crate) id: String,
+    pub(crate) cancel: Cancel,
+    pub(crate) folder: PathBuf,
+    live: Live,
+    told: Mutex<Told>,
+    record: Mutex<Record>,
+    /// How many events there are; watched by those who follow.
+    count: watch::Sender<usize>,
+}
+
+#[derive(Default)]
+struct Record {
+    events: Vec<Bytes>,
+    is_ended: bool,
+    files: Vec<String>,
+}
+
+impl Job {
+    fn push(&self, name: &str, data: &Value) {
+        let mut record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
+        if !record.is_ended {
+            let number = record.events.len() + 1;
+            record.events.push(format!("id: {number}\nevent: {name}\ndata: {data}\n\n").into());
+            record.is_ended = ["done", "failed", "cancelled"].contains(&name);
+            self.count.send_replace(number);
+        }
+    }
+
+    pub(crate) fn events(self: &Arc<Self>) -> Events {
+        Events { job: Some(Arc::clone(self)) }
+    }
+
+    pub(crate) fn is_ended(&self) -> bool {
+        self.record.lock().unwrap_or_else(PoisonError::into_inner).is_ended
+    }
+
+    /// The last event of the job.
+    pub(crate) fn end(&self, outcome: Result<Reply, Refusal>) {
+        match outcome {
+            Ok(reply) => {
+                let mut record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
+                record.files.clone_from(&reply.files);
+                drop(record);
+                let result: Value = serde_json::from_str(&reply.document).unwrap_or(Value::Null);
+                if reply.is_stopped {
+                    self.push("cancelled", &json!({"done": self.done(), "result": result}));
+                } else {
+                    self.push("done", &json!({"result": result}));
+                }
+            }
+            Err(_) if self.cancel.is_cancelled() => self.push("cancelled", &json!({"done": self.done()})),
+            Err(refusal) => self.push("failed", &refusal.document()),
+        }
+    }
+
+    fn done(&self) -> usize {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner).done.unwrap_or(0)
+    }
+
+    /// Whether a file may be downloaded.
+    pub(crate) fn file(&self, name: &str) -> Option<PathBuf> {
+        let record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
+        record.files.iter().find(|own| *own == name).map(|own| self.folder.join(own))
+    }
+
+    /// All events after a number, and those that come.
+    pub(crate) fn follow(self: &Arc<Self>, after: usize) -> Receiver<Bytes> {
+        let (sender, receiver) = tokio::sync::mpsc::channel(16);
+        let (job, mut count) = (Arc::clone(self), self.count.subscribe());
+        tokio::spawn(async move {
+            let mut next = after;
+            loop {
+                count.borrow_and_update();
+                let (pending, is_ended) = {
+                    let record = job.record.lock().unwrap_or_else(PoisonError::into_inner);
+                    (record.events.get(next..).unwrap_or_default().to_vec(), record.is_ended)
+                };
+                next += pending.len();
+                for event in pending {
+                    if sender.send(event).await.is_err() {
+                        return;
+                    }
+                }
+                if is_ended {
+                    return;
+                }
+                match tokio::time::timeout(ALIVE, count.changed()).await {
+                    Ok(Ok(())) => {}
+                    Ok(Err(_)) => return,
+                    Err(_) if sender.send(Bytes::from_static(b": working\n\n")).await.is_err() => return,
+                    Err(_) => {}
+                }
+            }
+        });
+        receiver
+    }
+}
+
+/// All jobs of this server.
+#[derive(Default)]
+pub(crate) struct Jobs {
+    all: Mutex<Vec<Arc<Job>>>,
+    pub(crate) live: Live,
+}
+
+impl Jobs {
+    fn list(&self) -> std::sync::MutexGuard<'_, Vec<Arc<Job>>> {
+        self.all.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A new job, in the folder that `place` gives for its name, or in that of an earlier job that it
+    /// continues.
+    pub(crate) fn begin(
+        &self,
+        continues: Option<&str>,
+        place: impl FnOnce(&str) -> PathBuf,
+    ) -> Result<Arc<Job>, Refusal> {
+        let mut all = self.list();
+        if all.iter().filter(|job| !job.is_ended()).count() >= MAX_RUNNING {
+            let message = format!("{MAX_RUNNING} jobs are running already");
+            return Err(Refusal::new(Status::TooMany, "busy", message, "wait for one of them, or cancel it"));
+        }
+        let id = format!("job-{}", all.len() + 1);
+        let folder = match continues {
+            None => place(&id),
+            Some(earlier) => {
+                let earlier = all.iter().find(|job| job.id == earlier).ok_or_else(missing)?;
+                if !earlier.is_ended() {
+                    let hint = "cancel it first, or follow it";
+                    return Err(Refusal::new(Status::BadInput, "value", "this job is still running", hint));
+                }
+                earlier.folder.clone()
+            }
+        };
+        let job = Arc::new(Job {
+            id,
+            cancel: Cancel::default(),
+            folder,
+            live: self.live.clone(),
+            told: Mutex::default(),
+            record: Mutex::default(),
+            count: watch::Sender::new(0),
+        });
+        all.push(Arc::clone(&job));
+        Ok(job)
+    }
+
+    pub(crate) fn find(&self, id: &str) -> Result<Arc<Job>, Refusal> {
+        self.list().iter().find(|job| job.id == id).cloned().ok_or_else(missing)
+    }
+
+    /// Asks every job to stop.
+    pub(crate) fn cancel_all(&self) {
+        self.list().iter().for_each(|job| job.cancel.cancel());
+    }
+
+    /// Whether no job is running.
+    pub(crate) fn is_idle(&self) -> bool {
+        self.list().iter().all(|job| job.is_ended())
+    }
+}
+
+fn missing() -> Refusal {
+    Refusal::new(Status::NotFound, "missing", "there is no such job", "start it again")
+}

@@ -1,0 +1,179 @@
+//! Files that were uploaded: kept in a private temporary folder until the server ends.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+
+use http_body_util::{BodyDataStream, BodyExt};
+use hyper::Request;
+use hyper::body::Incoming;
+use hyper::header::CONTENT_TYPE;
+use multer::{Constraints, Multipart, SizeLimit};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+use tempfile::TempDir;
+
+use crate::assets::hex;
+use crate::reply::{Refusal, Status};
+use crate::{Kind, Program};
+
+/// Largest file: 64 MiB.
+pub(crate) const MAX_FILE_BYTES: u64 = 64 << 20;
+
+/// All files together: 256 MiB.
+pub(crate) const MAX_TOTAL_BYTES: u64 = 256 << 20;
+
+/// The files; each is in a folder of its own, under the name that the user gave it.
+pub(crate) struct Uploads {
+    folder: TempDir,
+    kept: Mutex<Kept>,
+}
+
+#[derive(Default)]
+struct Kept {
+    bytes: u64,
+    files: Vec<(String, PathBuf)>,
+}
+
+/// A file as it is reported back.
+#[derive(Debug, Serialize)]
+pub(crate) struct Uploaded {
+    id: String,
+    name: String,
+    bytes: u64,
+    sha256: String,
+    kind: Kind,
+}
+
+impl Uploads {
+    pub(crate) fn new() -> std::io::Result<Self> {
+        let folder = tempfile::Builder::new().prefix("freestand-page-").tempdir()?;
+        Ok(Self { folder, kept: Mutex::default() })
+    }
+
+    /// A folder beside the files, for the results of jobs.
+    pub(crate) fn beside(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// The path of a file.
+    pub(crate) fn path(&self, id: &str) -> Result<PathBuf, Refusal> {
+        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = kept.files.iter().find(|(own, _)| own == id).map(|(_, path)| path.clone());
+        found.ok_or_else(|| {
+            Refusal::new(Status::BadInput, "missing", format!("there is no file {id:?}"), "upload the file again")
+        })
+    }
+
+    /// Keeps every file of a form.
+    pub(crate) async fn receive(
+        &self,
+        request: Request<Incoming>,
+        program: &Program,
+    ) -> Result<Vec<Uploaded>, Refusal> {
+        let of_type = request.headers().get(CONTENT_TYPE).and_then(|text| text.to_str().ok()).unwrap_or_default();
+        let Ok(boundary) = multer::parse_boundary(of_type) else {
+            let hint = "send the files as multipart/form-data";
+            return Err(Refusal::new(Status::UnsupportedType, "type", "files come in a form", hint));
+        };
+        let limits = SizeLimit::new().whole_stream(MAX_TOTAL_BYTES).per_field(MAX_FILE_BYTES);
+        let stream = BodyDataStream::new(request.into_body().map_err(std::io::Error::other));
+        let mut form = Multipart::with_constraints(stream, boundary, Constraints::new().size_limit(limits));
+        let mut uploaded = Vec::new();
+        while let Some(mut field) = form.next_field().await.map_err(|error| refused(&error))? {
+            let Some(name) = field.file_name().map(clean) else { continue };
+            let mut staged = tempfile::NamedTempFile::new_in(self.folder.path()).map_err(|error| unwritten(&error))?;
+            let (mut sha, mut bytes) = (Sha256::new(), 0u64);
+            while let Some(chunk) = field.chunk().await.map_err(|error| refused(&error))? {
+                sha.update(&chunk);
+                bytes += chunk.len() as u64;
+                staged.write_all(&chunk).map_err(|error| unwritten(&error))?;
+            }
+            uploaded.push(self.keep(staged, name, bytes, hex(&sha.finalize()), program)?);
+        }
+        if uploaded.is_empty() {
+            let hint = "choose one file or more";
+            return Err(Refusal::new(Status::BadInput, "missing", "the form has no file", hint));
+        }
+        Ok(uploaded)
+    }
+
+    fn keep(
+        &self,
+        staged: tempfile::NamedTempFile,
+        name: String,
+        bytes: u64,
+        sha256: String,
+        program: &Program,
+    ) -> Result<Uploaded, Refusal> {
+        let (id, path) = {
+            let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+            if kept.bytes + bytes > MAX_TOTAL_BYTES {
+                return Err(too_large("all files together exceed 256 MiB", "start freestand serve again"));
+            }
+            let id = format!("f{}", kept.files.len() + 1);
+            let folder = self.folder.path().join(&id);
+            std::fs::create_dir(&folder).map_err(|error| unwritten(&error))?;
+            let path = folder.join(&name);
+            let _file: File = staged.persist(&path).map_err(|error| unwritten(&error.error))?;
+            kept.bytes += bytes;
+            kept.files.push((id.clone(), path.clone()));
+            (id, path)
+        };
+        Ok(Uploaded { id, name, bytes, sha256, kind: (program.kind)(&path) })
+    }
+}
+
+/// The last part of a name, without what a file system takes for something else.
+fn clean(name: &str) -> String {
+    let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let is_plain = |c: char| c.is_alphanumeric() || " ._-+()".contains(c);
+    let plain: String = last.chars().map(|c| if is_plain(c) { c } else { '_' }).collect();
+    let plain = plain.trim().trim_start_matches('.');
+    // 255 bytes is the longest name of most file systems; the end says what the file is.
+    let from = plain.char_indices().map(|(at, _)| at).find(|at| plain.len() - at <= 120).unwrap_or(0);
+    let short = plain.get(from..).unwrap_or_default();
+    if short.is_empty() { "file".to_owned() } else { short.to_owned() }
+}
+
+fn too_large(message: &str, hint: &str) -> Refusal {
+    Refusal::new(Status::TooLarge, "size", message, hint)
+}
+
+fn refused(error: &multer::Error) -> Refusal {
+    match error {
+        multer::Error::FieldSizeExceeded { .. } => {
+            too_large("the file is larger than 64 MiB", "use the command line for large files")
+        }
+        multer::Error::StreamSizeExceeded { .. } => {
+            too_large("the files together are larger than 256 MiB", "use the command line for large files")
+        }
+        error => Refusal::new(
+            Status::BadInput,
+            "format",
+            format!("the form cannot be read: {error}"),
+            "send the files as multipart/form-data",
+        ),
+    }
+}
+
+fn unwritten(error: &std::io::Error) -> Refusal {
+    let hint = "check that the folder for temporary files is not full and can be written";
+    Refusal::new(Status::Defect, "io", format!("the file cannot be kept: {error}"), hint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::clean;
+
+    #[test]
+    fn names_are_no_paths() {
+        assert_eq!(clean("../../etc/passwd"), "passwd");
+        assert_eq!(clean("C:\\lists\\Spital Übersicht.xlsx"), "Spital Übersicht.xlsx");
+        assert_eq!(clean("..."), "file");
+        assert_eq!(clean("a\0b<c>.csv"), "a_b_c_.csv");
+        assert!(clean(&"é".repeat(200)).len() <= 120);
+        assert!(clean(&format!("{}.csv", "x".repeat(300))).ends_with("x.csv"));
+    }
+}

@@ -1,0 +1,470 @@
+//! The server over raw sockets, with a made-up program: every refusal, slots, jobs, files.
+
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may stop at what it cannot set up")]
+
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use freestand_page::{Cancel, Events, Kind, Program, Refusal, Reply, Request, Server, Settings, Status};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+const FAKE: Program = Program { facts, kind, answer: fake };
+
+fn facts() -> Value {
+    json!({"version": "fake"})
+}
+
+fn kind(path: &Path) -> Kind {
+    if path.extension().is_some_and(|end| end == "csv") { Kind::Inventory } else { Kind::Unknown }
+}
+
+/// `echo` gives the request back, `wait` works until it is cancelled or for `steps` of 10 ms, `fail`
+/// fails, `panic` panics.
+fn fake(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
+    let steps = request.options.get("steps").and_then(Value::as_u64).unwrap_or(0) as usize;
+    match request.command.as_str() {
+        "echo" => {
+            let sizes: Vec<u64> = request
+                .files
+                .iter()
+                .flat_map(|(_, paths)| paths)
+                .map(|path| std::fs::metadata(path).map_or(0, |file| file.len()))
+                .collect();
+            let document = json!({"options": request.options, "sizes": sizes}).to_string();
+            Ok(Reply { document, ..Reply::default() })
+        }
+        "wait" => {
+            for step in 0..steps {
+                if cancel.is_cancelled() {
+                    return Ok(Reply { document: "{}".to_owned(), is_stopped: true, ..Reply::default() });
+                }
+                events.progress("waiting", step, steps);
+                std::thread::sleep(Duration::from_millis(10));
+            }
+            events.object(&json!({"id": "one"}));
+            let mut files = Vec::new();
+            if let Some(folder) = &request.folder {
+                std::fs::create_dir_all(folder).unwrap();
+                std::fs::write(folder.join("objects.csv"), "id\none\n").unwrap();
+                std::fs::write(folder.join("secret.csv"), "not listed").unwrap();
+                files.push("objects.csv".to_owned());
+            }
+            Ok(Reply { document: json!({"steps": steps}).to_string(), files, ..Reply::default() })
+        }
+        "panic" => panic!("on purpose"),
+        _ => Err(Refusal::new(Status::BadInput, "value", "no such command", "try echo")),
+    }
+}
+
+struct Site {
+    port: u16,
+    token: String,
+    stop: Arc<AtomicBool>,
+    thread: Option<std::thread::JoinHandle<()>>,
+}
+
+impl Site {
+    fn new() -> Self {
+        let server = Server::bind(&Settings::default(), FAKE).unwrap();
+        let (port, token) = (server.port(), server.token().to_owned());
+        let stop = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&stop);
+        let thread = std::thread::spawn(move || server.serve(|| flag.load(Ordering::Relaxed)));
+        Self { port, token, stop, thread: Some(thread) }
+    }
+
+    fn send(&self, bytes: &[u8]) -> TcpStream {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        // A server that refuses early closes while the rest is still being written.
+        let _ = stream.write_all(bytes);
+        stream
+    }
+
+    /// A request with `Host` and `Connection: close`, and these headers.
+    fn ask(&self, line: &str, headers: &[&str], body: &[u8]) -> Told {
+        let mut head = format!("{line} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n", self.port);
+        headers.iter().for_each(|header| head.push_str(&format!("{header}\r\n")));
+        if !body.is_empty() {
+            head.push_str(&format!("Content-Length: {}\r\n", body.len()));
+        }
+        head.push_str("\r\n");
+        told(self.send(&[head.as_bytes(), body].concat()))
+    }
+
+    fn bearer(&self) -> String {
+        format!("Authorization: Bearer {}", self.token)
+    }
+
+    fn get(&self, path: &str) -> Told {
+        self.ask(&format!("GET {path}"), &[&self.bearer()], b"")
+    }
+
+    fn post(&self, path: &str, body: &Value) -> Told {
+        let headers = [self.bearer(), "Content-Type: application/json".to_owned()];
+        self.ask(&format!("POST {path}"), &headers.each_ref().map(String::as_str), body.to_string().as_bytes())
+    }
+
+    fn upload(&self, files: &[(&str, &[u8])]) -> Told {
+        let mut body = Vec::new();
+        for (name, bytes) in files {
+            let head = format!("--XX\r\nContent-Disposition: form-data; name=\"file\"; filename=\"{name}\"\r\n\r\n");
+            body.extend([head.as_bytes(), bytes, b"\r\n"].concat());
+        }
+        body.extend(b"--XX--\r\n");
+        let headers = [self.bearer(), "Content-Type: multipart/form-data; boundary=XX".to_owned()];
+        self.ask("POST /api/v1/files", &headers.each_ref().map(String::as_str), &body)
+    }
+}
+
+impl Drop for Site {
+    fn drop(&mut self) {
+        self.stop.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+struct Told {
+    status: u16,
+    head: String,
+    body: Vec<u8>,
+}
+
+impl Told {
+    fn json(&self) -> Value {
+        serde_json::from_slice(&self.body).unwrap_or(Value::Null)
+    }
+
+    fn text(&self) -> String {
+        String::from_utf8_lossy(&self.body).into_owned()
+    }
+
+    fn header(&self, name: &str) -> Option<&str> {
+        let named = |line: &&str| line.split_once(':').is_some_and(|(own, _)| own.eq_ignore_ascii_case(name));
+        self.head.lines().find(named).and_then(|line| line.split_once(": ")).map(|(_, value)| value.trim())
+    }
+}
+
+fn told(mut stream: TcpStream) -> Told {
+    let mut bytes = Vec::new();
+    let _ = stream.read_to_end(&mut bytes);
+    let at = bytes.windows(4).position(|four| four == b"\r\n\r\n").unwrap_or(bytes.len());
+    let head = String::from_utf8_lossy(&bytes[..at]).into_owned();
+    let mut body = bytes.get(at + 4..).unwrap_or_default().to_vec();
+    let status = head.split(' ').nth(1).and_then(|text| text.parse().ok()).unwrap_or(0);
+    let mut told = Told { status, head, body: Vec::new() };
+    if told.header("transfer-encoding").is_some_and(|text| text.eq_ignore_ascii_case("chunked")) {
+        body = unchunked(&body);
+    }
+    told.body = body;
+    told
+}
+
+fn unchunked(mut rest: &[u8]) -> Vec<u8> {
+    let mut whole = Vec::new();
+    while let Some(at) = rest.windows(2).position(|two| two == b"\r\n") {
+        let size = std::str::from_utf8(&rest[..at]).ok().and_then(|text| usize::from_str_radix(text, 16).ok());
+        let Some(size) = size.filter(|size| *size > 0) else { break };
+        whole.extend(&rest[at + 2..(at + 2 + size).min(rest.len())]);
+        rest = rest.get(at + 4 + size..).unwrap_or_default();
+    }
+    whole
+}
+
+#[test]
+fn only_our_own_host_is_served() {
+    let site = Site::new();
+    let port = site.port;
+    let with =
+        |host: &str| told(site.send(format!("GET / HTTP/1.1\r\n{host}Connection: close\r\n\r\n").as_bytes())).status;
+    assert_eq!(with(&format!("Host: 127.0.0.1:{port}\r\n")), 200);
+    assert_eq!(with(&format!("Host: localhost:{port}\r\n")), 200);
+    for host in [
+        String::new(),
+        "Host: 127.0.0.1\r\n".to_owned(),
+        format!("Host: evil.example:{port}\r\n"),
+        format!("Host: 127.0.0.1:{}\r\n", port.wrapping_add(1)),
+        format!("Host: 127.0.0.1:{port}.evil.example\r\n"),
+        format!("Host: 127.0.0.1:{port}\r\nHost: evil.example\r\n"),
+        format!("Host: [::1]:{port}\r\n"),
+    ] {
+        assert_eq!(with(&host), 403, "{host:?}");
+    }
+    let absolute = format!("GET http://evil.example/ HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n");
+    assert_eq!(told(site.send(absolute.as_bytes())).status, 403);
+    // Before anything else: an address that does not exist, and one that needs the token.
+    for path in ["/nothing", "/api/v1/facts"] {
+        let head =
+            format!("GET {path} HTTP/1.1\r\nHost: evil.example\r\n{}\r\nConnection: close\r\n\r\n", site.bearer());
+        assert_eq!(told(site.send(head.as_bytes())).status, 403);
+    }
+    assert!(TcpStream::connect(("::1", port)).is_err());
+}
+
+#[test]
+fn only_our_own_pages_may_ask() {
+    let site = Site::new();
+    let with = |header: String| site.ask("GET /api/v1/facts", &[&site.bearer(), &header], b"");
+    assert_eq!(with(format!("Origin: http://127.0.0.1:{}", site.port)).status, 200);
+    assert_eq!(with(format!("Origin: http://localhost:{}", site.port)).status, 200);
+    for origin in ["http://evil.example", "null", "http://127.0.0.1", "https://localhost"] {
+        let answer = with(format!("Origin: {origin}"));
+        assert_eq!((answer.status, answer.header("access-control-allow-origin")), (403, None), "{origin}");
+        assert_eq!(answer.json()["error"]["kind"], "origin");
+    }
+    assert_eq!(with("Sec-Fetch-Site: same-origin".to_owned()).status, 200);
+    assert_eq!(with("Sec-Fetch-Site: cross-site".to_owned()).status, 403);
+    assert_eq!(with("Sec-Fetch-Site: same-site".to_owned()).status, 403);
+    // A preflight gets no permission.
+    let preflight = site.ask("OPTIONS /api/v1/run", &["Origin: http://evil.example"], b"");
+    assert_eq!((preflight.status, preflight.header("access-control-allow-methods")), (403, None));
+}
+
+#[test]
+fn nothing_without_the_token() {
+    let site = Site::new();
+    let with = |headers: &[&str]| site.ask("GET /api/v1/facts", headers, b"").status;
+    assert_eq!(with(&[&site.bearer()]), 200);
+    let (short, long) = (&site.token[..63], format!("{}0", site.token));
+    for header in [
+        format!("Authorization: Bearer {short}"),
+        format!("Authorization: Bearer {long}"),
+        format!("Authorization: Bearer {}", "0".repeat(64)),
+        format!("Authorization: Basic {}", site.token),
+        format!("Cookie: token={}", site.token),
+    ] {
+        assert_eq!(with(&[&header]), 401, "{header}");
+    }
+    assert_eq!(with(&[]), 401);
+    assert_eq!(site.ask(&format!("GET /api/v1/facts?token={}", site.token), &[], b"").status, 401);
+    assert_eq!(with(&[&site.bearer(), &format!("Authorization: Bearer {}", "0".repeat(64))]), 401);
+    for line in
+        ["POST /api/v1/run", "POST /api/v1/files", "POST /api/v1/jobs", "DELETE /api/v1/jobs/job-1", "GET /api/x"]
+    {
+        assert_eq!(site.ask(line, &[], b"").status, 401, "{line}");
+    }
+    // The page itself needs none, and holds none.
+    let page = site.ask("GET /", &[], b"");
+    assert_eq!(page.status, 200);
+    assert!(!page.text().contains(&site.token) && !page.head.contains(&site.token));
+}
+
+#[test]
+fn every_response_has_the_headers() {
+    let site = Site::new();
+    for answer in
+        [site.ask("GET /", &[], b""), site.get("/api/v1/facts"), site.get("/nothing"), site.ask("GET /api", &[], b"")]
+    {
+        let policy = answer.header("content-security-policy").unwrap();
+        assert!(policy.starts_with("default-src 'none'; script-src 'self'; style-src 'self';"), "{policy}");
+        assert!(policy.ends_with("base-uri 'none'; frame-ancestors 'none'") && !policy.contains("unsafe"), "{policy}");
+        assert_eq!(answer.header("x-content-type-options"), Some("nosniff"));
+        assert_eq!(answer.header("referrer-policy"), Some("no-referrer"));
+        assert_eq!(answer.header("cross-origin-opener-policy"), Some("same-origin"));
+        assert_eq!(answer.header("cross-origin-resource-policy"), Some("same-origin"));
+        assert_eq!(answer.header("access-control-allow-origin"), None);
+        assert_eq!(answer.header("set-cookie"), None);
+    }
+    assert_eq!(site.get("/api/v1/facts").header("cache-control"), Some("no-store"));
+}
+
+#[test]
+fn the_page_is_packed_and_known_again() {
+    let site = Site::new();
+    let plain = site.ask("GET /", &[], b"");
+    let packed = site.ask("GET /", &["Accept-Encoding: br, gzip"], b"");
+    assert_eq!((plain.header("content-encoding"), packed.header("content-encoding")), (None, Some("gzip")));
+    let tag = packed.header("etag").unwrap().to_owned();
+    assert_ne!(Some(tag.as_str()), plain.header("etag"));
+    let again = site.ask("GET /", &["Accept-Encoding: gzip", &format!("If-None-Match: {tag}")], b"");
+    assert_eq!((again.status, again.body.len()), (304, 0));
+    assert_eq!(site.ask("HEAD /", &[], b"").body.len(), 0);
+}
+
+#[test]
+fn paths_are_looked_up_in_tables() {
+    let site = Site::new();
+    for path in ["/../Cargo.toml", "/assets/../../Cargo.toml", "/assets/%2e%2e/x", "/assets/", "/etc/passwd", "//"] {
+        assert_eq!(site.ask(&format!("GET {path}"), &[], b"").status, 404, "{path}");
+    }
+    assert_eq!(site.get("/api/v1/nothing").status, 404);
+    assert_eq!(site.get("/api/v1/jobs/../../x").status, 404);
+    let unknown = site.post("/api/v1/run", &json!({"command": "echo", "files": {"motion": ["../../etc/passwd"]}}));
+    assert_eq!(unknown.status, 400);
+}
+
+#[test]
+fn methods_and_types() {
+    let site = Site::new();
+    let bearer = site.bearer();
+    let ask = |line: &str, of_type: &str| site.ask(line, &[&bearer, of_type], b"{\"command\": \"echo\"}");
+    let json = "Content-Type: application/json";
+    for (line, allowed) in [
+        ("POST /", "GET, HEAD"),
+        ("POST /api/v1/facts", "GET"),
+        ("PUT /api/v1/run", "POST"),
+        ("PUT /api/v1/jobs/job-1", "DELETE"),
+        ("POST /api/v1/jobs/job-1/events", "GET"),
+    ] {
+        let answer = ask(line, json);
+        assert_eq!((answer.status, answer.header("allow")), (405, Some(allowed)), "{line}");
+    }
+    assert_eq!(ask("POST /api/v1/run", json).status, 200);
+    assert_eq!(ask("POST /api/v1/run", "Content-Type: application/json; charset=utf-8").status, 200);
+    // What a form of another page could send.
+    assert_eq!(ask("POST /api/v1/run", "Content-Type: text/plain").status, 415);
+    assert_eq!(ask("POST /api/v1/run", "X-Nothing: 1").status, 415);
+    assert_eq!(ask("POST /api/v1/files", json).status, 415);
+}
+
+#[test]
+fn limits_of_size() {
+    let site = Site::new();
+    let large = json!({"command": "echo", "options": {"x": "y".repeat(1 << 20)}});
+    assert_eq!(site.post("/api/v1/run", &large).status, 413);
+    // The same in pieces, whose length nobody has announced.
+    let mut pieces = format!(
+        "POST /api/v1/run HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{}\r\nContent-Type: application/json\r\n\
+         Transfer-Encoding: chunked\r\nConnection: close\r\n\r\n",
+        site.port,
+        site.bearer()
+    );
+    let piece = "z".repeat(1 << 16);
+    (0..17).for_each(|_| pieces.push_str(&format!("10000\r\n{piece}\r\n")));
+    pieces.push_str("0\r\n\r\n");
+    assert_eq!(told(site.send(pieces.as_bytes())).status, 413);
+    let (ok, over) = (vec![0u8; 1 << 20], vec![0u8; (64 << 20) + 1]);
+    assert_eq!(site.upload(&[("a.csv", &ok)]).status, 200);
+    assert_eq!(site.upload(&[("b.csv", &over)]).status, 413);
+}
+
+#[test]
+fn files_are_kept_and_named() {
+    let site = Site::new();
+    let answer = site.upload(&[("../../list.csv", b"a,b\n1,2\n"), ("x.bin", b"")]);
+    let files = answer.json()["files"].clone();
+    assert_eq!((answer.status, &files[0]["name"], &files[0]["kind"]), (200, &json!("list.csv"), &json!("inventory")));
+    assert_eq!((&files[0]["bytes"], &files[1]["kind"]), (&json!(8), &json!("unknown")));
+    let sha: String = Sha256::digest(b"a,b\n1,2\n").iter().map(|byte| format!("{byte:02x}")).collect();
+    assert_eq!(files[0]["sha256"], json!(sha));
+    let echoed = site.post("/api/v1/run", &json!({"command": "echo", "files": {"motion": [files[0]["id"]]}}));
+    assert_eq!(echoed.json()["sizes"], json!([8]));
+    assert_eq!(site.upload(&[]).status, 400);
+}
+
+#[test]
+fn bad_requests_are_told() {
+    let site = Site::new();
+    for body in [json!({}), json!([]), json!({"command": 1}), json!({"command": "echo", "nonsense": 1})] {
+        let answer = site.post("/api/v1/run", &body);
+        assert_eq!(answer.status, 400, "{body}");
+        let error = answer.json()["error"].clone();
+        assert!(error["message"].is_string() && error["hint"].is_string(), "{error}");
+        let keys: Vec<&str> = error.as_object().unwrap().keys().map(String::as_str).collect();
+        assert_eq!(keys, ["kind", "key", "file", "line", "message", "hint"]);
+    }
+    assert_eq!(site.post("/api/v1/run", &json!({"command": "none"})).json()["error"]["hint"], "try echo");
+    assert_eq!(site.post("/api/v1/run", &json!({"command": "panic"})).status, 500);
+    // And it lives on.
+    assert_eq!(site.get("/api/v1/facts").status, 200);
+}
+
+#[test]
+fn the_newer_request_of_a_slot_wins() {
+    let site = Site::new();
+    let slow = json!({"command": "wait", "options": {"steps": 500}, "slot": "one"});
+    let began = Instant::now();
+    std::thread::scope(|scope| {
+        let older = scope.spawn(|| site.post("/api/v1/run", &slow));
+        std::thread::sleep(Duration::from_millis(200));
+        let other = site.post("/api/v1/run", &json!({"command": "wait", "options": {"steps": 1}, "slot": "two"}));
+        let newer = site.post("/api/v1/run", &json!({"command": "wait", "options": {"steps": 1}, "slot": "one"}));
+        assert_eq!((other.status, newer.status), (200, 200));
+        let older = older.join().unwrap();
+        assert_eq!((older.status, older.json()["error"]["kind"].clone()), (409, json!("superseded")));
+    });
+    assert!(began.elapsed() < Duration::from_secs(4), "the older one was stopped");
+}
+
+/// The events of a job after a number: their names, numbers and data.
+fn events(site: &Site, id: &str, after: usize) -> Vec<(usize, String, Value)> {
+    let last = format!("Last-Event-ID: {after}");
+    let answer = site.ask(&format!("GET /api/v1/jobs/{id}/events"), &[&site.bearer(), &last], b"");
+    assert_eq!(answer.header("content-type"), Some("text/event-stream"));
+    let of = |block: &str, field: &str| {
+        block.lines().find_map(|line| line.strip_prefix(field)).map(str::to_owned).unwrap_or_default()
+    };
+    let text = answer.text();
+    let blocks = text.split("\n\n").filter(|block| !block.is_empty() && !block.starts_with(':'));
+    let event = |block: &str| {
+        (of(block, "id: ").parse().unwrap(), of(block, "event: "), serde_json::from_str(&of(block, "data: ")).unwrap())
+    };
+    blocks.map(event).collect()
+}
+
+#[test]
+fn a_job_is_followed_and_taken_up_again() {
+    let site = Site::new();
+    let answer = site.post("/api/v1/jobs", &json!({"command": "wait", "options": {"steps": 60}}));
+    assert_eq!(answer.status, 202);
+    let id = answer.json()["id"].as_str().unwrap().to_owned();
+    let all = events(&site, &id, 0);
+    let numbers: Vec<usize> = all.iter().map(|(number, ..)| *number).collect();
+    assert_eq!(numbers, (1..=all.len()).collect::<Vec<_>>());
+    let names: Vec<&str> = all.iter().map(|(_, name, _)| name.as_str()).collect();
+    assert_eq!(names[names.len() - 2..], ["object", "done"]);
+    // 600 ms of work, at most ten times a second; slack for a machine that stalls is on the other side.
+    let progress = names.iter().filter(|name| **name == "progress").count();
+    assert!((2..=8).contains(&progress) || all.len() < 4, "{progress}");
+    assert_eq!(all[all.len() - 1].2["result"]["steps"], 60);
+    assert_eq!(events(&site, &id, all.len() - 2), all[all.len() - 2..]);
+    assert_eq!(site.get("/api/v1/jobs/job-99/events").status, 404);
+
+    let file = site.get(&format!("/api/v1/jobs/{id}/files/objects.csv"));
+    assert_eq!((file.status, file.text()), (200, "id\none\n".to_owned()));
+    assert_eq!(file.header("content-disposition"), Some("attachment; filename=\"objects.csv\""));
+    for name in ["secret.csv", "..%2fsecret.csv", "../objects.csv", "objects.csv%00", ""] {
+        assert_eq!(site.get(&format!("/api/v1/jobs/{id}/files/{name}")).status, 404, "{name}");
+    }
+}
+
+#[test]
+fn a_job_is_cancelled() {
+    let site = Site::new();
+    let long = json!({"command": "wait", "options": {"steps": 3000}});
+    let ids: Vec<String> =
+        (0..4).map(|_| site.post("/api/v1/jobs", &long).json()["id"].as_str().unwrap().to_owned()).collect();
+    assert_eq!(site.post("/api/v1/jobs", &long).status, 429);
+    let began = Instant::now();
+    let bearer = site.bearer();
+    for id in &ids {
+        assert_eq!(site.ask(&format!("DELETE /api/v1/jobs/{id}"), &[&bearer], b"").status, 204);
+    }
+    for id in &ids {
+        let all = events(&site, id, 0);
+        assert_eq!(all.last().map(|(_, name, _)| name.as_str()), Some("cancelled"));
+    }
+    assert!(began.elapsed() < Duration::from_secs(5));
+    assert_eq!(site.ask("DELETE /api/v1/jobs/job-77", &[&bearer], b"").status, 404);
+    // A job goes on in the folder of an earlier one.
+    let more = json!({"command": "wait", "options": {"steps": 1}, "continues": ids[0]});
+    assert_eq!(site.post("/api/v1/jobs", &more).status, 202);
+}
+
+/// Ctrl-C: jobs stop, and the files are gone.
+#[test]
+fn the_server_ends() {
+    let site = Site::new();
+    site.post("/api/v1/jobs", &json!({"command": "wait", "options": {"steps": 3000}}));
+    let (port, began) = (site.port, Instant::now());
+    drop(site);
+    assert!(began.elapsed() < Duration::from_secs(4));
+    assert!(TcpStream::connect(("127.0.0.1", port)).is_err());
+}

@@ -1,0 +1,292 @@
+// What people do on the page, in a browser: FREESTAND=path/to/freestand CHROMIUM=path node browser/stories.mjs
+import { execFileSync, spawn } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { strict as assert } from 'node:assert';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const program = process.env.FREESTAND ?? 'freestand';
+const pictures = process.env.PICTURES;
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const folder = mkdtempSync(join(tmpdir(), 'freestand-browser-'));
+// Debug builds on a busy machine: what is asked for takes this long at most.
+const PATIENT = { timeout: 120_000 };
+const LONG = { timeout: 300_000 };
+
+const only = process.argv[2];
+const server = spawn(program, ['serve', '--json', '--no-open'], { stdio: ['ignore', 'pipe', 'inherit'] });
+const line = await new Promise((resolve, reject) => {
+  let text = '';
+  server.stdout.on('data', (bytes) => { text += bytes; if (text.includes('\n')) resolve(text.split('\n')[0]); });
+  server.on('exit', (code) => reject(new Error(`freestand serve ended with ${code}`)));
+});
+const { url, port } = JSON.parse(line);
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+const hosts = new Set();
+const failures = [];
+let passed = 0;
+
+async function story(name, options, tell) {
+  if (only && !name.includes(only)) return;
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: 'no-preference', ...options });
+  const page = await context.newPage();
+  page.setDefaultTimeout(60_000);
+  const errors = [];
+  page.on('request', (request) => { const { protocol, host } = new URL(request.url()); if (protocol.startsWith('http')) hosts.add(host); });
+  page.on('pageerror', (error) => errors.push(error.message));
+  // A refusal of the program is a line of the console too; one of the policy is a defect.
+  page.on('console', (message) => { if (message.text().includes('Content Security Policy')) errors.push(message.text()); });
+  try {
+    await page.goto(url);
+    await tell(page);
+    assert.deepEqual(errors, []);
+    passed += 1;
+    console.log(`ok: ${name}`);
+  } catch (error) {
+    failures.push(name);
+    console.log(`FAILED: ${name}\n${error.stack}\n${errors.join('\n')}`);
+    if (pictures) await page.screenshot({ path: join(pictures, 'failed.png'), fullPage: true });
+  } finally {
+    await context.close();
+  }
+}
+
+const answered = (page) => page.waitForSelector('#answer[data-state=done]', PATIENT);
+const stage = (page) => page.$eval('#stage', (one) => ({ time: Number(one.dataset.time), tilt: Number(one.dataset.tiltDeg) }));
+
+/** No violation of WCAG 2.2 AA that a machine can find. */
+async function accessible(page, where) {
+  // The policy of the page forbids scripts of others: this one is evaluated by the tool that drives the browser.
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa'] }));
+  const told = violations.map((one) => `${one.id}: ${one.nodes.map((node) => `${node.target} ${node.failureSummary}`).join('; ')}`);
+  assert.deepEqual(told, [], where);
+}
+
+async function fits(page) {
+  const [wide, view] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+  assert.ok(wide <= view, `${wide} px in ${view} px`);
+}
+
+async function picture(page, name) {
+  if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`), fullPage: true });
+}
+
+await story('a newcomer gets the sentence of the program and sees the fall', {}, async (page) => {
+  await answered(page);
+  assert.ok(!page.url().includes(url.split('#')[1]), 'the token has left the address');
+  const shown = await page.textContent('#answer');
+  const options = ['--height', '1.8 m', '--thickness', '400 mm', '--mass', '150 kg', '--on', '4380 N/mm', '--place', 'Melbourne', '--floor', 'roof', '--storeys', '30'];
+  const told = JSON.parse(execFileSync(program, ['object', ...options, '--json', '-q']));
+  assert.equal(shown, told.answer);
+  const before = await stage(page);
+  await page.$eval('#scrub', (bar) => { bar.value = '0'; bar.dispatchEvent(new Event('input', { bubbles: true })); });
+  assert.deepEqual(await stage(page), { time: 0, tilt: 0 });
+  await page.click('#play');
+  await page.waitForTimeout(600);
+  await page.click('#play');
+  const after = await stage(page);
+  assert.ok(after.time > 0.3 && after.time < 5, `0.6 s of play: ${after.time} s`);
+  assert.ok(Math.abs(before.tilt) > 1, `it is first seen tilted: ${before.tilt}°`);
+  const buttons = await page.$$('#motions button');
+  assert.ok(buttons.length >= 2);
+  const title = await page.textContent('.stage h2');
+  await buttons[0].click();
+  await page.waitForFunction((old) => document.querySelector('.stage h2').textContent !== old, title);
+  assert.match(await page.textContent('#command code'), /^freestand object --height "1.8 m"/);
+});
+
+await story('a wider base changes the sentence; what is wrong is said', {}, async (page) => {
+  await answered(page);
+  const first = await page.textContent('#answer');
+  await page.fill('#thickness', '900 mm');
+  await page.waitForFunction((old) => document.querySelector('#answer').textContent !== old, first, PATIENT);
+  await answered(page);
+  await page.fill('#height', '3 apples');
+  await page.locator('#height').blur();
+  await page.waitForSelector('#answer[data-state=failed]');
+  assert.match(await page.textContent('.error'), /height/);
+  assert.equal(await page.getAttribute('#height', 'aria-invalid'), 'true');
+  await page.fill('#height', '2 m');
+  await page.fill('#place', 'Wellington');
+  await page.fill('#level', 'ground');
+  await page.waitForFunction(() => document.querySelector('#answer').textContent.startsWith('In Wellington'), undefined, PATIENT);
+  await answered(page);
+  assert.match(await page.textContent('#answer'), /on the ground/);
+  await page.reload();
+  await answered(page);
+  assert.equal(await page.inputValue('#place'), 'Wellington');
+});
+
+await story('by keyboard alone', {}, async (page) => {
+  await answered(page);
+  const seen = [];
+  for (let i = 0; i < 60; i += 1) {
+    await page.keyboard.press('Tab');
+    seen.push(await page.evaluate(() => document.activeElement.id || document.activeElement.closest('[id]')?.id));
+  }
+  for (const id of ['units', 'place', 'level', 'height', 'thickness', 'motions', 'stage', 'play', 'scrub', 'stills', 'command']) {
+    assert.ok(seen.includes(id), `${id} within 60 Tabs: ${seen}`);
+  }
+  await page.focus('.drawing [role=slider] >> nth=0');
+  const height = await page.inputValue('#height');
+  await page.keyboard.press('ArrowUp');
+  assert.notEqual(await page.inputValue('#height'), height);
+  await answered(page);
+  await page.focus('#stage');
+  const { time } = await stage(page);
+  await page.keyboard.press('ArrowLeft');
+  assert.ok(Math.abs((await stage(page)).time - (time - 0.01)) < 2e-3);
+  await page.keyboard.press('Shift+ArrowLeft');
+  assert.ok(Math.abs((await stage(page)).time - (time - 1.01)) < 2e-3);
+  await page.keyboard.press(' ');
+  await page.waitForTimeout(300);
+  await page.keyboard.press(' ');
+  assert.ok((await stage(page)).time > time - 1);
+  await page.focus('#motions button[tabindex="0"]');
+  const title = await page.textContent('.stage h2');
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction((old) => document.querySelector('.stage h2').textContent !== old, title);
+});
+
+await story('units everywhere at once', {}, async (page) => {
+  await answered(page);
+  await page.click('#units');
+  assert.equal(await page.inputValue('#height'), '5\'10.87"');
+  assert.equal(await page.inputValue('#thickness'), '1\'3.75"');
+  assert.doesNotMatch(await page.textContent('.k'), /mm/);
+  await answered(page);
+  await page.click('#units');
+  assert.equal(await page.inputValue('#height'), '1.8 m');
+});
+
+await story('reduced motion: stills, and nothing moves by itself', { reducedMotion: 'reduce' }, async (page) => {
+  await answered(page);
+  assert.equal((await page.$$('#stage figure')).length, 5);
+  const before = await stage(page);
+  await page.waitForTimeout(500);
+  assert.deepEqual(await stage(page), before);
+  await picture(page, 'stills');
+});
+
+const rows = [
+  'id,item,floor,height,thickness,mass,stiffness', 'A-1,cabinet,1,1.8 m,0.4 m,150 kg,4380 N/mm', 'A-2,shelf,2,2.1 m,0.3 m,80 kg,',
+  'A-3,rack,roof,2 m,0.6 m,300 kg,', 'A-4,vase,1,60 apples,0.25 m,,',
+].join('\n');
+const study = '[ground]\nplace = "Melbourne"\n[building]\nstoreys = 3\nstorey_height = "3.2 m"\n[worlds]\nfirst = 4\nmost = 8\nshares = false\n';
+writeFileSync(join(folder, 'list.csv'), rows);
+writeFileSync(join(folder, 'study.toml'), process.env.STUDY ?? study);
+
+async function uploaded(page) {
+  await page.click('#tab-inventory');
+  await page.setInputFiles('#drop-inventory', [join(folder, 'list.csv'), join(folder, 'study.toml')]);
+  await page.waitForSelector('#assess', PATIENT);
+}
+
+await story('a list is read, assessed and opened', {}, async (page) => {
+  await uploaded(page);
+  const problems = await page.$$eval('#problems li', (all) => all.map((one) => one.dataset.cell));
+  assert.ok(problems.includes('D5'), `${problems}`);
+  await page.click('#assess');
+  await page.waitForSelector('#objects tr[data-id="A-1"]', LONG);
+  const decisions = await page.$$eval('#objects tr[data-id]', (all) => all.map((one) => one.dataset.decision));
+  assert.equal(decisions.length, 4);
+  assert.ok(decisions.every((one) => ['restrain', 'soften', 'no-verdict', 'leave'].includes(one)), `${decisions}`);
+  assert.equal(await page.$('#progress'), null);
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.click('text="objects.csv"')]);
+  assert.match(readFileSync(await saved.path(), 'utf8'), /A-1/);
+  await page.selectOption('#filter-verdict', decisions[0]);
+  assert.ok((await page.$$('#objects tr[data-id]')).length <= 4);
+  await accessible(page, 'inventory with results');
+  await fits(page);
+  await picture(page, 'inventory');
+  await page.selectOption('#filter-verdict', '');
+  await page.click('#objects tr[data-id="A-2"] a');
+  await answered(page);
+  assert.equal(await page.inputValue('#height'), '2.1 m');
+});
+
+await story('a job is cancelled', {}, async (page) => {
+  await uploaded(page);
+  await page.click('#assess');
+  await page.click('#cancel', PATIENT);
+  await page.waitForFunction(() => !document.querySelector('#progress'), undefined, PATIENT);
+});
+
+const validation = fileURLToPath(new URL('../../../../validation/', import.meta.url));
+
+await story('drop tests become a pad', {}, async (page) => {
+  await answered(page);
+  await page.click('#tab-pads');
+  await page.fill('#pads-mass', '0.365 kg');
+  await page.fill('#pads-impact-velocity', '1.40 m/s');
+  await page.setInputFiles('#drop-pads', [...[1, 2, 3].map((i) => join(validation, `cushion/drop-00${i}.csv`)), join(validation, 'cushion/README.md')]);
+  await page.waitForSelector('text=2192 N/mm, 95 % interval 2175 to 2209', PATIENT);
+  assert.match(await page.textContent('#panel-pads'), /README.md: no row of numbers/);
+  await accessible(page, 'pads with results');
+  await fits(page);
+  await picture(page, 'pads');
+  await page.click('text="Use this pad"');
+  await page.click('#tab-fall');
+  await answered(page);
+  assert.equal(await page.inputValue('#on'), '2192 N/mm');
+});
+
+await story('a record is looked at and used', {}, async (page) => {
+  await answered(page);
+  await page.click('#tab-records');
+  await page.setInputFiles('#drop-records', join(validation, 'rocking/records/synthfloor.csv'));
+  await page.waitForSelector('#panel-records canvas', PATIENT);
+  assert.match(await page.textContent('#panel-records'), /0\.102/);
+  await accessible(page, 'records with results');
+  await fits(page);
+  await picture(page, 'records');
+  await page.fill('#record-scale', 'three');
+  await page.locator('#record-scale').blur();
+  await page.waitForSelector('#panel-records .error');
+  await page.fill('#record-scale', '');
+  await page.locator('#record-scale').blur();
+  await page.click('text="Use as floor motion"');
+  await page.waitForFunction(() => document.querySelector('#answer').textContent.startsWith('Under this motion'), undefined, PATIENT);
+  await answered(page);
+  assert.match(await page.textContent('#command code'), /--motion synthfloor.csv/);
+});
+
+for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844], ['reflow', 320, 600]]) {
+  for (const colorScheme of ['light', 'dark']) {
+    await story(`${name}, ${colorScheme}`, { viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
+      await answered(page);
+      await accessible(page, 'fall');
+      await fits(page);
+      await picture(page, `fall-${name}-${colorScheme}`);
+      for (const tab of ['inventory', 'pads', 'records']) {
+        await page.click(`#tab-${tab}`);
+        await page.waitForSelector(`#drop-${tab}`);
+        await accessible(page, tab);
+        await fits(page);
+        await picture(page, `${tab}-${name}-${colorScheme}`);
+      }
+    });
+  }
+}
+
+await story('without its token the page says what to do', {}, async (page) => {
+  const context = await browser.newContext();
+  const other = await context.newPage();
+  await other.goto(`http://127.0.0.1:${port}/`);
+  await other.waitForSelector('text=This page needs its address');
+  await context.close();
+  await answered(page);
+});
+
+assert.deepEqual([...hosts], [`127.0.0.1:${port}`], 'only this machine was asked');
+await browser.close();
+const ended = new Promise((resolve) => server.on('exit', resolve));
+server.kill('SIGTERM');
+assert.equal(await ended, 0, 'it ends with 0');
+rmSync(folder, { recursive: true });
+console.log(`${passed} stories, ${failures.length} failed`);
+process.exit(failures.length > 0 ? 1 : 0);

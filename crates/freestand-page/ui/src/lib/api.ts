@@ -1,0 +1,123 @@
+/** What the page asks the program. The token is in the address behind the #, which no server sees. */
+
+export interface Failure { kind: string; key: string | null; file: string | null; line: number | null; message: string; hint: string; others?: Failure[] }
+
+export class Refused extends Error {
+  constructor(readonly status: number, readonly failure: Failure) {
+    super(failure.message);
+  }
+}
+
+export type Option = string | number | boolean | string[];
+
+export interface Ask {
+  command: string;
+  options: Record<string, Option>;
+  files?: Record<string, string[]>;
+  history?: boolean | { motion: string };
+  shape?: 'columns';
+  slot?: string;
+  continues?: string;
+}
+
+export interface Uploaded { id: string; name: string; bytes: number; sha256: string; kind: string }
+
+const KEPT = 'freestand-token';
+
+/** Takes the token out of the address. */
+export function takeToken(): string | null {
+  const fragment = location.hash.slice(1);
+  if (/^[0-9a-f]{64}$/.test(fragment)) {
+    sessionStorage.setItem(KEPT, fragment);
+    history.replaceState(null, '', '#/fall');
+  }
+  return sessionStorage.getItem(KEPT);
+}
+
+async function answered(path: string, init: RequestInit = {}): Promise<Response> {
+  const headers = new Headers(init.headers);
+  headers.set('Authorization', `Bearer ${sessionStorage.getItem(KEPT) ?? ''}`);
+  const response = await fetch(`/api/v1/${path}`, { ...init, headers });
+  if (response.ok) return response;
+  const told = (await response.json().catch(() => null)) as { error?: Failure } | null;
+  const nothing = { kind: 'defect', key: null, file: null, line: null, message: `status ${response.status}`, hint: '' };
+  throw new Refused(response.status, told?.error ?? nothing);
+}
+
+const json = (body: unknown): RequestInit => ({
+  method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body),
+});
+
+export async function facts<T>(): Promise<T> {
+  return (await answered('facts')).json() as Promise<T>;
+}
+
+export async function run<T>(ask: Ask, signal?: AbortSignal): Promise<T> {
+  return (await answered('run', { ...json(ask), ...(signal ? { signal } : {}) })).json() as Promise<T>;
+}
+
+export async function upload(files: Iterable<File>): Promise<Uploaded[]> {
+  const form = new FormData();
+  for (const file of files) form.append('file', file, file.name);
+  const told = (await (await answered('files', { method: 'POST', body: form })).json()) as { files: Uploaded[] };
+  return told.files;
+}
+
+export async function begin(ask: Ask): Promise<string> {
+  return ((await (await answered('jobs', json(ask))).json()) as { id: string }).id;
+}
+
+export async function cancel(id: string): Promise<void> {
+  await answered(`jobs/${id}`, { method: 'DELETE' });
+}
+
+export async function file(id: string, name: string): Promise<Blob> {
+  return (await answered(`jobs/${id}/files/${name}`)).blob();
+}
+
+/** The events of a job, taken up again where a connection breaks off. */
+export async function follow(id: string, each: (name: string, data: never) => void): Promise<void> {
+  let last = 0;
+  for (let tries = 0; tries < 5; tries += 1) {
+    try {
+      const response = await answered(`jobs/${id}/events`, { headers: { 'Last-Event-ID': String(last) } });
+      const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
+      let rest = '';
+      for (;;) {
+        const { done, value } = await reader.read();
+        if (done) break;
+        rest += value;
+        const blocks = rest.split('\n\n');
+        rest = blocks.pop() ?? '';
+        for (const block of blocks) {
+          const field = (name: string) => block.split('\n').find((line) => line.startsWith(name))?.slice(name.length);
+          const [name, data] = [field('event: '), field('data: ')];
+          if (!name || !data) continue;
+          last = Number(field('id: ') ?? last);
+          each(name, JSON.parse(data) as never);
+          if (['done', 'failed', 'cancelled'].includes(name)) return;
+        }
+      }
+    } catch (error) {
+      if (error instanceof Refused) throw error;
+    }
+    await new Promise((resolve) => setTimeout(resolve, 300));
+  }
+}
+
+/** The line that asks the same in a shell. */
+export function commandLine(ask: Ask, names: Record<string, string> = {}): string {
+  const quoted = (text: string) => (/^[\w.:/%+-]+$/.test(text) ? text : `"${text.replace(/(["\\$`])/g, '\\$1')}"`);
+  const parts = ['freestand', ask.command];
+  for (const [flag, paths] of Object.entries(ask.files ?? {})) {
+    const files = paths.map((id) => quoted(names[id] ?? id)).join(' ');
+    // A study and the files of most commands are arguments without a flag.
+    const isPlain = flag === 'file' || (ask.command === 'assess' && flag === 'study');
+    parts.push(isPlain ? files : `--${flag} ${files}`);
+  }
+  for (const [flag, value] of Object.entries(ask.options)) {
+    if (value === false || value === '') continue;
+    parts.push(value === true ? `--${flag}` : `--${flag} ${[value].flat().map((one) => quoted(String(one))).join(' ')}`);
+  }
+  return parts.join(' ');
+}

@@ -1,0 +1,107 @@
+/** The history of an object as the program gives it, and what the animation needs of it. */
+
+export interface Impact { time_s: number; edge_acceleration_g: number | null; edge: 'left' | 'right' }
+
+export interface History {
+  time_s: number[];
+  theta_rad: number[];
+  base_time_s: number[];
+  base_accel_m_s2: number[];
+  impacts: Impact[];
+  tolerance_rad: number;
+  outcome: string;
+  base: 'rigid' | 'compliant';
+  height_m: number;
+  thickness_m: number;
+  base_width_m: number;
+  cg_height_m: number;
+  balance_rad: number;
+}
+
+/** The value at a time of what is linear between its points; the last one after the end. */
+export function at(times: number[], values: number[], time: number): number {
+  const last = times.length - 1;
+  if (last < 0) return 0;
+  if (time <= times[0]!) return values[0]!;
+  if (time >= times[last]!) return values[last]!;
+  let low = 0;
+  let high = last;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle]! <= time) low = middle;
+    else high = middle;
+  }
+  const [t0, t1, y0, y1] = [times[low]!, times[high]!, values[low]!, values[high]!];
+  return y0 + ((y1 - y0) * (time - t0)) / (t1 - t0);
+}
+
+export const tilt = (history: History, time: number) => at(history.time_s, history.theta_rad, time);
+export const floor = (history: History, time: number) => at(history.base_time_s, history.base_accel_m_s2, time);
+export const end = (history: History) => history.time_s.at(-1) ?? 0;
+
+/** Above this, a flash could disturb who is sensitive to flashes. */
+const STRONG_G = 3;
+const STRONG_A_SECOND = 3;
+/** Below this nothing is seen. */
+const FAINT_G = 0.05;
+
+/**
+ * The impacts that flash while the animation runs at a speed: all that are not faint, but of the strong ones
+ * at most three in any second of the watcher (WCAG 2.3.1).
+ */
+export function flashes(impacts: Impact[], speed: number): Impact[] {
+  const strong: number[] = [];
+  return impacts.filter(({ time_s, edge_acceleration_g }) => {
+    const g = edge_acceleration_g ?? 0;
+    if (g < FAINT_G) return false;
+    if (g <= STRONG_G) return true;
+    const seen = time_s / speed;
+    if (strong.filter((other) => seen - other <= 1).length >= STRONG_A_SECOND) return false;
+    strong.push(seen);
+    return true;
+  });
+}
+
+/** Where an object is to be seen first: at its largest tilt, or on its way down. */
+export function telling(history: History): number {
+  const { time_s, theta_rad, balance_rad } = history;
+  const falls = theta_rad.findIndex((theta) => Math.abs(theta) > 0.8 * balance_rad);
+  if (falls >= 0) return time_s[falls]!;
+  let most = 0;
+  theta_rad.forEach((theta, i) => {
+    if (Math.abs(theta) > Math.abs(theta_rad[most]!)) most = i;
+  });
+  return time_s[most] ?? 0;
+}
+
+export type Moment = 'lift' | 'swing' | 'past' | 'largest' | 'end';
+
+/** Five moments that tell the story: lift, two swings, the moment past balance or the largest tilt, the end. */
+export function stills(history: History): { time: number; moment: Moment }[] {
+  const { time_s, theta_rad, balance_rad } = history;
+  const last = end(history);
+  const lift = time_s.find((_, i) => Math.abs(theta_rad[i + 1] ?? 0) > 1e-6) ?? 0;
+  const past = theta_rad.findIndex((theta) => Math.abs(theta) >= balance_rad);
+  const until = past >= 0 ? time_s[past]! : last;
+  const peaks = time_s
+    .map((time, i) => ({ time, size: Math.abs(theta_rad[i]!), i }))
+    .filter(({ time, size, i }) =>
+      time > lift && time < until && size > 0 &&
+      size >= Math.abs(theta_rad[i - 1] ?? 0) && size >= Math.abs(theta_rad[i + 1] ?? 0))
+    .sort((a, b) => b.size - a.size);
+  const [largest, ...others] = peaks;
+  const found: { time: number; moment: Moment }[] = [{ time: lift, moment: 'lift' }, { time: last, moment: 'end' }];
+  if (past >= 0) found.push({ time: until, moment: 'past' });
+  else if (largest) found.push({ time: largest.time, moment: 'largest' });
+  const swings = past >= 0 ? peaks : others;
+  // Swings of one lift look alike: they are to be apart.
+  const gap = Math.max(0.2, 0.03 * last);
+  for (const { time } of swings) {
+    if (found.length >= 5) break;
+    if (found.every((other) => Math.abs(other.time - time) >= gap)) found.push({ time, moment: 'swing' });
+  }
+  for (let i = 1; found.length < 5 && i < 5; i += 1) found.push({ time: lift + ((last - lift) * i) / 5, moment: 'swing' });
+  return found.sort((a, b) => a.time - b.time);
+}
+
+export const degrees = (rad: number) => (rad * 180) / Math.PI;

@@ -1,0 +1,247 @@
+/** Draws the object on its floor, and its rotation against time. */
+
+import { degrees, end, floor, tilt, type History, type Impact } from './history';
+import type { Units } from './units';
+import { t } from './words';
+
+const FONT = 'system-ui, sans-serif';
+/** How long a flash is seen [s of the watcher]. */
+const FLASH_S = 0.35;
+/** Rotations below this are drawn larger [rad]: 1.2°. */
+const SMALL_RAD = 0.02;
+const G0_M_S2 = 9.80665;
+
+export interface Look { ink: string; mu: string; ln: string; ac: string; re: string; obj: string; fl: string }
+
+export function look(): Look {
+  const style = getComputedStyle(document.documentElement);
+  const of = (name: string) => style.getPropertyValue(`--${name}`).trim();
+  return { ink: of('ink'), mu: of('mu'), ln: of('ln'), ac: of('ac'), re: of('re'), obj: of('obj'), fl: of('fl') };
+}
+
+/** The canvas in CSS pixels, sharp on every screen. */
+function prepared(canvas: HTMLCanvasElement, height: number): [CanvasRenderingContext2D, number, number] | null {
+  const ratio = devicePixelRatio || 1;
+  const width = canvas.clientWidth;
+  const context = canvas.getContext('2d');
+  if (!context || width === 0) return null;
+  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+  if (canvas.width !== w || canvas.height !== h) {
+    canvas.width = w;
+    canvas.height = h;
+    canvas.style.height = `${height}px`;
+  }
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, width, height);
+  return [context, width, height];
+}
+
+/** How many times as large small rotations are drawn. */
+export function enlarged(history: History): number {
+  const most = history.theta_rad.reduce((all, theta) => Math.max(all, Math.abs(theta)), 0);
+  return most > 0 && most < SMALL_RAD ? 5 : 1;
+}
+
+function body(context: CanvasRenderingContext2D, history: History, scale: number, x: number, y: number, theta: number, colours: Look, isGhost: boolean) {
+  const [w, h, base] = [history.thickness_m * scale, history.height_m * scale, history.base_width_m * scale];
+  context.save();
+  // It turns about the edge that carries it: the right one where θ > 0.
+  const edge = theta >= 0 ? base / 2 : -base / 2;
+  context.translate(x + edge, y);
+  context.rotate(theta);
+  context.translate(-edge - w / 2, -h);
+  if (isGhost) {
+    context.setLineDash([4, 4]);
+    context.strokeStyle = colours.mu;
+    context.globalAlpha = 0.55;
+    context.strokeRect(0, 0, w, h);
+  } else {
+    context.fillStyle = colours.obj;
+    context.strokeStyle = colours.ink;
+    context.lineWidth = 2;
+    context.beginPath();
+    context.roundRect(0, 0, w, h, 3);
+    context.fill();
+    context.stroke();
+    context.lineWidth = 1;
+    context.globalAlpha = 0.6;
+    for (const part of [0.3, 0.55, 0.78]) {
+      context.beginPath();
+      context.moveTo(5, h * part);
+      context.lineTo(w - 5, h * part);
+      context.stroke();
+    }
+    context.globalAlpha = 1;
+    context.lineWidth = 2;
+    for (const part of [0.15, 0.42, 0.66, 0.88]) {
+      context.beginPath();
+      context.moveTo(w * 0.38, h * part);
+      context.lineTo(w * 0.62, h * part);
+      context.stroke();
+    }
+    context.fillStyle = colours.ac;
+    context.beginPath();
+    context.arc(w / 2, h - history.cg_height_m * scale, 4, 0, 7);
+    context.fill();
+  }
+  context.restore();
+}
+
+/** The object at a time; `shown` are the impacts that may flash at this speed. */
+export function stage(canvas: HTMLCanvasElement, history: History, time: number, shown: Impact[], speed: number, units: Units, colours: Look, isSmall = false) {
+  const wide = canvas.clientWidth;
+  const ready = prepared(canvas, isSmall ? 150 : Math.min(330, wide * 0.56 + 50));
+  if (!ready) return;
+  const [context, w, h] = ready;
+  const diagonal = Math.hypot(history.height_m, history.thickness_m);
+  const scale = Math.min((w - 16) / (2 * diagonal + history.base_width_m), (h - 50) / ((isSmall ? 1.02 : 1.13) * diagonal));
+  const [x, y] = [w / 2, h - 40];
+  const theta = tilt(history, time) * enlarged(history);
+  const minus = (text: string) => text.replace('-', '−');
+  if (!isSmall) {
+    context.strokeStyle = colours.ln;
+    context.fillStyle = colours.mu;
+    context.font = `12px ${FONT}`;
+    context.lineWidth = 1;
+    const [unit, name, step] = units === 'si' ? [1, 'm', history.height_m > 1 ? 1 : 0.5] : [0.3048, 'ft', history.height_m > 1 ? 3 : 1];
+    for (let mark = 0; mark * unit * scale < y - 6; mark += step) {
+      const at = y - mark * unit * scale;
+      context.beginPath();
+      context.moveTo(0, at);
+      context.lineTo(w, at);
+      context.stroke();
+      if (mark > 0 && at > 14) context.fillText(`${mark} ${name}`, 8, at - 4);
+    }
+    if (theta !== 0) {
+      const side = Math.sign(theta);
+      const edge = x + (side * history.base_width_m * scale) / 2;
+      context.setLineDash([2, 4]);
+      context.strokeStyle = colours.mu;
+      context.beginPath();
+      context.moveTo(edge, y);
+      context.lineTo(edge, y - 1.12 * diagonal * scale);
+      context.stroke();
+      context.setLineDash([]);
+      context.textAlign = side > 0 ? 'left' : 'right';
+      // Above the body, wherever it turns.
+      context.fillText(t('stage.balance'), edge + side * 6, y - 1.08 * diagonal * scale);
+      context.textAlign = 'left';
+    }
+  }
+  context.fillStyle = colours.fl;
+  context.fillRect(0, y, w, isSmall ? 4 : 10);
+  if (Math.abs(theta) > 0.004) body(context, history, scale, x, y, 0, colours, true);
+  body(context, history, scale, x, y, theta, colours, false);
+  if (isSmall) return;
+  const g = floor(history, time) / G0_M_S2;
+  const arrow = Math.max(-0.45 * w, Math.min(0.45 * w, g * 180));
+  context.strokeStyle = colours.ac;
+  context.fillStyle = colours.ac;
+  context.lineWidth = 3;
+  if (Math.abs(arrow) > 3) {
+    const head = Math.sign(arrow);
+    context.beginPath();
+    context.moveTo(x, y + 22);
+    context.lineTo(x + arrow, y + 22);
+    context.stroke();
+    context.beginPath();
+    context.moveTo(x + arrow + 6 * head, y + 22);
+    context.lineTo(x + arrow - 2 * head, y + 17);
+    context.lineTo(x + arrow - 2 * head, y + 27);
+    context.fill();
+  }
+  context.font = `12px ${FONT}`;
+  context.fillStyle = colours.mu;
+  context.fillText(minus(t('stage.floor', { g: g.toFixed(2) })), 10, y + 26);
+  context.textAlign = 'right';
+  context.fillText(minus(t('stage.tilt', { deg: degrees(tilt(history, time)).toFixed(1) })), w - 10, y + 26);
+  context.textAlign = 'left';
+  const lasts = Math.max(0.1, FLASH_S) * speed;
+  // Of several landings of an edge, the hardest is shown: their numbers would hide each other.
+  const seen = shown.filter(({ time_s }) => time >= time_s && time - time_s < lasts);
+  const hardest = (['left', 'right'] as const).flatMap((side) => {
+    const own = seen.filter(({ edge }) => edge === side);
+    return own.length > 0 ? [own.reduce((a, b) => ((b.edge_acceleration_g ?? 0) > (a.edge_acceleration_g ?? 0) ? b : a))] : [];
+  });
+  for (const { time_s, edge_acceleration_g, edge } of hardest) {
+    const since = time - time_s;
+    const left = 1 - since / lasts;
+    const side = edge === 'right' ? 1 : -1;
+    const at = x + (side * history.base_width_m * scale) / 2;
+    const strength = edge_acceleration_g ?? 0;
+    const radius = 6 + Math.min(strength, 12) * 7 * (1.3 - left * 0.6);
+    context.globalAlpha = left;
+    context.strokeStyle = colours.re;
+    context.fillStyle = colours.re;
+    context.lineWidth = 3;
+    for (let ray = 0; ray < 5; ray += 1) {
+      const angle = (-Math.PI * (ray + 0.5)) / 5;
+      context.beginPath();
+      context.moveTo(at + Math.cos(angle) * radius * 0.6, y + Math.sin(angle) * radius * 0.6);
+      context.lineTo(at + Math.cos(angle) * radius * 1.25, y + Math.sin(angle) * radius * 1.25);
+      context.stroke();
+    }
+    context.font = `700 15px ${FONT}`;
+    context.textAlign = side > 0 ? 'left' : 'right';
+    context.fillText(`${strength.toFixed(1)} g`, at + side * (radius * 1.3 + 6), y - 8);
+    context.textAlign = 'left';
+    context.globalAlpha = 1;
+  }
+}
+
+/** Rotation over the balance angle, the acceleration of the floor behind it, impacts as ticks. */
+export function timeline(canvas: HTMLCanvasElement, history: History, time: number, colours: Look) {
+  const ready = prepared(canvas, 104);
+  if (!ready) return;
+  const [context, w, h] = ready;
+  const last = end(history) || 1;
+  const middle = h * 0.44;
+  const X = (at: number) => (at / last) * w;
+  const Y = (theta: number) => middle - Math.max(-1.25, Math.min(1.25, theta / history.balance_rad)) * middle * 0.74;
+  const most = history.base_accel_m_s2.reduce((all, one) => Math.max(all, Math.abs(one)), 0) || 1;
+  context.globalAlpha = 0.45;
+  context.strokeStyle = colours.mu;
+  context.lineWidth = 1;
+  context.beginPath();
+  history.base_time_s.forEach((at, i) => {
+    if (at > last) return;
+    context.lineTo(X(at), middle - (history.base_accel_m_s2[i]! / most) * middle * 0.5);
+  });
+  context.stroke();
+  context.globalAlpha = 1;
+  context.setLineDash([4, 4]);
+  for (const side of [1, -1]) {
+    context.beginPath();
+    context.moveTo(0, Y(side * history.balance_rad));
+    context.lineTo(w, Y(side * history.balance_rad));
+    context.stroke();
+  }
+  context.setLineDash([]);
+  context.fillStyle = colours.mu;
+  context.font = `11px ${FONT}`;
+  context.fillText(t('timeline.balance'), 8, Y(history.balance_rad) + 13);
+  context.strokeStyle = colours.ac;
+  context.lineWidth = 2.2;
+  context.beginPath();
+  history.time_s.forEach((at, i) => context.lineTo(X(at), Y(history.theta_rad[i]!)));
+  context.stroke();
+  context.strokeStyle = colours.re;
+  context.lineWidth = 2;
+  for (const { time_s, edge_acceleration_g } of history.impacts) {
+    const size = edge_acceleration_g === null ? 6 : Math.min(26, Math.max(2, edge_acceleration_g * 4.6));
+    context.beginPath();
+    context.moveTo(X(time_s), h - 2);
+    context.lineTo(X(time_s), h - 2 - size);
+    context.stroke();
+  }
+  context.strokeStyle = colours.ink;
+  context.fillStyle = colours.ink;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.moveTo(X(time), 0);
+  context.lineTo(X(time), h);
+  context.stroke();
+  context.beginPath();
+  context.arc(X(time), 6, 5, 0, 7);
+  context.fill();
+}

@@ -1,0 +1,31 @@
+import { describe, expect, it } from 'vitest';
+import { lengthM, lengthShown, lengthText, massShown } from './units';
+
+describe('lengths', () => {
+  it('are read as the program reads them', () => {
+    const read: [string, number | null][] = [
+      ['1.8 m', 1.8], ['400mm', 0.4], ['40 cm', 0.4], ['18in', 0.4572], ["6'6\"", 1.9812], ['6 ft 6 in', 1.9812],
+      ['3 apples', null], ['', null], ['-1 m', null], ['0 m', null], ['1.8', null], ['1 m 2', null],
+    ];
+    for (const [text, metres] of read) {
+      const found = lengthM(text);
+      if (metres === null || found === null) expect(found, text).toBe(metres);
+      else expect(found, text).toBeCloseTo(metres, 10);
+    }
+  });
+
+  it('come back from their text to a quarter of a millimetre', () => {
+    for (const units of ['si', 'us'] as const) {
+      for (const metres of [0.05, 0.3, 0.4, 0.9999, 1, 1.8, 2.345]) {
+        expect(Math.abs(lengthM(lengthText(metres, units))! - metres)).toBeLessThan(0.00025);
+      }
+    }
+    expect([lengthText(1.8, 'si'), lengthText(0.4, 'si'), lengthText(1.8, 'us')]).toEqual(['1.8 m', '400 mm', '5\'10.87"']);
+  });
+
+  it('are shown as people write them', () => {
+    expect([1.8, 0.4, 0.0036, 0.00002, 0].map((one) => lengthShown(one, 'si'))).toEqual(['1.80 m', '400 mm', '3.6 mm', '< 1 mm', '0 mm']);
+    expect([1.8, 0.0254].map((one) => lengthShown(one, 'us'))).toEqual(['5′ 11″', '1″']);
+    expect([massShown(150, 'si'), massShown(150, 'us')]).toEqual(['150 kg', '331 lb']);
+  });
+});

@@ -1,0 +1,58 @@
+/** Lengths, masses and their texts in SI and US units. The program reads the same texts. */
+
+export type Units = 'si' | 'us';
+
+const INCH_M = 0.0254;
+const FOOT_M = 0.3048;
+const POUND_KG = 0.45359237;
+
+const LENGTHS: Record<string, number> = {
+  m: 1, mm: 0.001, cm: 0.01, in: INCH_M, '"': INCH_M, '″': INCH_M, ft: FOOT_M, "'": FOOT_M, '′': FOOT_M,
+};
+
+/** A length in metres; null for a text that only the program may understand. */
+export function lengthM(text: string): number | null {
+  const parts = [...text.trim().matchAll(/(\d+(?:[.,]\d+)?)\s*(mm|cm|m|in|ft|"|″|'|′)\s*/gy)];
+  const read = parts.map((part) => part[0]).join('').trim();
+  if (parts.length === 0 || parts.length > 2 || read !== text.trim()) return null;
+  const sum = parts.reduce((all, [, number, unit]) => all + Number(number!.replace(',', '.')) * LENGTHS[unit!]!, 0);
+  return sum > 0 ? sum : null;
+}
+
+function trimmed(value: number, digits: number): string {
+  return value.toFixed(digits).replace(/\.?0+$/, '');
+}
+
+/** A length as one writes it: 1.8 m, 400 mm, 5'10.9". */
+export function lengthText(metres: number, units: Units): string {
+  if (units === 'si') {
+    return metres >= 1 ? `${trimmed(metres, 3)} m` : `${trimmed(metres * 1000, 1)} mm`;
+  }
+  const inches = Math.round((metres / INCH_M) * 100) / 100;
+  const feet = Math.floor(inches / 12);
+  const rest = trimmed(inches - 12 * feet, 2) || '0';
+  return feet > 0 ? `${feet}'${rest}"` : `${rest}"`;
+}
+
+/** A length for people: 1.80 m, 3.6 mm, 5′ 11″, 0.14″. */
+export function lengthShown(metres: number, units: Units): string {
+  if (units === 'si') {
+    const mm = metres * 1000;
+    if (mm > 0 && mm < 1) return '< 1 mm';
+    return mm >= 1000 ? `${metres.toFixed(2)} m` : `${mm >= 100 ? mm.toFixed(0) : Number(mm.toPrecision(2))} mm`;
+  }
+  const inches = metres / INCH_M;
+  if (inches < 12) return `${Number(inches.toPrecision(inches >= 1 ? 3 : 2))}″`;
+  const whole = Math.round(inches);
+  return `${Math.floor(whole / 12)}′ ${whole % 12}″`;
+}
+
+/** A mass for people. */
+export function massShown(kg: number, units: Units): string {
+  return units === 'si' ? `${Number(kg.toPrecision(3))} kg` : `${Math.round(kg / POUND_KG)} lb`;
+}
+
+/** Accelerations stay in g. */
+export function gShown(g: number): string {
+  return `${g >= 10 ? g.toFixed(0) : Number(g.toPrecision(2))} g`;
+}

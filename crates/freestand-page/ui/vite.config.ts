@@ -1,0 +1,38 @@
+import { svelte } from '@sveltejs/vite-plugin-svelte';
+import { gzipSync } from 'node:zlib';
+import { defineConfig, type Plugin } from 'vite';
+
+/** Writes every file a second time, packed: the server hands out what is embedded. */
+function packed(): Plugin {
+  return {
+    name: 'packed',
+    apply: 'build',
+    enforce: 'post',
+    async closeBundle() {
+      const { readFile, writeFile } = await import('node:fs/promises');
+      for (const name of ['index.html', 'assets/app.js', 'assets/app.css', 'assets/icon.svg']) {
+        const bytes = await readFile(`dist/${name}`);
+        await writeFile(`dist/${name}.gz`, gzipSync(bytes, { level: 9 }));
+      }
+    },
+  };
+}
+
+export default defineConfig({
+  plugins: [svelte(), packed()],
+  // Names without hashes: the table of the server lists them, and an ETag tells versions apart.
+  build: {
+    target: 'es2022',
+    cssCodeSplit: false,
+    modulePreload: false,
+    assetsInlineLimit: 0,
+    rollupOptions: {
+      output: {
+        entryFileNames: 'assets/app.js',
+        assetFileNames: (file) => (file.names[0]?.endsWith('.css') ? 'assets/app.css' : 'assets/[name][extname]'),
+        codeSplitting: false,
+      },
+    },
+  },
+  test: { include: ['src/**/*.test.ts'], environment: 'node' },
+} as never);

@@ -1,0 +1,257 @@
+//! A history as it is drawn: few points, from which no angle is off by more than a tolerance.
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::compliant::{CompliantBase, CompliantOptions, EdgeSide, rock_compliant_observed};
+use freestand::motion::Motion;
+use freestand::rocking::{Base, Side};
+use freestand_input::problem::Problem;
+use serde::Serialize;
+
+use crate::compliant::problem;
+use crate::rock::RockReport;
+
+/// No angle that is drawn is off by more than this \[rad\]: 0.02°, a third of a millimetre at the top of
+/// an object of 1 m.
+pub const TOLERANCE_RAD: f64 = 0.02 * std::f64::consts::PI / 180.0;
+
+/// The part of the tolerance that thinning may use. The rest is for the curve between two samples:
+/// p² h²/8 = 5e-5 rad for p = 4 rad/s and samples at 5 ms.
+const THINNING_RATIO: f64 = 0.75;
+
+/// The part of its peak by which the acceleration of the floor may be off, which is drawn as an arrow.
+const ACCELERATION_RATIO: f64 = 0.005;
+
+/// Between these times the rotation on pads is sampled, besides at the steps of its solver \[s\].
+const ON_PADS_DT_S: f64 = 0.0025;
+
+/// A history, piecewise linear in time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DrawnHistory {
+    /// Times, each later than the one before \[s\].
+    pub time_s: Vec<f64>,
+    /// θ at these times, positive about the right edge \[rad\].
+    pub theta_rad: Vec<f64>,
+    /// Times of the acceleration \[s\].
+    pub base_time_s: Vec<f64>,
+    /// Acceleration of the floor \[m/s²\].
+    pub base_accel_m_s2: Vec<f64>,
+    /// Every impact on the floor.
+    pub impacts: Vec<DrawnImpact>,
+    /// No angle is off by more than this \[rad\].
+    pub tolerance_rad: f64,
+    /// `rocked`, `overturned` …
+    pub outcome: &'static str,
+    /// `rigid` or `compliant`: what the object stands on.
+    pub base: &'static str,
+    /// Height of the block \[m\].
+    pub height_m: f64,
+    /// Its side in the plane of the motion \[m\].
+    pub thickness_m: f64,
+    /// The distance between its edges \[m\].
+    pub base_width_m: f64,
+    /// Height of its centre of gravity \[m\].
+    pub cg_height_m: f64,
+    /// The angle at which it balances on an edge \[rad\].
+    pub balance_rad: f64,
+}
+
+/// An impact on the floor.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct DrawnImpact {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// Peak acceleration at the edge, from the speed of the impact \[g\]; `None` without mass and cushion.
+    pub edge_acceleration_g: Option<f64>,
+    /// The edge that lands.
+    pub edge: &'static str,
+}
+
+/// The history of a report that was sampled.
+pub fn drawn(report: &RockReport, floor: Option<&Motion>) -> DrawnHistory {
+    let impacts = report.landings.iter().map(|one| DrawnImpact {
+        time_s: one.time_s,
+        edge_acceleration_g: one.edge_acceleration_g,
+        // Turning about the right edge (θ > 0), it comes back with ω < 0 and the left edge lands.
+        edge: if one.omega_before_rad_s < 0.0 { Side::Left.name() } else { Side::Right.name() },
+    });
+    let points = rising(report.history.iter().map(|point| (point.time_s, point.theta_rad)));
+    of_points(&report.block, points, impacts.collect(), floor, (report.outcome.name(), "rigid"))
+}
+
+/// The history of a block on its pads under a motion, with every contact of an edge as an impact.
+///
+/// # Errors
+/// Those of the solver.
+pub fn drawn_on_pads(
+    block: &Block,
+    base: &CompliantBase,
+    motion: Base<'_>,
+    options: &CompliantOptions,
+) -> Result<DrawnHistory, Problem> {
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    let mut last = (0.0, 0.0);
+    let rocking = rock_compliant_observed(block, base, motion, options, |piece| {
+        let (start_s, length_s) = (piece.start_s(), piece.length_s());
+        let samples = (length_s / ON_PADS_DT_S).ceil().max(1.0);
+        let at = |share: f64| (start_s + share * length_s, piece.rotation(share).0);
+        if points.is_empty() && start_s > 0.0 {
+            // Before its first step it is at rest.
+            points.push((0.0, at(0.0).1));
+        }
+        points.extend((0..samples as usize).map(|i| at(i as f64 / samples)));
+        last = at(1.0);
+    })
+    .map_err(problem)?;
+    points.push(last);
+    points.push((rocking.end_time_s, last.1));
+    let impacts = rocking.touches.iter().map(|touch| DrawnImpact {
+        time_s: touch.time_s,
+        edge_acceleration_g: Some(touch.peak_acceleration_m_s2 / G0_M_S2),
+        edge: match touch.edge {
+            EdgeSide::Left => Side::Left.name(),
+            EdgeSide::Right => Side::Right.name(),
+        },
+    });
+    let outcome = (rocking.outcome.name(), "compliant");
+    Ok(of_points(block, rising(points.into_iter()), impacts.collect(), motion.horizontal, outcome))
+}
+
+/// Both, from points with rising times.
+fn of_points(
+    block: &Block,
+    points: Vec<(f64, f64)>,
+    mut impacts: Vec<DrawnImpact>,
+    floor: Option<&Motion>,
+    (outcome, base): (&'static str, &'static str),
+) -> DrawnHistory {
+    impacts.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+    let points = with_times(points, impacts.iter().map(|impact| impact.time_s));
+    let mut at = impacts.iter().map(|impact| impact.time_s).peekable();
+    let is_kept = |time_s: f64| {
+        let mut is_one = false;
+        while let Some(impact_s) = at.next_if(|impact_s| *impact_s <= time_s) {
+            is_one |= impact_s == time_s;
+        }
+        is_one
+    };
+    let (time_s, theta_rad) = thinned(&points, THINNING_RATIO * TOLERANCE_RAD, is_kept).into_iter().unzip();
+    let samples = floor.map(|motion| {
+        let of = |(i, accel): (usize, &f64)| (i as f64 * motion.dt_s(), *accel);
+        motion.accel_m_s2().iter().enumerate().map(of).collect::<Vec<_>>()
+    });
+    let samples = samples.unwrap_or_default();
+    let peak_m_s2 = samples.iter().fold(0.0f64, |most, (_, accel)| most.max(accel.abs()));
+    let (base_time_s, base_accel_m_s2) =
+        thinned(&samples, ACCELERATION_RATIO * peak_m_s2, |_| false).into_iter().unzip();
+    DrawnHistory {
+        time_s,
+        theta_rad,
+        base_time_s,
+        base_accel_m_s2,
+        impacts,
+        tolerance_rad: TOLERANCE_RAD,
+        outcome,
+        base,
+        height_m: block.height_m(),
+        thickness_m: block.thickness_m(),
+        base_width_m: block.base_width_m(),
+        cg_height_m: block.cg_height_m(),
+        balance_rad: block.pivot().slenderness_angle_rad,
+    }
+}
+
+/// The points, with those at these rising times between them.
+fn with_times(points: Vec<(f64, f64)>, times: impl Iterator<Item = f64>) -> Vec<(f64, f64)> {
+    let mut found = Vec::with_capacity(points.len());
+    let mut times = times.peekable();
+    for point in points {
+        while let Some(time) = times.next_if(|time| *time < point.0) {
+            if let Some(&(t0, y0)) = found.last()
+                && t0 < time
+            {
+                found.push((time, y0 + (point.1 - y0) * (time - t0) / (point.0 - t0)));
+            }
+        }
+        found.push(point);
+    }
+    found
+}
+
+/// Points with rising times: of several at one time, the first.
+fn rising(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut found: Vec<(f64, f64)> = Vec::new();
+    for point in points {
+        if found.last().is_none_or(|last| last.0 < point.0) {
+            found.push(point);
+        }
+    }
+    found
+}
+
+/// The fewest of these points that one pass finds, so that the straight lines between them are within
+/// the tolerance of all; those at times that `is_kept` names are among them. It is asked in the order of
+/// time.
+fn thinned(points: &[(f64, f64)], tolerance: f64, mut is_kept: impl FnMut(f64) -> bool) -> Vec<(f64, f64)> {
+    let Some((&first, rest)) = points.split_first() else { return Vec::new() };
+    let mut found = vec![first];
+    let (mut anchor, mut last) = (first, first);
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    for &point in rest {
+        let slope = |from: (f64, f64), to: f64| (to - from.1) / (point.0 - from.0);
+        if !(low..=high).contains(&slope(anchor, point.1)) {
+            found.push(last);
+            anchor = last;
+            (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+        }
+        low = low.max(slope(anchor, point.1 - tolerance));
+        high = high.min(slope(anchor, point.1 + tolerance));
+        last = point;
+        if is_kept(point.0) {
+            found.push(point);
+            anchor = point;
+            (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+        }
+    }
+    if found.last() != Some(&last) {
+        found.push(last);
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(line: &[(f64, f64)], time: f64) -> f64 {
+        let next = line.partition_point(|point| point.0 < time).clamp(1, line.len() - 1);
+        let ((t0, y0), (t1, y1)) = (line[next - 1], line[next]);
+        y0 + (y1 - y0) * (time - t0) / (t1 - t0)
+    }
+
+    #[test]
+    fn thinning_keeps_the_curve_and_the_impacts() {
+        let points: Vec<(f64, f64)> =
+            (0..4000).map(|i| f64::from(i) * 0.005).map(|t| (t, (3.0 * t).sin().abs() * (-0.2 * t).exp())).collect();
+        let kept = [points[700].0, points[701].0, points[3333].0];
+        let thin = thinned(&points, 1e-3, |time| kept.contains(&time));
+        assert!(thin.len() < points.len() / 8, "{}", thin.len());
+        let worst = points.iter().map(|(t, y)| (at(&thin, *t) - y).abs()).fold(0.0, f64::max);
+        // The lines pass through samples, so the bound holds at every sample, but for rounding.
+        assert!(worst <= 1e-3 * (1.0 + 1e-9), "{worst}");
+        assert!(kept.iter().all(|time| thin.iter().any(|point| point.0 == *time)));
+        assert!(thin.windows(2).all(|two| two[0].0 < two[1].0));
+        assert_eq!((thin.first(), thin.last()), (points.first(), points.last()));
+    }
+
+    #[test]
+    fn nothing_and_little() {
+        assert!(thinned(&[], 1.0, |_| false).is_empty());
+        assert_eq!(thinned(&[(0.0, 1.0)], 1.0, |_| false), [(0.0, 1.0)]);
+        assert_eq!(
+            with_times(vec![(0.0, 0.0), (2.0, 4.0)], [0.0, 1.0, 1.0, 2.0, 3.0].into_iter()),
+            [(0.0, 0.0), (1.0, 2.0), (2.0, 4.0)]
+        );
+        assert_eq!(rising([(0.0, 1.0), (0.0, 2.0), (1.0, 3.0)].into_iter()), [(0.0, 1.0), (1.0, 3.0)]);
+    }
+}
