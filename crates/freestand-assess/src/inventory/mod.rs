@@ -27,6 +27,7 @@ mod numbers;
 mod plausible;
 mod problems;
 mod read;
+mod report;
 mod sentence;
 mod source;
 mod template;
@@ -53,6 +54,9 @@ pub use named::level_of_floor;
 pub use numbers::Decimal;
 pub use problems::{Finding, Kind, Severity, console_lines};
 pub use read::{ColumnRead, ReadOptions, Reading, inspect_inventory, parse_inventory, read_inventory};
+pub use report::{
+    CheckReport, ColumnReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN, check_report,
+};
 pub use template::{template_csv, template_xlsx};
 
 use crate::library::Tolerance;
