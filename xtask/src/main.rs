@@ -1,12 +1,15 @@
 //! `cargo xtask test`: everything that has to hold, with all set-up; what the README names and what CI runs.
 //! `cargo xtask arrows`: the first of these checks alone, which takes a second.
 //! `cargo xtask validate-shock`: shock response spectra beside public packages, which it fetches from PyPI.
+//! `cargo xtask wheel [--out DIR]`: the Python package with the program inside, as it is published.
+//! `cargo xtask python`: its tests alone, on a wheel of the dev profile.
 //! `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a developer's tool talks to the terminal")]
 
 mod arrows;
 mod checks;
+mod python;
 mod source;
 mod texts;
 mod validate_shock;
@@ -14,7 +17,8 @@ mod validate_shock;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask test | arrows | validate-shock | texts [--flagged] [PATH…]";
+const USAGE: &str =
+    "usage: cargo xtask test | arrows | wheel [--out DIR] | python | validate-shock | texts [--flagged] [PATH…]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -27,6 +31,9 @@ fn main() -> ExitCode {
         ("test", []) => Ok(checks::all(&root)),
         ("arrows", []) => checks::arrows(&root).map(|()| true),
         ("validate-shock", []) => validate_shock::fetch_and_compare(&root).map(|()| true),
+        ("wheel", []) => wheel(&root, &root.join("target/wheels")),
+        ("wheel", [flag, out]) if flag == "--out" => wheel(&root, &PathBuf::from(out)),
+        ("python", []) => python::test(&root).map(|()| true).map_err(told),
         ("texts", rest) => texts::print(&root, rest).map(|()| true),
         _ => {
             eprintln!("{USAGE}");
@@ -40,6 +47,23 @@ fn main() -> ExitCode {
             eprintln!("{problem}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// Builds the wheel that is published, and says where it is.
+fn wheel(root: &Path, out: &Path) -> Result<bool, String> {
+    // The tools run in folders of their own.
+    let out = std::path::absolute(out).map_err(|error| format!("{}: {error}", out.display()))?;
+    let wheel = python::wheel(root, &out, python::Profile::Release).map_err(told)?;
+    let bytes = std::fs::metadata(&wheel).map_or(0, |data| data.len());
+    println!("{}, {:.1} MB", wheel.display(), bytes as f64 / 1e6);
+    Ok(true)
+}
+
+fn told(trouble: python::Trouble) -> String {
+    match trouble {
+        python::Trouble::NotHere(why) => format!("not run: {why}"),
+        python::Trouble::Wrong(why) => why,
     }
 }
 
