@@ -82,7 +82,8 @@ class Columns(Mapping[str, npt.NDArray[np.float64]]):
     def __getitem__(self, name: str) -> npt.NDArray[np.float64]:
         if name not in self._names:
             raise KeyError(f"{name}: the columns are {', '.join(self._names)}")
-        return np.frombuffer(self._data, "f8").reshape(len(self._names), -1)[self._names.index(name)]
+        rows = len(self._data) // (8 * len(self._names))
+        return np.frombuffer(self._data, "f8", rows, 8 * rows * self._names.index(name))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)

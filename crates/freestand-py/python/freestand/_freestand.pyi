@@ -5,7 +5,34 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias, final
 
 _Path: TypeAlias = str | os.PathLike[str]
-Answer: TypeAlias = tuple[dict[str, Any], list[str], bytes, bytes, tuple[str, bytes] | None]
+_Answer: TypeAlias = tuple[dict[str, Any], list[str], bytes, bytes, tuple[str, bytes] | None]
+
+__all__ = [
+    "Body",
+    "Record",
+    "acceleration_unit",
+    "arrow_stream",
+    "assess",
+    "check_inventory",
+    "check_object",
+    "code_spectrum",
+    "drop_test",
+    "floor",
+    "read_motions",
+    "restrain",
+    "rock",
+    "run",
+    "shock",
+    "shock_spectrum",
+    "slide",
+    "spectrum",
+    "static_test",
+    "study_toml",
+    "synth",
+    "threads",
+    "validate",
+    "version",
+]
 
 @final
 class Body:
@@ -24,7 +51,7 @@ class Body:
 @final
 class Record:
     def __new__(
-        cls, accel_m_s2: bytes, dt_s: float, name: str, notes: Sequence[str] = [], processing: Sequence[str] = []
+        cls, accel_m_s2: bytes, dt_s: float, name: str, notes: Sequence[str] | None = None, processing: Sequence[str] | None = None
     ) -> Record: ...
     @property
     def dt_s(self) -> float: ...
@@ -51,38 +78,38 @@ def assess(
     inventory: _Path | None,
     out: _Path,
     values: dict[str, Any],
-    threads: int | None = None,
-    progress: Callable[[str, int, int], object] | None = None,
+    threads: int | None,
+    progress: Callable[[str, int, int], object] | None,
 ) -> str: ...
 def check_inventory(path: _Path, values: dict[str, Any]) -> str: ...
-def check_object(motions: Sequence[Record], values: dict[str, Any], threads: int | None = None) -> str: ...
+def check_object(motions: Sequence[Record], values: dict[str, Any], threads: int | None) -> str: ...
 def code_spectrum(values: dict[str, Any]) -> str: ...
 def drop_test(values: dict[str, Any]) -> tuple[str, str | None, list[str]]: ...
 def floor(
-    records: Sequence[Record], values: dict[str, Any], threads: int | None = None
+    records: Sequence[Record], values: dict[str, Any], threads: int | None
 ) -> tuple[str, list[list[Record]]]: ...
 def read_motions(paths: Sequence[_Path], values: dict[str, Any]) -> list[Record]: ...
 def restrain(values: dict[str, Any]) -> tuple[str, str]: ...
 def rock(
     body: Body, motion: Record | None, vertical: Record | None, values: dict[str, Any], history: bool
-) -> Answer: ...
+) -> _Answer: ...
 def run(
     out: _Path,
     values: dict[str, Any],
-    threads: int | None = None,
-    progress: Callable[[str, int, int], object] | None = None,
+    threads: int | None,
+    progress: Callable[[str, int, int], object] | None,
 ) -> str: ...
 def shock(body: Body, values: dict[str, Any]) -> str: ...
 def shock_spectrum(record: Record, values: dict[str, Any]) -> str: ...
 def slide(
     body: Body, motion: Record | None, vertical: Record | None, values: dict[str, Any], history: bool
-) -> Answer | None: ...
+) -> _Answer | None: ...
 def spectrum(
-    motions: Sequence[tuple[str, Record, Record | None]], values: dict[str, Any], threads: int | None = None
+    motions: Sequence[tuple[str, Record, Record | None]], values: dict[str, Any], threads: int | None
 ) -> tuple[list[tuple[str, str, bytes, list[str]]], list[str], tuple[float, int]]: ...
 def static_test(values: dict[str, Any]) -> str: ...
 def study_toml() -> str: ...
-def synth(values: dict[str, Any], threads: int | None = None) -> tuple[str, list[Record]]: ...
+def synth(values: dict[str, Any], threads: int | None) -> tuple[str, list[Record]]: ...
 def threads() -> int: ...
-def validate(threads: int | None = None) -> str: ...
+def validate(threads: int | None) -> str: ...
 def version() -> str: ...

@@ -86,7 +86,8 @@ class Motion:
     @property
     def time_s(self) -> Array:
         """Times of the samples [s], shape (n,)."""
-        return np.arange(len(self.accel_m_s2)) * self.dt_s
+        times: Array = np.arange(len(self.accel_m_s2), dtype="f8") * self.dt_s
+        return times
 
     @property
     def name(self) -> str:

@@ -14,6 +14,7 @@ from ._block import Block, Cushion, Sliding, Walls, cushion_given
 from ._convert import Numbers, PathLike, bad, data, given, inventory as as_file, study as study_given, warn, words
 from ._motion import Motion
 from ._results import (
+    Answer,
     AssessResult,
     CodeSpectrumResult,
     DropTestResult,
@@ -112,7 +113,7 @@ def _slide(
     sliding: Sliding,
     history: bool,
     walls: Walls | None,
-) -> _freestand.Answer | None:
+) -> Answer | None:
     if walls is not None:
         raise bad("walls apply only to an object that rocks", "give the room as clearance_left_m and clearance_right_m")
     found = _freestand.slide(block._body, record, vertical, values | sliding._given(), history)
@@ -140,7 +141,7 @@ def _motions(motions: Motion | Iterable[Motion]) -> list[Motion]:
     return found
 
 
-def _threads(threads: int | None) -> int | None:
+def _threads(threads: Any) -> int | None:
     if threads is None:
         return None
     if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     import xarray
 
     from ._motion import Motion
+
+#: Facts, warnings, impacts, impacts on walls, names and columns of the history.
+Answer: TypeAlias = "tuple[dict[str, Any], list[str], bytes, bytes, tuple[str, bytes] | None]"
 
 _IMPACT = np.dtype(
     [(name, "f8") for name in ("time_s", "omega_before_rad_s", "omega_after_rad_s", "edge_acceleration_impact_velocity_g")]
@@ -44,6 +47,45 @@ class RockResult(Result):
     `outcome` is `no-uplift`, `rocked`, `leaned` or `overturned`. Lengths in m, rotations in rad, times in s;
     `edge_acceleration_g` is the shock from the largest uplift by the paper's Eq. (5).
     """
+
+    outcome: str
+    stopped: str
+    end_time_s: float
+    peak_rotation_rad: float
+    peak_rotation_ratio: float
+    peak_rotation_time_s: float | None
+    uplift_m: float
+    cg_rise_m: float
+    first_uplift_time_s: float | None
+    uplift_count: int
+    impact_count: int
+    wall_angle_left_rad: float | None
+    wall_angle_right_rad: float | None
+    wall_impact_count: int
+    wall_speed_max_m_s: float | None
+    wall_acceleration_g: float | None
+    wall_impulse_max_n_s: float | None
+    leaning: bool
+    passed_alpha_time_s: float | None
+    overturn_time_s: float | None
+    rest_time_s: float | None
+    at_rest: bool
+    friction_needed_ratio: float | None
+    impact_friction_needed_ratio: float
+    restitution_ratio: float
+    final_rotation_rad: float
+    final_omega_rad_s: float
+    half_diagonal_m: float
+    slenderness_angle_rad: float
+    frequency_parameter_rad_s: float
+    uplift_threshold_g: float
+    model: str
+    accuracy: str
+    edge_acceleration_g: float | None
+    edge_acceleration_impact_velocity_g: float | None
+    ceiling_g: float | None
+    steps: int
+    evaluations: int
 
     #: time_s, theta_rad, omega_rad_s, uplift_m, base_accel_m_s2 (arrays of one length); None if not recorded.
     history: Columns | None
@@ -131,9 +173,52 @@ def _wall_row(row: tuple[float, ...]) -> dict[str, Any]:
 class ShockResult(Result):
     """The shock of one landing; `edge_acceleration_g` is that of the landing edge."""
 
+    scenario: str
+    model: str
+    energy_source: str
+    drop_acceleration_g: float
+    edge_acceleration_g: float
+    edge_acceleration_m_s2: float
+    amplification_ratio: float
+    landing_ratio: float
+    effective_mass_kg: float
+    edge_velocity_m_s: float
+    angular_velocity_rad_s: float
+    contact_distance_m: float
+    half_diagonal_m: float
+    slenderness_angle_rad: float
+    cg_rise_m: float
+    uplift_m: float | None
+    rotation_rad: float | None
+    stiffness_n_m: float
+    law: str
+    cushion: str
+    pulse_duration_s: float
+    velocity_change_m_s: float
+    compression_m: float
+    balance_rise_m: float
+    ceiling_g: float | None
+    impact_friction_needed_ratio: float | None
+    models: dict[str, Any]
+    at: dict[str, Any] | None
+    tolerance_g: float | None
+    tolerance_edge_lift_m: float | None
+    damage_boundary_tests: Any
+    damage_boundary: Any
+    demand_capacity: dict[str, Any] | None
+    demand_capacity_ratio: float | None
+    governing: str | None
+    verdict: str
+    max_stiffness_n_m: float | None
+    notes: list[str]
+
 
 class DropTestResult(Result):
     """A pad from its drop tests. It can be given as `cushion`, with `pads_per_edge`."""
+
+    tests: list[dict[str, Any]]
+    pooled: dict[str, Any]
+    failed: list[Any]
 
     def __init__(self, document: dict[str, Any], cushion_toml: str | None, loops: Sequence[str]) -> None:
         super().__init__(document)
@@ -177,6 +262,14 @@ class StaticTestResult(Result):
 class ShockSpectrumResult(Result):
     """A shock response spectrum (ISO 18431-4)."""
 
+    kind: str
+    peak: str
+    damping_ratio: float
+    quality_factor_ratio: float
+    upsample: bool
+    spectra: list[dict[str, Any]]
+    timing: dict[str, Any]
+
     @property
     def frequencies_hz(self) -> Array:
         """Frequencies of the oscillators [Hz]."""
@@ -196,13 +289,53 @@ class ShockSpectrumResult(Result):
 class CodeSpectrumResult(Result):
     """The elastic response spectrum of a code, for 5 % damping."""
 
+    code: str
+    site: str | None
+    place: dict[str, Any] | None
+    hazard_factor: float | None
+    return_period_years: int | None
+    kpz_g: float | None
+    minimum_kpz_governs: bool | None
+    facts: list[dict[str, Any]]
+    corner_periods_s: Array
+    periods_s: Array
+    sa_g: Array
+    vertical_sa_g: Array | None
+    parts: dict[str, Any] | None
+
 
 class MotionSpectrumResult(Result):
     """The response spectrum of a motion: `periods_s`, `sd_m`, `psv_m_s`, `psa_g`, `sa_g`."""
 
+    path: str
+    name: str
+    upsample: int
+    processing: list[str]
+    scale_ratio: float
+    periods_s: Array
+    damping_ratio: float
+    sd_m: Array
+    psv_m_s: Array
+    psa_g: Array
+    sa_g: Array
+    more: list[Any]
+
 
 class SynthResult(Result):
     """Motions that fit a target."""
+
+    code: str
+    site: str
+    place: dict[str, Any]
+    hazard_factor: float
+    return_period_years: int
+    kpz_g: float
+    minimum_kpz_governs: bool
+    facts: list[dict[str, Any]]
+    seed: int
+    generator: str
+    method: str
+    motions: list[dict[str, Any]]
 
     def __init__(self, document: dict[str, Any], records: list[Motion]) -> None:
         super().__init__(document)
@@ -213,6 +346,21 @@ class SynthResult(Result):
 class FloorResult(Result):
     """The floors of a building: `levels` of the document, and their motions."""
 
+    motion: str
+    processing: list[str]
+    building_height_m: float
+    model: str
+    damping: str
+    damping_ratio: float
+    shear_flexure_ratio: float
+    pga_g: float
+    modes: list[dict[str, Any]]
+    across: Any
+    levels: list[dict[str, Any]]
+    motions: list[dict[str, Any]]
+    spectra: Any
+    code_clause: str | None
+
     def __init__(self, document: dict[str, Any], floors: list[list[Motion]]) -> None:
         super().__init__(document)
         #: `floors[i][j]` is the motion of level j under motion i.
@@ -222,9 +370,79 @@ class FloorResult(Result):
 class ObjectResult(Result):
     """Whether an earthquake rocks one object and whether it falls over; `answer` is the sentence."""
 
+    answer: str
+    answer_kind: str
+    earthquake: str
+    building: Any
+    falls: str
+    shock: str
+    motions: int
+    motions_lifted: int
+    motions_overturned: int
+    p_overturn: float
+    p_overturn_low: float
+    p_overturn_high: float
+    accepted_ratio: float
+    accepted_for: str
+    confidence: float
+    floor_acceleration_g: dict[str, Any]
+    lift_acceleration_g: float
+    uplift_m_max: float | None
+    uplift_m_median: float | str
+    rotation_ratio_median: float | str
+    edge_acceleration_g_median: float | None
+    edge_acceleration_g_p16: float | None
+    edge_acceleration_g_p84: float | None
+    edge_acceleration_compliant_g_median: float | None
+    edge_acceleration_g_max: float | None
+    landing_acceleration_g_max: float | None
+    ceiling_g: float | None
+    pulse_duration_s: float | None
+    velocity_change_m_s: float | None
+    pad_uplift_threshold_g: float | None
+    rocking_frequency_hz: float | None
+    tolerance_g: float | None
+    tolerance_duration_s: float | None
+    demand_capacity_ratio: float | None
+    p_exceed: float | None
+    p_exceed_low: float | None
+    p_exceed_high: float | None
+    models_agree: bool | None
+    clearance_m: float
+    sliding: str
+    level_ratio: float | None
+    place: Any
+    scales: list[dict[str, Any]] | None
+    assumptions: list[str]
+
 
 class RestrainResult(Result):
     """The force that the code asks of a restraint, and its anchors."""
+
+    code: str | None
+    clause: str
+    force_n: float
+    force_ratio: float
+    acts_at_height_m: float
+    overturning_moment_n_m: float
+    resisting_moment_n_m: float
+    axis: str
+    anchor_tension_n: float
+    anchor_tension_concrete_n: float
+    per_anchor: dict[str, Any]
+    anchors_per_edge: int
+    bracket_height_m: float
+    bracket_force_n: float
+    bracket_base_shear_n: float
+    held_weight_ratio: float
+    overstrength_ratio: float
+    formula: str
+    level_ratio: float
+    place: dict[str, Any] | None
+    factors: dict[str, Any]
+    assumptions: list[str]
+    others: list[Any]
+    sheet: Any
 
     def __init__(self, document: dict[str, Any], sheet: str) -> None:
         super().__init__(document)
@@ -239,6 +457,19 @@ class RestrainResult(Result):
 class InventoryCheck(Result):
     """How a list was understood; `problems` are all doubts and errors."""
 
+    path: str
+    sha256: str
+    sheet: str | None
+    header_row: int
+    counts: dict[str, Any]
+    columns: list[dict[str, Any]]
+    carried: list[str]
+    first_rows: list[dict[str, Any]]
+    objects: list[dict[str, Any]]
+    left_out: list[dict[str, Any]]
+    problems: list[dict[str, Any]]
+    marked_copy: Any
+
     @property
     def ok(self) -> bool:
         """Whether no cell has an error."""
@@ -252,6 +483,10 @@ class InventoryCheck(Result):
 
 class ValidateResult(Result):
     """Table I of the paper and the closed forms."""
+
+    table_one_gravity_m_s2: float
+    table_one: list[dict[str, Any]]
+    checks: list[dict[str, Any]]
 
     @property
     def ok(self) -> bool:

@@ -41,9 +41,12 @@ class _Column(NamedTuple):
 
     def missing(self) -> npt.NDArray[np.bool_]:
         values = self.values()
+        missing: npt.NDArray[np.bool_] = values == 255
         if self.kind == "number":
-            return np.isnan(values)
-        return values == 255 if self.kind == "flag" else values < 0
+            missing = np.isnan(values)
+        elif self.kind != "flag":
+            missing = values < 0
+        return missing
 
 
 class Table:
@@ -91,8 +94,9 @@ class Table:
         column = self._columns[name]
         if column.kind != "text":
             return column.values()
-        texts = np.array([*column.texts, None], dtype=object)
-        return texts[column.values()]
+        texts: npt.NDArray[Any] = np.array([*column.texts, None], dtype=object)
+        found: npt.NDArray[Any] = texts[column.values()]
+        return found
 
     def __getitem__(self, name: str) -> npt.NDArray[Any]:
         return self.column(name)
@@ -130,8 +134,7 @@ class Table:
                 series[name] = values.astype(bool) if column.kind == "flag" else values
             else:
                 kind = "boolean" if column.kind == "flag" else "Int64"
-                plain = values.astype(bool) if column.kind == "flag" else values
-                series[name] = pandas.array(np.where(missing, None, plain.astype(object)).tolist(), dtype=kind)
+                series[name] = pandas.array(self._python_column(name), dtype=kind)
         return pandas.DataFrame(series)
 
     def to_xarray(self) -> xarray.Dataset:
