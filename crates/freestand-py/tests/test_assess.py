@@ -10,7 +10,7 @@ from conftest import ROOT, program, same, told
 SERVERS = ROOT / "examples" / "server-room" / "inventory.xlsx"
 LIST = "id,item,level_ratio,height [mm],thickness [mm]\na,shelf,1,2000,300\nb,chest,0,800,900\n"
 #: A few worlds of short motions: seconds also where nothing is optimised.
-STUDY = {"ground": {"count": 3}, "building": {"storeys": 3}, "assessment": {"worlds": 8}}
+STUDY = {"ground": {"count": 3}, "building": {"storeys": 3}, "worlds": {"most": 20, "shares": False}}
 
 
 def test_check_inventory_equals_the_command():
@@ -30,7 +30,7 @@ def test_check_inventory_takes_tables(tmp_path):
 
 
 def test_a_doubtful_cell_is_a_problem_with_its_cell(tmp_path):
-    (tmp_path / "list.csv").write_text(LIST.replace("2000", "two metres"))
+    (tmp_path / "list.csv").write_text(LIST.replace("2000", "-2000"))
     found = fs.check_inventory(tmp_path / "list.csv")
     assert not found.ok and any("D2" in problem["cells"] for problem in found.problems)
 

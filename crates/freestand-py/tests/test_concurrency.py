@@ -50,9 +50,10 @@ import sys, time
 import freestand as fs, numpy as np
 motion = fs.Motion(4 * np.sin(np.arange(20_000) * 0.03), 0.005)
 heights, thicknesses = np.linspace(0.5, 3, 1000), np.linspace(0.1, 1, 1000)
+motions = [fs.Motion(motion.accel_m_s2, 0.005, str(i)) for i in range(50)]
 print("ready", flush=True)
 try:
-    fs.spectrum([motion] + [fs.Motion(motion.accel_m_s2, 0.005, str(i)) for i in range(50)], heights, thicknesses)
+    fs.spectrum(motions, heights, thicknesses)
 except KeyboardInterrupt as error:
     assert isinstance(error, fs.Interrupted), type(error)
     print("interrupted", flush=True)

@@ -8,9 +8,15 @@ import pyarrow
 import pytest
 from conftest import RECORDS, told
 
-HEIGHTS = np.linspace(0.5, 3, 7)
-THICKNESSES = np.linspace(0.15, 1, 6)
-FLAGS = ["--heights", "0.5 m:3 m:7", "--thicknesses", "0.15 m:1 m:6"]
+HEIGHTS = np.array([0.5, 0.9, 1.3, 1.7, 2.1, 2.5, 3.0])
+THICKNESSES = np.array([0.15, 0.3, 0.45, 0.6, 0.8, 1.0])
+
+
+def listed(lengths_m):
+    return ", ".join(f"{length_m} m" for length_m in lengths_m.tolist())
+
+
+FLAGS = ["--heights", listed(HEIGHTS), "--thicknesses", listed(THICKNESSES)]
 SHOCK = {"mass_kg": 150, "stiffness_n_m": 4.38e6}
 
 

@@ -44,9 +44,9 @@ def test_names_end_in_their_units():
 CODE = """
 import sys, time
 import numpy
-begun = time.perf_counter()
+begun = time.process_time()
 import freestand
-took = time.perf_counter() - begun
+took = time.process_time() - begun
 heavy = [name for name in ("pandas", "pyarrow", "polars", "xarray", "matplotlib", "obspy", "dask") if name in sys.modules]
 print(took, heavy)
 """
@@ -59,8 +59,9 @@ def test_import_is_light():
         assert heavy.strip() == "[]"
         return float(seconds)
 
-    # 30 ms are asked for on an idle machine; the best of five, with room for a busy one.
-    assert min(once() for _ in range(5)) < 0.1
+    # The budget is 30 ms. Twice that, because other programs empty the caches: with a load of 18 on two
+    # cores 27 to 32 ms of processor time were measured, with a library that is not optimised.
+    assert min(once() for _ in range(5)) < 0.060
 
 
 def test_defaults_are_those_of_the_program(cabinet, floor_motion):

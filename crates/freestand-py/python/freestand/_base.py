@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import html
 import json
 from collections.abc import Iterator, Mapping
-from typing import Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
-import numpy.typing as npt
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 R = TypeVar("R", bound="Result")
 
@@ -52,10 +53,13 @@ class Result:
             yield key, shown
 
     def __repr__(self) -> str:
-        words = ", ".join(f"{key}={value}" for key, value in list(self._shown())[1:9])
+        shown = [f"{key}={value}" for key, value in self._shown() if key != "schema"]
+        words = ", ".join(shown[:8])
         return f"<freestand.{type(self).__name__}: {words}, …>"
 
     def _repr_html_(self) -> str:
+        import html
+
         rows = "".join(f"<tr><th>{html.escape(key)}</th><td>{html.escape(value)}</td></tr>" for key, value in self._shown())
         return f"<table><caption>{type(self).__name__}</caption><tbody>{rows}</tbody></table>"
 
@@ -66,7 +70,7 @@ def _is_numbers(value: Any) -> bool:
     return all(isinstance(one, int | float) and not isinstance(one, bool) for one in value)
 
 
-class Columns(Mapping[str, npt.NDArray[np.float64]]):
+class Columns(Mapping[str, "npt.NDArray[np.float64]"]):
     """Columns of equal length by name; each name ends in its unit."""
 
     def __init__(self, names: str, data: bytes) -> None:

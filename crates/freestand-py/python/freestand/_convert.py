@@ -5,19 +5,21 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
-import tempfile
 import warnings as python_warnings
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
 from ._errors import BadValue, FreestandWarning
 
-Array: TypeAlias = npt.NDArray[np.float64]
-Numbers: TypeAlias = npt.ArrayLike
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import numpy.typing as npt
+
+Array: TypeAlias = "npt.NDArray[np.float64]"
+Numbers: TypeAlias = "npt.ArrayLike"
 PathLike: TypeAlias = "str | os.PathLike[str]"
 Given: TypeAlias = "dict[str, Any]"
 
@@ -142,6 +144,19 @@ def _toml_value(key: str, value: Any) -> str:
 
 
 @contextlib.contextmanager
+def removed_on_failure(folder: Path | None) -> Iterator[None]:
+    """Removes a temporary folder if what fills it fails."""
+    try:
+        yield
+    except BaseException:
+        if folder is not None:
+            import shutil
+
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
+
+
+@contextlib.contextmanager
 def inventory(source: Any) -> Iterator[str | None]:
     """An inventory as a file: a path as it is; a table of pandas, polars or pyarrow as CSV.
 
@@ -150,8 +165,10 @@ def inventory(source: Any) -> Iterator[str | None]:
     if source is None or isinstance(source, str | os.PathLike):
         yield None if source is None else os.fspath(source)
         return
+    import tempfile
+
     with tempfile.TemporaryDirectory(prefix="freestand-") as folder:
-        path = str(Path(folder) / "inventory.csv")
+        path = os.path.join(folder, "inventory.csv")
         _write_csv(source, path)
         yield path
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import glob
 import os
 from collections.abc import Iterable
 from typing import Any
@@ -195,6 +194,8 @@ def read_motions(
     `component` is a name or a number from 1. The other arguments process the motions: docs/records.md.
     """
     if isinstance(paths, str | os.PathLike):
+        import glob
+
         text = os.fspath(paths)
         files = sorted(glob.glob(text)) if any(c in text for c in "*?[") and not os.path.exists(text) else [text]
         if not files:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from . import _freestand
 from ._block import Block, Cushion, Sliding, Walls, cushion_given
-from ._convert import Numbers, PathLike, bad, data, given, inventory as as_file, study as study_given, warn, words
+from ._convert import Numbers, PathLike, bad, data, given, removed_on_failure, warn, words
+from ._convert import inventory as as_file
+from ._convert import study as study_given
 from ._motion import Motion
 from ._results import (
     Answer,
@@ -31,6 +31,9 @@ from ._results import (
     ValidateResult,
 )
 from ._table import Table, _Column
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 Progress: TypeAlias = Callable[[str, int, int], object]
 Files: TypeAlias = "PathLike | Iterable[PathLike]"
@@ -619,12 +622,15 @@ def check_inventory(
     return result
 
 
-def _folder(out: PathLike | None) -> tuple[Path, Any]:
-    """The folder of the outputs, and what keeps it: without `out` it lives as long as the result."""
+def _folder(out: PathLike | None) -> tuple[Path, Path | None]:
+    """The folder of the outputs, and one to remove with the result: without `out` it lives as long."""
+    import tempfile
+    from pathlib import Path
+
     if out is not None:
         return Path(out), None
-    keeps = tempfile.TemporaryDirectory(prefix="freestand-")
-    return Path(keeps.name) / "out", keeps
+    folder = Path(tempfile.mkdtemp(prefix="freestand-"))
+    return folder / "out", folder
 
 
 def assess(
@@ -663,11 +669,12 @@ def assess(
         library=library, cushion_library=cushion_library, parquet=parquet or None, outcomes=outcomes or None,
         resume=resume or None, force=force or None,
     )  # fmt: skip
-    folder, keeps = _folder(out)
-    with as_file(inventory) as path:
-        text = _freestand.assess(path, folder, values | study_given(study), _threads(threads), progress)
-    result = AssessResult._of(text)
-    result._in(folder, keeps)
+    source = study_given(study)
+    folder, own = _folder(out)
+    with removed_on_failure(own), as_file(inventory) as path:
+        text = _freestand.assess(path, folder, values | source, _threads(threads), progress)
+        result = AssessResult._of(text)
+    result._in(folder, own)
     warn(result.warnings)
     return result
 
@@ -691,9 +698,11 @@ def run(
     values = given(
         seed=seed, hazard=words(place=place, site=site, return_period_years=return_period_years), force=force or None
     )
-    folder, keeps = _folder(out)
-    result = RunResult._of(_freestand.run(folder, values | study_given(study), _threads(threads), progress))
-    result._in(folder, keeps)
+    source = study_given(study)
+    folder, own = _folder(out)
+    with removed_on_failure(own):
+        result = RunResult._of(_freestand.run(folder, values | source, _threads(threads), progress))
+    result._in(folder, own)
     warn(result.warnings)
     return result
 

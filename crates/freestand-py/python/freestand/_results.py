@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _freestand
 from ._base import Columns, Result
@@ -15,7 +14,10 @@ from ._convert import Array, PathLike, bad
 from ._table import Table
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import matplotlib.axes
+    import numpy.typing as npt
     import xarray
 
     from ._motion import Motion
@@ -170,6 +172,11 @@ def _wall_row(row: tuple[float, ...]) -> dict[str, Any]:
     }
 
 
+def _write(path: PathLike, text: str) -> None:
+    with open(os.fspath(path), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 class ShockResult(Result):
     """The shock of one landing; `edge_acceleration_g` is that of the landing edge."""
 
@@ -242,7 +249,7 @@ class DropTestResult(Result):
         """Writes the pad as a cushion file (TOML), which every command accepts."""
         if self.cushion_toml is None:
             raise bad("these tests give no pad", "see `pooled[\"reason\"]` and the flags of the tests")
-        Path(path).write_text(self.cushion_toml, encoding="utf-8")
+        _write(path, self.cushion_toml)
 
     def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
         """Force against compression of each test: `freestand.plot.loop`."""
@@ -451,7 +458,7 @@ class RestrainResult(Result):
 
     def save(self, path: PathLike) -> None:
         """Writes the sheet (HTML)."""
-        Path(path).write_text(self.sheet_html, encoding="utf-8")
+        _write(path, self.sheet_html)
 
 
 class InventoryCheck(Result):
@@ -498,14 +505,20 @@ class _Folder(Result):
     """A result whose files are in a folder."""
 
     _folder: Path
-    _keeps: Any
 
-    def _in(self, folder: Path, keeps: Any) -> None:
-        self._folder, self._keeps = folder, keeps
+    def _in(self, folder: Path, own: Path | None) -> None:
+        """The folder, and the temporary one around it that is removed with the result."""
+        self._folder = folder
+        if own is not None:
+            import shutil
+            import weakref
+
+            weakref.finalize(self, shutil.rmtree, own, ignore_errors=True)
 
     def save(self, folder: PathLike) -> Path:
         """Copies the files of the command into a folder, which must be new or empty."""
         import shutil
+        from pathlib import Path
 
         target = Path(folder)
         if target.exists() and (not target.is_dir() or any(target.iterdir())):

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _freestand
 from ._convert import bad
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     import pandas
     import xarray
 
@@ -162,6 +161,8 @@ class Table:
         return f"<freestand.Table: {self.num_rows} rows of {', '.join(self._columns)}>"
 
     def _repr_html_(self) -> str:
+        import html
+
         shown = 10
         head = "".join(f"<th>{html.escape(name)}</th>" for name in self._columns)
         columns = [self._python_column(name)[:shown] for name in self._columns]
