@@ -59,6 +59,7 @@ def rock(result: RockResult, ax: Axes | None = None) -> Axes:
         behind.set_zorder(ax.get_zorder() - 1)
         ax.patch.set_visible(False)
         handles += behind.plot(*floor, color="0.75", linewidth=0.6, label="floor")
+        behind.set_ylim(*(1.1 * np.max(np.abs(floor[1]), initial=1e-6) * np.array([-1, 1])))
         behind.set_ylabel("acceleration of the floor [g]")
     if history is not None:
         ratio = history["theta_rad"] / result.slenderness_angle_rad
@@ -99,10 +100,12 @@ def _lines(table: Table, name: str, factor: float, label: str, ax: Axes | None, 
     ax = _axes(ax)
     heights, thicknesses, median, share = _medians(table, name, motion)
     shown = np.unique(np.linspace(0, len(thicknesses) - 1, min(7, len(thicknesses))).astype(int))
-    for index in shown:
+    for row, index in enumerate(shown):
         (line,) = ax.plot(heights, factor * median[:, index], label=f"{1e3 * thicknesses[index]:.0f} mm")
         fallen = heights[share[:, index] >= 0.5]
-        ax.plot(fallen, np.zeros(len(fallen)), "x", color=line.get_color(), markersize=4, clip_on=False)
+        # One row of crosses for each thickness, at the bottom of the figure.
+        level = np.full(len(fallen), 0.015 + 0.02 * row)
+        ax.plot(fallen, level, "x", color=line.get_color(), markersize=4, transform=ax.get_xaxis_transform())
     ax.set(xlabel="height [m]", ylabel=label)
     ax.set_ylim(bottom=0)
     ax.legend(title="thickness")
@@ -112,7 +115,7 @@ def _lines(table: Table, name: str, factor: float, label: str, ax: Axes | None, 
 def urs(table: Table, ax: Axes | None = None, *, motion: str | None = None) -> Axes:
     """Uplift response spectrum: the median uplift against the height, a line for each thickness.
 
-    A cross on the axis: at least half of the motions overturn the object. `motion` chooses one motion.
+    A cross at the bottom: at least half of the motions overturn the object. `motion` chooses one motion.
     """
     return _lines(table, "uplift_m", 1e3, "uplift [mm]", ax, motion)
 
