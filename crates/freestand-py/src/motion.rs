@@ -68,7 +68,13 @@ impl Record {
     /// A motion of samples [m/s²], as bytes of doubles.
     #[new]
     #[pyo3(signature = (accel_m_s2, dt_s, name, notes=None, processing=None))]
-    fn new(accel_m_s2: &[u8], dt_s: f64, name: String, notes: Option<Vec<String>>, processing: Option<Vec<String>>) -> PyResult<Self> {
+    fn new(
+        accel_m_s2: &[u8],
+        dt_s: f64,
+        name: String,
+        notes: Option<Vec<String>>,
+        processing: Option<Vec<String>>,
+    ) -> PyResult<Self> {
         let motion = Motion::new(dt_s, doubles(accel_m_s2));
         let motion = motion.map_err(|error| raised(Problem::value(error.to_string(), "check accel_m_s2 and dt_s")))?;
         let mut record = unread(name, motion, processing.unwrap_or_default());

@@ -54,7 +54,15 @@ impl Column {
             (Self::Count(values), _) => values.push(-1),
             (Self::Flag(values), Value::Flag(flag)) => values.push(u8::from(*flag)),
             (Self::Flag(values), _) => values.push(u8::MAX),
-            (Self::Text { codes, texts, code_of }, Value::Text(text)) => codes.push(code(texts, code_of, text)),
+            (Self::Text { codes, texts, code_of }, Value::Text(text)) => {
+                // Neighbours are often equal, and a comparison is cheaper than a search.
+                let last = codes.last().copied();
+                let is_last = |last: &i32| {
+                    usize::try_from(*last).ok().and_then(|last| texts.get(last)).is_some_and(|known| known == text)
+                };
+                let code = last.filter(is_last).unwrap_or_else(|| code(texts, code_of, text));
+                codes.push(code);
+            }
             (Self::Text { codes, .. }, _) => codes.push(-1),
         }
     }
