@@ -6,6 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
+use crate::python::{self, Trouble};
 use crate::{arrows, page, source, validate_shock};
 
 /// What a check came to.
@@ -53,6 +54,12 @@ pub fn all(root: &Path) -> bool {
     check("the page in a browser", &mut || match page::missing_node().or_else(page::missing_browser) {
         Some(why) => Outcome::Skipped(format!("not run: {why}")),
         None => of(page::browse(root)),
+    });
+    // Its wheel has the program of the dev profile, which the tests have built.
+    check("Python package", &mut || match python::test(root) {
+        Ok(()) => Outcome::Passed,
+        Err(Trouble::NotHere(why)) => Outcome::Skipped(format!("not run, it needs {why}")),
+        Err(Trouble::Wrong(problem)) => of(Err(problem)),
     });
     check("shock response spectra beside public packages", &mut || {
         if !validate_shock::is_installed(root) {
@@ -117,7 +124,11 @@ enum Part {
 impl Tests {
     fn run(&mut self, root: &Path, targets: &[&str]) -> Result<(), String> {
         let mut command = Command::new("cargo");
-        command.args(["test", "--workspace", "--locked", "--no-fail-fast"]).args(targets).args(["--", "--show-output"]);
+        // A test program of the Python extension would need the library of Python; its tests are in Python.
+        command
+            .args(["test", "--workspace", "--exclude", "freestand-py", "--locked", "--no-fail-fast"])
+            .args(targets)
+            .args(["--", "--show-output"]);
         let mut child = command
             .current_dir(root)
             .stdout(Stdio::piped())

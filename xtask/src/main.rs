@@ -2,6 +2,8 @@
 //! `cargo xtask arrows`: the first of these checks alone, which takes a second.
 //! `cargo xtask validate-shock`: shock response spectra beside public packages, which it fetches from PyPI.
 //! `cargo xtask ui`: builds the page that `freestand serve` hands out; the result is committed.
+//! `cargo xtask wheel [--out DIR]`: the Python package with the program inside, as it is published.
+//! `cargo xtask python`: its tests alone, on a wheel of the dev profile.
 //! `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a developer's tool talks to the terminal")]
@@ -9,6 +11,7 @@
 mod arrows;
 mod checks;
 mod page;
+mod python;
 mod source;
 mod texts;
 mod validate_shock;
@@ -16,7 +19,8 @@ mod validate_shock;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask test | arrows | ui | validate-shock | texts [--flagged] [PATH…]";
+const USAGE: &str = "usage: cargo xtask test | arrows | ui | wheel [--out DIR] | python | validate-shock | texts [--flagged] \
+                     [PATH…]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -30,6 +34,9 @@ fn main() -> ExitCode {
         ("arrows", []) => checks::arrows(&root).map(|()| true),
         ("ui", []) => page::build(&root).map(|()| true),
         ("validate-shock", []) => validate_shock::fetch_and_compare(&root).map(|()| true),
+        ("wheel", []) => wheel(&root, &root.join("target/wheels")),
+        ("wheel", [flag, out]) if flag == "--out" => wheel(&root, &PathBuf::from(out)),
+        ("python", []) => python::test(&root).map(|()| true).map_err(told),
         ("texts", rest) => texts::print(&root, rest).map(|()| true),
         _ => {
             eprintln!("{USAGE}");
@@ -43,6 +50,23 @@ fn main() -> ExitCode {
             eprintln!("{problem}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// Builds the wheel that is published, and says where it is.
+fn wheel(root: &Path, out: &Path) -> Result<bool, String> {
+    // The tools run in folders of their own.
+    let out = std::path::absolute(out).map_err(|error| format!("{}: {error}", out.display()))?;
+    let wheel = python::wheel(root, &out, python::Profile::Release).map_err(told)?;
+    let bytes = std::fs::metadata(&wheel).map_or(0, |data| data.len());
+    println!("{}, {:.1} MB", wheel.display(), bytes as f64 / 1e6);
+    Ok(true)
+}
+
+fn told(trouble: python::Trouble) -> String {
+    match trouble {
+        python::Trouble::NotHere(why) => format!("not run: {why}"),
+        python::Trouble::Wrong(why) => why,
     }
 }
 

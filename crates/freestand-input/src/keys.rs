@@ -13,6 +13,142 @@ pub enum KeyStyle {
     File,
     /// `--pad-stiffness`, `--beyond hold`.
     Flag,
+    /// `pad_stiffness_n_m`, `beyond="hold"`: an argument of Python, which is in SI and states its
+    /// unit.
+    Argument,
+}
+
+/// Arguments of Python whose names are not those of their keys, with the unit that a bare number
+/// has; the first argument of a key is the one that messages name.
+const ARGUMENTS: &[(&str, &str, &str)] = &[
+    ("stiffness_n_m", "stiffness", " N/m"),
+    ("pad_stiffness_n_m", "pad_stiffness", " N/m"),
+    ("series_stiffness_n_m", "series_stiffness", " N/m"),
+    ("contact_stiffness_n_m", "contact_stiffness", " N/m"),
+    ("wall_stiffness_n_m", "wall_stiffness", " N/m"),
+    ("tangential_stiffness_n_m", "tangential_stiffness", " N/m"),
+    ("pad_thickness_m", "pad_thickness", " m"),
+    ("damping_ratio", "damping", ""),
+    ("damping_n_s_m", "damping", " N s/m"),
+    ("dissipation_s_m", "dissipation", " s/m"),
+    ("bottoming_m", "bottoming", " m"),
+    ("dt_s", "dt", " s"),
+    ("azimuth_deg", "azimuth", " deg"),
+    ("taper_ratio", "taper", ""),
+    ("low_cut_hz", "low_cut", " Hz"),
+    ("high_cut_hz", "high_cut", " Hz"),
+    ("resample_s", "resample", " s"),
+    ("scale_to_g", "scale_to", " g"),
+    ("height_m", "height", " m"),
+    ("thickness_m", "thickness", " m"),
+    ("heights_m", "heights", " m"),
+    ("thicknesses_m", "thicknesses", " m"),
+    ("width_m", "width", " m"),
+    ("base_width_m", "base_width", " m"),
+    ("cg_height_m", "cg_height", " m"),
+    ("cg_rise_m", "cg_rise", " m"),
+    ("uplift_m", "uplift", " m"),
+    ("rotation_rad", "rotation", " rad"),
+    ("angular_velocity_rad_s", "angular_velocity", " rad/s"),
+    ("initial_rotation_rad", "initial_rotation", " rad"),
+    ("initial_velocity_rad_s", "initial_velocity", " rad/s"),
+    ("impact_velocity_m_s", "impact_velocity", " m/s"),
+    ("duration_s", "duration", " s"),
+    ("mass_kg", "mass", " kg"),
+    ("gravity_m_s2", "gravity", " m/s2"),
+    ("gap_m", "gap", " m"),
+    ("obstacle_height_m", "obstacle_height", " m"),
+    ("at_m", "at", " m"),
+    ("drop_acceleration_g", "drop_acceleration", " g"),
+    ("tolerance_g", "tolerance", " g"),
+    ("tolerance_duration_s", "tolerance_duration", " s"),
+    ("tolerance_velocity_change_m_s", "tolerance_velocity_change", " m/s"),
+    ("tolerance_edge_lift_m", "tolerance_edge_lift", " m"),
+    ("component_frequency_hz", "component_frequency", " Hz"),
+    ("component_capacity_g", "component_capacity", " g"),
+    ("sphere_radius_m", "sphere_radius", " m"),
+    ("load_n", "load", " N"),
+    ("left_m", "wall_gap_left", " m"),
+    ("right_m", "wall_gap_right", " m"),
+    ("fault_distance_m", "fault_distance", " m"),
+    ("ground_acceleration_g", "ground_acceleration", " g"),
+    ("floor_acceleration_g", "floor_acceleration", " g"),
+    ("corner_periods_s", "corner_periods", " s"),
+    ("sds_g", "sds", " g"),
+    ("sd1_g", "sd1", " g"),
+    ("ss_g", "ss", " g"),
+    ("s1_g", "s1", " g"),
+    ("long_period_s", "long_period", " s"),
+    ("storey_height_m", "storey_height", " m"),
+    ("building_height_m", "height", " m"),
+    ("building_height_m", "building_height", " m"),
+    ("building_period_s", "building_period", " s"),
+    ("period_s", "period", " s"),
+    ("across_period_s", "across_period", " s"),
+    ("periods_s", "periods", " s"),
+    ("frequencies_hz", "frequencies", " Hz"),
+    ("tail_s", "tail", " s"),
+    ("time_step_s", "time_step", " s"),
+    ("shaking_s", "shaking", " s"),
+    ("envelope_s", "envelope", " s"),
+    ("pga_g", "pga", " g"),
+];
+
+/// Keys whose arguments have the same name, and bare values.
+const SAME: &[&str] = &[
+    "across_mode_table",
+    "across_shear_flexure",
+    "across_storey_table",
+    "baseline",
+    "beyond",
+    "city",
+    "code",
+    "component",
+    "cushion",
+    "edition",
+    "exponent",
+    "fa",
+    "filter_order",
+    "frame",
+    "fv",
+    "hazard_factor",
+    "importance_factor",
+    "interpolation",
+    "keep_mean",
+    "law",
+    "mode_table",
+    "modes",
+    "pads_per_edge",
+    "period_code",
+    "place",
+    "rayleigh_modes",
+    "return_period_years",
+    "scale",
+    "scale_to_sa",
+    "scale_to_spectrum",
+    "shear_flexure",
+    "site",
+    "soil_factor",
+    "spectrum",
+    "spectrum_type",
+    "station_xml",
+    "storey_table",
+    "storeys",
+    "unit",
+];
+
+/// The key of an argument of Python, and the unit of a bare number, to be written after it.
+///
+/// # Example
+/// ```
+/// use freestand_input::keys::argument_key;
+/// assert_eq!(argument_key("pad_stiffness_n_m"), Some(("pad_stiffness", " N/m")));
+/// assert_eq!(argument_key("law"), Some(("law", "")));
+/// assert_eq!(argument_key("stiffnes"), None);
+/// ```
+pub fn argument_key(argument: &str) -> Option<(&'static str, &'static str)> {
+    let renamed = ARGUMENTS.iter().find(|(name, ..)| *name == argument).map(|&(_, key, unit)| (key, unit));
+    renamed.or_else(|| SAME.iter().find(|name| **name == argument).map(|&key| (key, "")))
 }
 
 impl KeyStyle {
@@ -22,6 +158,9 @@ impl KeyStyle {
         match self {
             Self::File => key.to_owned(),
             Self::Flag => format!("--{}", key.trim_end_matches("_years").replace('_', "-")),
+            Self::Argument => {
+                ARGUMENTS.iter().find(|(_, known, _)| *known == key).map_or(key, |(name, ..)| name).to_owned()
+            }
         }
     }
 
@@ -65,7 +204,11 @@ impl KeyStyle {
         let name = self.name(key);
         Some(match (self, value) {
             (Self::File, _) => marked.to_owned(),
-            (Self::Flag, None | Some("true")) => name,
+            (Self::Flag, None | Some("true")) | (Self::Argument, None) => name,
+            (Self::Argument, Some("true")) => format!("{name}=True"),
+            // Without its unit the value would say something else.
+            (Self::Argument, Some(_)) if name != key => name,
+            (Self::Argument, Some(value)) => format!("{name}={value}"),
             (Self::Flag, Some(value)) => {
                 let bare = value.trim_matches('"');
                 let is_word = bare.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c));
@@ -150,6 +293,11 @@ mod tests {
 
     #[test]
     fn keys_are_shown_as_the_reader_writes_them() {
+        assert_eq!(
+            KeyStyle::Argument.shown("`pad_stiffness` needs `pads_per_edge = 2`"),
+            "pad_stiffness_n_m needs pads_per_edge=2"
+        );
+        assert_eq!(KeyStyle::Argument.shown("`tolerance = \"5 g\"`, `plot = true`"), "tolerance_g, plot=True");
         for (message, file, flag) in [
             ("`dt`: not a number", "dt: not a number", "--dt: not a number"),
             ("give `tolerance = \"5 g\"`", "give tolerance = \"5 g\"", "give --tolerance \"5 g\""),

@@ -136,6 +136,11 @@ impl<'a> Facts<'a> {
         if let Value::Text(text) = self.get(name)? { Some(text) } else { None }
     }
 
+    /// Names and values for programs, in their order.
+    pub fn named(&self) -> impl Iterator<Item = (&'static str, &Value<'a>)> {
+        self.0.iter().filter(|fact| !fact.name.is_empty()).map(|fact| (fact.name, &fact.value))
+    }
+
     /// Labels and values for people, of the facts that have both.
     pub fn lines(&self) -> Vec<(&'static str, String)> {
         let mut lines = Vec::new();
@@ -226,8 +231,7 @@ impl Value<'_> {
 
 impl Serialize for Facts<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let named = self.0.iter().filter(|fact| !fact.name.is_empty());
-        serializer.collect_map(named.map(|fact| (fact.name, &fact.value)))
+        serializer.collect_map(self.named())
     }
 }
 

@@ -8,8 +8,8 @@ use freestand::impact::{
 };
 use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::{
-    Base, HistoryPoint, HistoryRecorder, Outcome, Rocking, RockingError, RockingImpact, RockingModel, RockingOptions,
-    SideExtremes, Until, WallImpact, rock_observed,
+    Accuracy, Base, HistoryPoint, HistoryRecorder, Outcome, Rocking, RockingError, RockingImpact, RockingModel,
+    RockingOptions, SideExtremes, Until, WallImpact, rock_observed,
 };
 use freestand::spectra::{UpliftCell, landings};
 use freestand::wall::Contact;
@@ -29,6 +29,13 @@ const FREE_HISTORY_DT_S: f64 = 0.005;
 pub const MODELS: Choices<RockingModel> = &[
     (RockingModel::Rigid, "rigid", "The exact equation of motion"),
     (RockingModel::Linearised, "linear", "Linearised (sin x → x, tan α → α), for comparison with closed forms"),
+];
+
+/// Accuracies by name.
+pub const ACCURACIES: Choices<Accuracy> = &[
+    (Accuracy::Fast, "fast", "Error of 1e-9 per step; rotations in spectra to about 1e-7"),
+    (Accuracy::Standard, "standard", "Error of 1e-13 per step; rotations in spectra to 1e-9 or better"),
+    (Accuracy::Tight, "tight", "The limit of double precision; nearly so in spectra"),
 ];
 
 /// An object under a motion.
@@ -252,10 +259,16 @@ pub fn problem(error: RockingError) -> Problem {
     Problem::new(kind, error.to_string()).hint(hint)
 }
 
-/// A history as CSV: time, rotation, angular velocity, uplift, base acceleration. Its rows are at
-/// the steps of the motion and just before and after every impact.
+/// The columns of a history.
+pub const HISTORY: &str = "time_s,theta_rad,omega_rad_s,uplift_m,base_accel_m_s2";
+
+/// A row of a history: time, rotation, angular velocity, uplift, base acceleration.
+pub fn history_row(block: &Block, point: &HistoryPoint) -> [f64; 5] {
+    let uplift_m = block.base_width_m() * point.theta_rad.abs().sin();
+    [point.time_s, point.theta_rad, point.omega_rad_s, uplift_m, point.base_accel_m_s2]
+}
+
+/// A history as CSV. Its rows are at the steps of the motion and just before and after every impact.
 pub fn history_csv(block: &Block, history: &[HistoryPoint]) -> String {
-    let uplift_m = |p: &HistoryPoint| block.base_width_m() * p.theta_rad.abs().sin();
-    let row = |p: &HistoryPoint| [p.time_s, p.theta_rad, p.omega_rad_s, uplift_m(p), p.base_accel_m_s2];
-    numbers_csv("time_s,theta_rad,omega_rad_s,uplift_m,base_accel_m_s2", history.iter().map(row))
+    numbers_csv(HISTORY, history.iter().map(|point| history_row(block, point)))
 }

@@ -328,9 +328,16 @@ pub fn problem(error: SlidingError) -> Problem {
     Problem::value(error.to_string(), hint)
 }
 
+/// The columns of a history.
+pub const HISTORY: &str = "time_s,slide_m,velocity_m_s,base_accel_m_s2";
+
+/// A row of a history.
+pub fn history_row(point: &SlidePoint) -> [f64; 4] {
+    [point.time_s, point.slide_m, point.velocity_m_s, point.base_accel_m_s2]
+}
+
 /// A history as CSV: time, slide, velocity, base acceleration. Its rows are at the samples of the
 /// motion and at every onset and stop.
 pub fn history_csv(history: &[SlidePoint]) -> String {
-    let row = |p: &SlidePoint| [p.time_s, p.slide_m, p.velocity_m_s, p.base_accel_m_s2];
-    numbers_csv("time_s,slide_m,velocity_m_s,base_accel_m_s2", history.iter().map(row))
+    numbers_csv(HISTORY, history.iter().map(history_row))
 }

@@ -39,11 +39,13 @@ const ROWS_AT_A_TIME: usize = 512;
 /// The outcome of an object whose history could not be calculated.
 const FAILED: &str = "failed";
 
-/// Uniform blocks of every height and thickness; thickness varies fastest.
+/// Uniform blocks: of every height and thickness, where thickness varies fastest, or one for each
+/// pair of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     heights_m: Vec<f64>,
     thicknesses_m: Vec<f64>,
+    is_paired: bool,
 }
 
 impl Grid {
@@ -56,7 +58,27 @@ impl Grid {
             let message = format!("{} × {} objects are too many", heights_m.len(), thicknesses_m.len());
             return Err(Problem::value(message, format!("give at most {MAX_OBJECTS} objects in one call")));
         }
-        let grid = Self { heights_m, thicknesses_m };
+        Self { heights_m, thicknesses_m, is_paired: false }.checked()
+    }
+
+    /// One object for each height and the thickness at the same place; each object is checked.
+    ///
+    /// # Errors
+    /// Lists of different lengths, more than [`MAX_OBJECTS`] objects, or one without a size.
+    pub fn pairs(heights_m: Vec<f64>, thicknesses_m: Vec<f64>) -> Result<Self, Problem> {
+        if heights_m.len() != thicknesses_m.len() {
+            let message = format!("{} heights and {} thicknesses are not pairs", heights_m.len(), thicknesses_m.len());
+            return Err(Problem::value(message, "give as many `heights` as `thicknesses`"));
+        }
+        if heights_m.len() > MAX_OBJECTS {
+            let message = format!("{} objects are too many", heights_m.len());
+            return Err(Problem::value(message, format!("give at most {MAX_OBJECTS} objects in one call")));
+        }
+        Self { heights_m, thicknesses_m, is_paired: true }.checked()
+    }
+
+    fn checked(self) -> Result<Self, Problem> {
+        let grid = self;
         for (height_m, thickness_m) in grid.sizes(0..grid.objects()) {
             Block::uniform(height_m, thickness_m)
                 .map_err(|error| Problem::value(error.to_string(), "check `heights` and `thicknesses`"))?;
@@ -66,7 +88,7 @@ impl Grid {
 
     /// The number of objects.
     pub fn objects(&self) -> usize {
-        self.heights_m.len() * self.thicknesses_m.len()
+        if self.is_paired { self.heights_m.len() } else { self.heights_m.len() * self.thicknesses_m.len() }
     }
 
     /// Some of its objects, in order.
@@ -76,8 +98,9 @@ impl Grid {
     }
 
     fn sizes(&self, range: Range<usize>) -> impl Iterator<Item = (f64, f64)> + '_ {
-        let columns = self.thicknesses_m.len().max(1);
-        range.map(move |index| (self.heights_m[index / columns], self.thicknesses_m[index % columns]))
+        let columns = if self.is_paired { 1 } else { self.thicknesses_m.len().max(1) };
+        let thickness = move |index: usize| if self.is_paired { index } else { index % columns };
+        range.map(move |index| (self.heights_m[index / columns], self.thicknesses_m[thickness(index)]))
     }
 }
 
@@ -511,6 +534,16 @@ mod tests {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
         let size = |intervals| pool.install(|| chunk_objects(intervals));
         assert_eq!([0, 1000, 10_000, 10_000_000].map(size), [65_536, 65_536, 20_000, 4096]);
+    }
+
+    #[test]
+    fn pairs_are_the_diagonal_of_their_grid() {
+        let (heights_m, thicknesses_m) = (vec![1.0, 2.0, 3.0], vec![0.3, 0.4, 0.5]);
+        let pairs = Grid::pairs(heights_m.clone(), thicknesses_m.clone()).unwrap();
+        let grid = Grid::new(heights_m, thicknesses_m).unwrap();
+        let diagonal: Vec<Block> = grid.blocks(0..9).step_by(4).collect();
+        assert_eq!(pairs.blocks(0..pairs.objects()).collect::<Vec<_>>(), diagonal);
+        assert!(Grid::pairs(vec![1.0], vec![0.3, 0.4]).is_err());
     }
 
     #[test]

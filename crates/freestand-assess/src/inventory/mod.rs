@@ -28,6 +28,7 @@ mod numbers;
 mod plausible;
 mod problems;
 mod read;
+mod report;
 mod sentence;
 mod source;
 mod template;
@@ -56,9 +57,13 @@ pub use named::level_of_floor;
 pub use numbers::Decimal;
 pub use problems::{Finding, Kind, Severity, console_lines};
 pub use read::{ColumnRead, ReadOptions, Reading, inspect_inventory, parse_inventory, read_inventory};
+pub use report::{
+    CheckReport, ColumnReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN, check_report,
+};
 pub use template::{template_csv, template_xlsx};
 
 use crate::library::Tolerance;
+use freestand_input::words::{Choices, name_of};
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::study::assessment::Questions;
 
@@ -205,14 +210,17 @@ pub enum Casters {
     Braked,
 }
 
+/// The casters by name, as lists have them.
+pub const CASTERS: Choices<Casters> = &[
+    (Casters::None, "no", "It has none"),
+    (Casters::Free, "free", "They roll"),
+    (Casters::Braked, "braked", "They hold: it rocks as without"),
+];
+
 impl Casters {
     /// Its name in files.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "no",
-            Self::Free => "free",
-            Self::Braked => "braked",
-        }
+        name_of(CASTERS, self)
     }
 }
 

@@ -7,6 +7,8 @@ mod sketch;
 
 pub use report::RestrainReport;
 
+use std::num::NonZeroUsize;
+
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::part_forces::LEAST_BUILDING_DUCTILITY_RATIO;
@@ -33,6 +35,9 @@ const NO_TENSION: &str = "No tension does not mean that the object stands withou
 
 /// Most storeys of a building.
 const MAX_STOREYS: usize = 500;
+
+/// Anchors along each of the two edges, where their number is not given.
+pub const DEFAULT_ANCHORS_PER_EDGE: NonZeroUsize = NonZeroUsize::MIN.saturating_add(1);
 
 /// One object and what shakes it.
 #[derive(Debug, Clone, PartialEq)]

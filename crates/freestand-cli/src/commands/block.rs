@@ -6,10 +6,10 @@ use freestand::rocking::{Accuracy, Restitution, RockingModel};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_study::restitution::checked;
-use freestand_study::rock::MODELS;
+use freestand_study::rock::{ACCURACIES, MODELS};
 use freestand_study::shape::Shape;
 
-use crate::values::{Choices, Given, Reads, Values, choice, name_of};
+use crate::values::{Given, Reads, Values, choice, name_of};
 
 /// Flags for the calculation of the rocking.
 #[derive(Debug, Clone, Args)]
@@ -29,12 +29,6 @@ pub(crate) struct RockingArgs {
     #[arg(long, value_parser = choice(ACCURACIES), default_value = name_of(ACCURACIES, Accuracy::default()))]
     pub(crate) accuracy: Accuracy,
 }
-
-const ACCURACIES: Choices<Accuracy> = &[
-    (Accuracy::Fast, "fast", "Error of 1e-9 per step; rotations in spectra to about 1e-7"),
-    (Accuracy::Standard, "standard", "Error of 1e-13 per step; rotations in spectra to 1e-9 or better"),
-    (Accuracy::Tight, "tight", "The limit of double precision; nearly so in spectra"),
-];
 
 impl RockingArgs {
     /// The first of the given flags that applies only to a rigid base.

@@ -11,7 +11,8 @@ use freestand_input::words::{counted, number};
 use freestand_records::write::write_csv;
 use freestand_study::building;
 use freestand_study::floor::{
-    FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floor_response_figure, floors, spectra_csv,
+    DEFAULT_LEVELS, FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floor_response_figure,
+    floors, spectra_csv,
 };
 use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
 
@@ -55,7 +56,7 @@ pub(crate) struct FloorArgs {
     #[command(flatten)]
     building: Keys<BuildingKeys>,
     /// Levels as shares of the height (0 is the ground, 1 the roof), or "all" for every floor
-    #[arg(long, value_name = "GRID|all", read = levels, default_value = "0.5, 1.0")]
+    #[arg(long, value_name = "GRID|all", read = levels, default_value = DEFAULT_LEVELS)]
     levels: Given<Option<Vec<f64>>>,
     /// Duration of the zeros appended to the record, during which the building comes to rest
     /// [default: 0 s]

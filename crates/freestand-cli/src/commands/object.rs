@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_assess::inventory::{Casters, Surroundings, UpperBody};
+use freestand_assess::inventory::{CASTERS, Casters, Surroundings, UpperBody};
 use freestand_assess::one_object::{
     Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA, Withstood, one_object_shown,
 };
@@ -21,7 +21,7 @@ use crate::keys::{Key, KeySet, Keys, key};
 use crate::printer::{Printer, lines, table};
 use crate::reading::ReadArgs;
 use crate::session::Session;
-use crate::values::{Choices, Given, Reads, Values, choice};
+use crate::values::{Given, Reads, Values, choice};
 
 /// Say in one sentence whether an earthquake rocks one object and whether it falls over
 ///
@@ -159,13 +159,6 @@ struct AroundArgs {
     #[arg(long, positive = Dimension::Mass)]
     upper_mass: Option<Given>,
 }
-
-/// The casters by name, as lists have them.
-const CASTERS: Choices<Casters> = &[
-    (Casters::None, "no", "It has none"),
-    (Casters::Free, "free", "They roll"),
-    (Casters::Braked, "braked", "They hold: it rocks as without"),
-];
 
 impl AroundArgs {
     /// What is around the object; problems are added to `values`.

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand_assess::restrain::{
-    RestrainFactors, RestrainFloor, RestrainHazard, RestrainReport, RestrainRequest, restrain,
+    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainReport, RestrainRequest, restrain,
 };
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::quantity::Dimension;
@@ -104,7 +104,7 @@ pub(crate) struct RestrainArgs {
     building_ductility: Option<Given>,
 
     /// Anchors along each of the two edges
-    #[arg(long, value_name = "N", default_value = "2", value_parser = at_least_one)]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_ANCHORS_PER_EDGE, value_parser = at_least_one)]
     anchors_per_edge: NonZeroUsize,
     /// Show the forces by other codes too, on the same spectrum
     #[arg(long)]

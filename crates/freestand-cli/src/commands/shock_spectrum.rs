@@ -7,8 +7,8 @@ use freestand::shock_response::{Peak, Pulse, PulseError, PulseShape, ResponseKin
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse, parse_grid};
 use freestand_study::shock_spectrum::{
-    KINDS, PEAKS, SHAPES, ShockSpectrumReport, ShockSpectrumRequest, acceleration_unit, pulse_shock_spectrum,
-    recorded_shock_spectra,
+    DEFAULT_FREQUENCIES, KINDS, PEAKS, SHAPES, ShockSpectrumReport, ShockSpectrumRequest, acceleration_unit,
+    pulse_shock_spectrum, recorded_shock_spectra,
 };
 
 use super::Done;
@@ -62,7 +62,7 @@ pub(crate) struct ShockSpectrumArgs {
     #[arg(long, positive = Dimension::Ratio)]
     q: Option<Given>,
     /// Frequencies of the oscillators: from:to:N/oct, from:to:count or a list
-    #[arg(long, value_name = "GRID", read = frequencies, default_value = "1 Hz:10 kHz:12/oct")]
+    #[arg(long, value_name = "GRID", read = frequencies, default_value = DEFAULT_FREQUENCIES)]
     frequencies: Given<Vec<f64>>,
     /// Response of the oscillators
     #[arg(long, value_parser = choice(KINDS), default_value = name_of(KINDS, ResponseKind::default()))]

@@ -359,9 +359,8 @@ pub fn accuracy(name: freestand::rocking::Accuracy) -> CompliantAccuracy {
     }
 }
 
-/// A history as CSV: position, edge accelerations, acceleration of the requested point, and the
-/// forces of the contact elements on the object from left to right.
-pub fn history_csv(history: &[CompliantPoint]) -> String {
+/// The columns of a history.
+pub fn history_head(history: &[CompliantPoint]) -> String {
     let mut head =
         String::from("time_s,theta_rad,omega_rad_s,x_m,z_m,edge_acceleration_left_g,edge_acceleration_right_g");
     if let Some(first) = history.first() {
@@ -370,13 +369,21 @@ pub fn history_csv(history: &[CompliantPoint]) -> String {
             head.push_str(&format!(",normal_force_{index}_n,tangential_force_{index}_n"));
         }
     }
-    let row = |p: &CompliantPoint| -> Vec<f64> {
-        let points = p.point_accelerations_m_s2.iter().flat_map(|&(h, v)| [h, v]);
-        let in_g = p.edge_accelerations_m_s2.into_iter().chain(points).map(|a| a / G0_M_S2);
-        let forces = p.contact_forces_n.iter().flat_map(|&(right, up)| [up, right]);
-        [p.time_s, p.theta_rad, p.omega_rad_s, p.x_m, p.z_m].into_iter().chain(in_g).chain(forces).collect()
-    };
-    numbers_csv(&head, history.iter().map(row))
+    head
+}
+
+/// A row of a history.
+pub fn history_row(p: &CompliantPoint) -> Vec<f64> {
+    let points = p.point_accelerations_m_s2.iter().flat_map(|&(h, v)| [h, v]);
+    let in_g = p.edge_accelerations_m_s2.into_iter().chain(points).map(|a| a / G0_M_S2);
+    let forces = p.contact_forces_n.iter().flat_map(|&(right, up)| [up, right]);
+    [p.time_s, p.theta_rad, p.omega_rad_s, p.x_m, p.z_m].into_iter().chain(in_g).chain(forces).collect()
+}
+
+/// A history as CSV: position, edge accelerations, acceleration of the requested point, and the
+/// forces of the contact elements on the object from left to right.
+pub fn history_csv(history: &[CompliantPoint]) -> String {
+    numbers_csv(&history_head(history), history.iter().map(history_row))
 }
 
 #[cfg(test)]

@@ -23,7 +23,15 @@ pub fn read_cushion_file(path: &Path) -> Result<(Words, InputFile), Problems> {
         load_up_to(path, MAX_BYTES, "is too large for a cushion file", HINT).map_err(|problem| problem.hint(HINT))?;
     let input = InputFile::new(path, &bytes);
     let text = String::from_utf8(bytes).map_err(|_| unreadable("is not text (UTF-8)"))?;
-    let (options, mut problems) = parse_cushion(&text, path);
+    Ok((pad_words(&text, path)?, input))
+}
+
+/// The words of one pad from the text of a cushion file, which messages call `path`.
+///
+/// # Errors
+/// A text that is not TOML, or has unknown keys.
+pub fn pad_words(text: &str, path: &Path) -> Result<Words, Problems> {
+    let (options, mut problems) = parse_cushion(text, path);
     let stranger = options.lines().find(|(key, _)| NOT_IN_CUSHION_FILES.contains(key));
     if let Some((key, Some(line))) = stranger {
         let hint = "a cushion file describes one pad itself: give its stiffness as stiffness";
@@ -31,7 +39,7 @@ pub fn read_cushion_file(path: &Path) -> Result<(Words, InputFile), Problems> {
             .push(Problem::value(format!("{key} does not belong in a cushion file"), hint).at_line(line).in_file(path));
     }
     let of_one_pad = |key| if key == "stiffness" { "pad_stiffness" } else { key };
-    problems.finish(Some((options.entries().map(|(key, text)| (of_one_pad(key), text)).collect(), input)))
+    problems.finish(Some(options.entries().map(|(key, text)| (of_one_pad(key), text)).collect()))
 }
 
 /// The words of a cushion file, completed by those of the words that name it: pads per edge, layers

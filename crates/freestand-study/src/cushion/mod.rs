@@ -15,7 +15,7 @@ use freestand_input::words::number;
 
 use crate::law::contact_law_stiffness;
 
-pub use file::{read_cushion_file, with_file};
+pub use file::{pad_words, read_cushion_file, with_file};
 
 /// Exponent of a sphere on a thick pad (Hertz).
 pub const HERTZ_EXPONENT: f64 = 1.5;

@@ -29,6 +29,9 @@ mod spectra;
 
 pub use spectra::{LevelSpectra, SpectraReport, SpectraRequest, largest_psa_m_s2, spectra_csv};
 
+/// The levels where none are given: half of the height, and the roof.
+pub const DEFAULT_LEVELS: &str = "0.5, 1.0";
+
 /// A request for floor motions: a building and the levels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloorRequest {

@@ -133,8 +133,6 @@ fn info_of_component(
 ) -> Result<(MotionInfo, Vec<String>), Problem> {
     let Processed { motion, steps, notes, scale_ratio } =
         process(component, &request.files.processing).map_err(|problem| problem.in_file(&file.path))?;
-    let m = measures(&motion);
-    let spectral = spectral_measures(&motion);
     let rocking = request.block.map(|block| rocking_measures(&motion, &block, G0_M_S2));
     let raw = component.motion.accel_m_s2();
     let (direction, azimuth_deg) = match component.direction {
@@ -154,17 +152,7 @@ fn info_of_component(
         .fact("dt_s", "time step", motion.dt_s())
         .fact("npts", "samples", motion.accel_m_s2().len())
         .fact("duration_s", "duration", motion.duration_s())
-        .key("pga_m_s2", m.pga_m_s2)
-        .fact("pga_g", "PGA", m.pga_m_s2 / G0_M_S2)
-        .fact("pga_signed_m_s2", "  with its sign", m.pga_signed_m_s2)
-        .key("pga_index", m.pga_index)
-        .fact("pga_time_s", "  at", m.pga_index as f64 * motion.dt_s())
-        .and(facts!(m; pgv_m_s "PGV", pgd_m "PGD", rms_m_s2 "RMS acceleration", arias_m_s "Arias intensity",
-            cav_m_s "CAV", cav_std_m_s "CAV, standardised", specific_energy_density_m2_s "specific energy density",
-            d5_75_s "significant duration D5-75", d5_95_s "significant duration D5-95",
-            bracketed_duration_s "bracketed duration, 0.05 g", uniform_duration_s "uniform duration, 0.05 g"))
-        .and(facts!(spectral; housner_m "Housner intensity", asi_m_s "ASI", mean_period_s "mean period",
-            predominant_period_s "predominant period"))
+        .and(measure_facts(&motion))
         .fact("uplift_threshold_g", "uplift threshold g tan α", of_block(|r| r.uplift_threshold_m_s2 / G0_M_S2))
         .fact("pga_over_threshold_ratio", "PGA/(g tan α)", of_block(|r| r.pga_ratio))
         .fact("pgv_over_threshold_ratio", "p PGV/(g tan α)", of_block(|r| r.pgv_ratio))
@@ -189,6 +177,24 @@ fn info_of_component(
         motion: request.keep_motions.then_some(motion),
     };
     Ok((info, notes))
+}
+
+/// The measures of a motion: peaks, intensities, durations and periods.
+pub fn measure_facts(motion: &Motion) -> Facts<'static> {
+    let m = measures(motion);
+    let spectral = spectral_measures(motion);
+    Facts::default()
+        .key("pga_m_s2", m.pga_m_s2)
+        .fact("pga_g", "PGA", m.pga_m_s2 / G0_M_S2)
+        .fact("pga_signed_m_s2", "  with its sign", m.pga_signed_m_s2)
+        .key("pga_index", m.pga_index)
+        .fact("pga_time_s", "  at", m.pga_index as f64 * motion.dt_s())
+        .and(facts!(m; pgv_m_s "PGV", pgd_m "PGD", rms_m_s2 "RMS acceleration", arias_m_s "Arias intensity",
+            cav_m_s "CAV", cav_std_m_s "CAV, standardised", specific_energy_density_m2_s "specific energy density",
+            d5_75_s "significant duration D5-75", d5_95_s "significant duration D5-95",
+            bracketed_duration_s "bracketed duration, 0.05 g", uniform_duration_s "uniform duration, 0.05 g"))
+        .and(facts!(spectral; housner_m "Housner intensity", asi_m_s "ASI", mean_period_s "mean period",
+            predominant_period_s "predominant period"))
 }
 
 fn first(values: &[f64]) -> &[f64] {

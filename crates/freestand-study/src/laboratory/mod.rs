@@ -9,6 +9,12 @@ pub mod virtual_laboratory;
 
 pub use figure::{drop_figures, static_figure};
 
+/// What strikes the pad, as a user names it.
+pub const IMPACTORS: [&str; 2] = ["flat", "sphere"];
+
+/// How the pad is held between its faces, as a user names it.
+pub const BOUNDARIES: [&str; 3] = ["glued", "unglued", "lubricated"];
+
 /// What strikes the pad, as far as the evaluation depends on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Impactor {

@@ -36,6 +36,9 @@ pub struct ShockSpectrumRequest {
     pub upsample: bool,
 }
 
+/// Frequencies of the oscillators where none are given: twelve in an octave.
+pub const DEFAULT_FREQUENCIES: &str = "1 Hz:10 kHz:12/oct";
+
 /// Shapes of pulses by name.
 pub const SHAPES: Choices<PulseShape> = &[
     (PulseShape::HalfSine, "half-sine", "A sin(πt/T)"),

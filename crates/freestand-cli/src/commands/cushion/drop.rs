@@ -12,19 +12,19 @@ use freestand_records::formats::{ReadOptions, parse_unit};
 use freestand_records::processing::parse_step;
 use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{
-    DropReport, DropRequest, DropsReport, cushion_toml, drop_tests, loop_csv,
+    DropReport, DropRequest, DropsReport, LAWS, cushion_toml, drop_tests, loop_csv,
 };
 
 use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
 use serde::Serialize;
 
-use super::static_curve::{BOUNDARIES, IMPACTORS};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Column, Printer, facts_table, failed_lines, lines};
-use crate::values::{Choices, Given, Reads, Values, choice};
+use crate::values::{Given, Reads, Values, choice};
+use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 
 /// Evaluate drop tests of a pad: stiffness with its 95 % interval, exponent and damping
 #[derive(Debug, Args)]
@@ -92,13 +92,6 @@ pub(crate) struct DropArgs {
     #[arg(long, value_name = "NAME")]
     component: Option<String>,
 }
-
-const LAWS: Choices<FittedLaw> = &[
-    (FittedLaw::Linear, "linear", "F = k d"),
-    (FittedLaw::Power, "power", "F = K dⁿ"),
-    (FittedLaw::KelvinVoigt, "kelvin-voigt", "F = k d + c ḋ"),
-    (FittedLaw::HuntCrossley, "hunt-crossley", "F = K dⁿ (1 + Λḋ)"),
-];
 
 pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args, global)?;

@@ -6,7 +6,7 @@ use clap::Args;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_study::laboratory::static_curve::{StaticReport, StaticRequest, StaticsReport, curve_csv, static_tests};
-use freestand_study::laboratory::static_figure;
+use freestand_study::laboratory::{BOUNDARIES, IMPACTORS, static_figure};
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -53,9 +53,6 @@ pub(crate) struct StaticArgs {
 }
 
 const TOES: Choices<bool> = &[(true, "cut", "The toe is cut off"), (false, "keep", "The toe is kept")];
-
-pub(super) const IMPACTORS: [&str; 2] = ["flat", "sphere"];
-pub(super) const BOUNDARIES: [&str; 3] = ["glued", "unglued", "lubricated"];
 
 pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();

@@ -3,9 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand::G0_M_S2;
 use freestand_assess::inventory::{
-    Casters, Finding, Inventory, Item, Mapping, Rating, ReadOptions, Reading, console_lines, inspect_inventory,
+    CheckReport, Inventory, Item, Mapping, ReadOptions, SHOWN, check_report, console_lines, inspect_inventory,
     marked_copy,
 };
 use freestand_assess::job::floors_of;
@@ -17,7 +16,6 @@ use freestand_input::words::counted;
 use freestand_output::folder::write_file;
 use freestand_study::cushion::cushion_words;
 use freestand_study::resolve::{Overrides, load};
-use serde::Serialize;
 
 use super::SCHEMA;
 use crate::args::GlobalArgs;
@@ -25,7 +23,6 @@ use crate::commands::Done;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
-use crate::reading::path_text;
 
 /// Read a list of objects and show how it was understood, with all its problems
 #[derive(Debug, Args)]
@@ -69,123 +66,6 @@ pub(crate) struct CheckArgs {
     cushion_library: Option<PathBuf>,
 }
 
-/// Number of rows that are shown.
-const SHOWN: usize = 10;
-
-#[derive(Debug, Serialize)]
-struct CheckReport {
-    path: String,
-    sha256: String,
-    sheet: Option<String>,
-    header_row: u32,
-    counts: Counts,
-    columns: Vec<ColumnReport>,
-    carried: Vec<String>,
-    /// The first rows, in SI.
-    first_rows: Vec<RowReport>,
-    objects: Vec<ObjectReport>,
-    left_out: Vec<LeftOutReport>,
-    problems: Vec<ProblemReport>,
-    marked_copy: Option<String>,
-}
-
-/// How many rows have each kind of value.
-#[derive(Debug, Default, Serialize)]
-struct Counts {
-    rows: usize,
-    /// The sum of the quantities of all rows.
-    objects: u64,
-    with_size: usize,
-    with_level: usize,
-    with_width: usize,
-    with_mass: usize,
-    with_cushion: usize,
-    with_tolerance: usize,
-}
-
-#[derive(Debug, Serialize)]
-struct ColumnReport {
-    column: String,
-    heading: String,
-    name: &'static str,
-    unit: Option<String>,
-    unit_source: Option<&'static str>,
-    dialect: Option<&'static str>,
-    values: usize,
-    missing: usize,
-}
-
-#[derive(Debug, Serialize)]
-struct RowReport {
-    row: u32,
-    id: String,
-    item: String,
-    quantity: u32,
-    level_ratio: Option<f64>,
-    height_m: Option<f64>,
-    thickness_m: Option<f64>,
-    width_m: Option<f64>,
-    mass_kg: Option<f64>,
-    stiffness_n_m: Option<f64>,
-    cushion: Option<String>,
-    tolerance_m_s2: Option<f64>,
-    tolerance_duration_s: Option<f64>,
-    tolerance_source: Option<String>,
-}
-
-/// An object, in SI; what the list does not say is `null`.
-#[derive(Debug, Serialize)]
-struct ObjectReport {
-    row: u32,
-    section: Option<String>,
-    id: String,
-    item: Option<String>,
-    quantity: u32,
-    building: Option<String>,
-    floor: Option<String>,
-    room: Option<String>,
-    level_ratio: Option<f64>,
-    height_m: Option<f64>,
-    thickness_m: Option<f64>,
-    width_m: Option<f64>,
-    cg_height_m: Option<f64>,
-    mass_kg: Option<f64>,
-    stiffness_n_m: Option<f64>,
-    tolerance_g: Option<f64>,
-    tolerance_duration_s: Option<f64>,
-    anchored: Option<bool>,
-    life_safety: Option<&'static str>,
-    property: Option<&'static str>,
-    function: Option<&'static str>,
-    rests_on: Option<String>,
-    wall_gap_m: Option<f64>,
-    neighbour_gap_m: Option<f64>,
-    casters: Option<&'static str>,
-    clearance_m: Option<f64>,
-    doubts: Vec<&'static str>,
-}
-
-#[derive(Debug, Serialize)]
-struct LeftOutReport {
-    row: u32,
-    kind: &'static str,
-    text: String,
-}
-
-#[derive(Debug, Serialize)]
-struct ProblemReport {
-    severity: &'static str,
-    kind: &'static str,
-    column: Option<&'static str>,
-    heading: Option<String>,
-    count: usize,
-    rows: Vec<u32>,
-    cells: Vec<String>,
-    examples: Vec<String>,
-    message: String,
-    hint: String,
-}
-
 pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let inputs: Vec<PathBuf> =
         [Some(&args.file), args.columns.as_ref(), args.study.as_ref()].into_iter().flatten().cloned().collect();
@@ -217,129 +97,11 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
         Some(bytes) => files.write("checked.xlsx", || bytes)?,
         None => None,
     };
-    let report = report(&reading, marked_copy);
+    let report = check_report(&reading, marked_copy, KeyStyle::Flag);
     let inventory = &reading.inventory;
     printer.said(&console_lines(&inventory.findings));
     files.print(printer, SCHEMA, &report, &inventory.warnings, || text(&report, inventory))?;
     Ok(Done { criterion_met: !inventory.has_errors() })
-}
-
-fn report(reading: &Reading, marked_copy: Option<String>) -> CheckReport {
-    let inventory = &reading.inventory;
-    let columns = reading.columns.iter().map(|column| ColumnReport {
-        column: column.letter.clone(),
-        heading: column.heading.clone(),
-        name: column.name,
-        unit: column.unit.clone(),
-        unit_source: column.unit_source,
-        dialect: column.dialect,
-        values: column.values,
-        missing: column.missing,
-    });
-    let left_out = reading.left_out.iter().map(|left| LeftOutReport {
-        row: left.row,
-        kind: left.kind.name(),
-        text: left.text.clone(),
-    });
-    CheckReport {
-        path: path_text(&inventory.path),
-        sha256: inventory.sha256.clone(),
-        sheet: inventory.sheet.clone(),
-        header_row: reading.header_row,
-        counts: counts(&inventory.items),
-        columns: columns.collect(),
-        carried: inventory.carried.clone(),
-        first_rows: inventory.items.iter().take(SHOWN).map(row).collect(),
-        objects: inventory.items.iter().map(object).collect(),
-        left_out: left_out.collect(),
-        problems: inventory.findings.iter().map(problem).collect(),
-        marked_copy,
-    }
-}
-
-fn problem(finding: &Finding) -> ProblemReport {
-    ProblemReport {
-        severity: finding.severity.name(),
-        kind: finding.kind.name(),
-        column: finding.column.map(|column| column.name()),
-        heading: finding.heading.clone(),
-        count: finding.rows.len(),
-        rows: finding.rows.clone(),
-        cells: finding.cells(),
-        examples: finding.examples.clone(),
-        message: KeyStyle::Flag.shown(&finding.message()),
-        hint: KeyStyle::Flag.shown(&finding.hint),
-    }
-}
-
-fn object(item: &Item) -> ObjectReport {
-    let text = |text: &str| (!text.is_empty()).then(|| text.to_owned());
-    let rated = |rating: Option<Rating>| rating.map(Rating::name);
-    let tolerance = item.tolerance.as_ref();
-    ObjectReport {
-        row: item.row,
-        section: text(&item.section),
-        id: item.id.clone(),
-        item: text(&item.item),
-        quantity: item.quantity,
-        building: text(&item.building),
-        floor: text(&item.floor),
-        room: text(&item.room),
-        level_ratio: item.level_ratio,
-        height_m: item.height_m,
-        thickness_m: item.thickness_m,
-        width_m: item.width_m,
-        cg_height_m: item.cg_height_m,
-        mass_kg: item.mass_kg,
-        stiffness_n_m: item.cushion.as_ref().and_then(|edge| edge.cushion.linear_stiffness_n_m()),
-        tolerance_g: tolerance.and_then(|tolerance| tolerance.peak_m_s2).map(|peak| peak / G0_M_S2),
-        tolerance_duration_s: tolerance.and_then(|tolerance| tolerance.duration_s),
-        anchored: item.anchored,
-        life_safety: rated(item.consequences.life_safety),
-        property: rated(item.consequences.property),
-        function: rated(item.consequences.function),
-        rests_on: text(&item.rests_on),
-        wall_gap_m: item.surroundings.wall_gap_m,
-        neighbour_gap_m: item.surroundings.neighbour_gap_m,
-        casters: item.surroundings.casters.map(Casters::name),
-        clearance_m: item.surroundings.clearance_m,
-        doubts: item.doubts.iter().map(|kind| kind.name()).collect(),
-    }
-}
-
-fn counts(items: &[Item]) -> Counts {
-    let mut counts = Counts { rows: items.len(), ..Counts::default() };
-    for item in items {
-        counts.objects += u64::from(item.quantity);
-        counts.with_size += usize::from(item.height_m.is_some() && item.thickness_m.is_some());
-        counts.with_level += usize::from(item.level_ratio.is_some());
-        counts.with_width += usize::from(item.width_m.is_some());
-        counts.with_mass += usize::from(item.mass_kg.is_some());
-        counts.with_cushion += usize::from(item.cushion.is_some());
-        counts.with_tolerance += usize::from(item.tolerance.is_some());
-    }
-    counts
-}
-
-fn row(item: &Item) -> RowReport {
-    let cushion = item.cushion.as_ref().map(|edge| &edge.cushion);
-    let tolerance = item.tolerance.as_ref();
-    RowReport {
-        row: item.row,
-        id: item.id.clone(),
-        item: item.item.clone(),
-        quantity: item.quantity,
-        level_ratio: item.level_ratio,
-        height_m: item.height_m,
-        thickness_m: item.thickness_m,
-        width_m: item.width_m,
-        mass_kg: item.mass_kg,
-        stiffness_n_m: cushion.and_then(|cushion| cushion.linear_stiffness_n_m()),
-        cushion: cushion.map(cushion_words),
-        tolerance_m_s2: tolerance.and_then(|tolerance| tolerance.peak_m_s2),
-        tolerance_duration_s: tolerance.and_then(|tolerance| tolerance.duration_s),
-        tolerance_source: tolerance.map(|tolerance| tolerance.source.clone()),
-    }
 }
 
 fn text(report: &CheckReport, inventory: &Inventory) -> String {

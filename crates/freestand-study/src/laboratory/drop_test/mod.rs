@@ -17,7 +17,7 @@ use crate::recorded::Failed;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive};
-use freestand_input::words::{counted, significant};
+use freestand_input::words::{Choices, counted, significant};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::numbers_csv;
@@ -33,6 +33,14 @@ const GOOD_SAMPLES: f64 = 49.0;
 const WIDE_SPREAD: f64 = 0.1;
 /// A fitted exponent above this indicates a round impactor.
 const ROUND_EXPONENT: f64 = 1.2;
+
+/// Contact laws that can be fitted, by name.
+pub const LAWS: Choices<FittedLaw> = &[
+    (FittedLaw::Linear, "linear", "F = k d"),
+    (FittedLaw::Power, "power", "F = K dⁿ"),
+    (FittedLaw::KelvinVoigt, "kelvin-voigt", "F = k d + c ḋ"),
+    (FittedLaw::HuntCrossley, "hunt-crossley", "F = K dⁿ (1 + Λḋ)"),
+];
 
 /// A request to evaluate drop tests: values for all files; the comments of a file supply those that
 /// are missing.

@@ -1,0 +1,256 @@
+//! How a list was understood, as a document.
+
+use freestand::G0_M_S2;
+use freestand_input::keys::KeyStyle;
+use freestand_study::cushion::cushion_words;
+use serde::Serialize;
+
+use super::{Casters, Finding, Item, Rating, Reading};
+
+/// The number of rows that people are shown.
+pub const SHOWN: usize = 10;
+
+/// How a list was understood: the document of `freestand inventory check`.
+#[derive(Debug, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct CheckReport {
+    pub path: String,
+    pub sha256: String,
+    pub sheet: Option<String>,
+    pub header_row: u32,
+    pub counts: Counts,
+    pub columns: Vec<ColumnReport>,
+    pub carried: Vec<String>,
+    /// The first rows, in SI.
+    pub first_rows: Vec<RowReport>,
+    pub objects: Vec<ObjectReport>,
+    pub left_out: Vec<LeftOutReport>,
+    pub problems: Vec<ProblemReport>,
+    pub marked_copy: Option<String>,
+}
+
+/// How many rows have each kind of value.
+#[derive(Debug, Default, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct Counts {
+    pub rows: usize,
+    /// The sum of the quantities of all rows.
+    pub objects: u64,
+    pub with_size: usize,
+    pub with_level: usize,
+    pub with_width: usize,
+    pub with_mass: usize,
+    pub with_cushion: usize,
+    pub with_tolerance: usize,
+}
+
+/// A column that freestand reads.
+#[derive(Debug, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct ColumnReport {
+    pub column: String,
+    pub heading: String,
+    pub name: &'static str,
+    pub unit: Option<String>,
+    pub unit_source: Option<&'static str>,
+    pub dialect: Option<&'static str>,
+    pub values: usize,
+    pub missing: usize,
+}
+
+/// One of the first rows.
+#[derive(Debug, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct RowReport {
+    pub row: u32,
+    pub id: String,
+    pub item: String,
+    pub quantity: u32,
+    pub level_ratio: Option<f64>,
+    pub height_m: Option<f64>,
+    pub thickness_m: Option<f64>,
+    pub width_m: Option<f64>,
+    pub mass_kg: Option<f64>,
+    pub stiffness_n_m: Option<f64>,
+    pub cushion: Option<String>,
+    pub tolerance_m_s2: Option<f64>,
+    pub tolerance_duration_s: Option<f64>,
+    pub tolerance_source: Option<String>,
+}
+
+/// An object, in SI; what the list does not say is `null`.
+#[derive(Debug, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct ObjectReport {
+    pub row: u32,
+    pub section: Option<String>,
+    pub id: String,
+    pub item: Option<String>,
+    pub quantity: u32,
+    pub building: Option<String>,
+    pub floor: Option<String>,
+    pub room: Option<String>,
+    pub level_ratio: Option<f64>,
+    pub height_m: Option<f64>,
+    pub thickness_m: Option<f64>,
+    pub width_m: Option<f64>,
+    pub cg_height_m: Option<f64>,
+    pub mass_kg: Option<f64>,
+    pub stiffness_n_m: Option<f64>,
+    pub tolerance_g: Option<f64>,
+    pub tolerance_duration_s: Option<f64>,
+    pub anchored: Option<bool>,
+    pub life_safety: Option<&'static str>,
+    pub property: Option<&'static str>,
+    pub function: Option<&'static str>,
+    pub rests_on: Option<String>,
+    pub wall_gap_m: Option<f64>,
+    pub neighbour_gap_m: Option<f64>,
+    pub casters: Option<&'static str>,
+    pub clearance_m: Option<f64>,
+    pub doubts: Vec<&'static str>,
+}
+
+/// A row that is not an object.
+#[derive(Debug, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct LeftOutReport {
+    pub row: u32,
+    pub kind: &'static str,
+    pub text: String,
+}
+
+/// A problem, with all its cells.
+#[derive(Debug, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
+pub struct ProblemReport {
+    pub severity: &'static str,
+    pub kind: &'static str,
+    pub column: Option<&'static str>,
+    pub heading: Option<String>,
+    pub count: usize,
+    pub rows: Vec<u32>,
+    pub cells: Vec<String>,
+    pub examples: Vec<String>,
+    pub message: String,
+    pub hint: String,
+}
+
+/// The report on a list as it was read; messages name keys in this style.
+pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeyStyle) -> CheckReport {
+    let inventory = &reading.inventory;
+    let columns = reading.columns.iter().map(|column| ColumnReport {
+        column: column.letter.clone(),
+        heading: column.heading.clone(),
+        name: column.name,
+        unit: column.unit.clone(),
+        unit_source: column.unit_source,
+        dialect: column.dialect,
+        values: column.values,
+        missing: column.missing,
+    });
+    let left_out = reading.left_out.iter().map(|left| LeftOutReport {
+        row: left.row,
+        kind: left.kind.name(),
+        text: left.text.clone(),
+    });
+    CheckReport {
+        path: inventory.path.to_string_lossy().into_owned(),
+        sha256: inventory.sha256.clone(),
+        sheet: inventory.sheet.clone(),
+        header_row: reading.header_row,
+        counts: counts(&inventory.items),
+        columns: columns.collect(),
+        carried: inventory.carried.clone(),
+        first_rows: inventory.items.iter().take(SHOWN).map(row).collect(),
+        objects: inventory.items.iter().map(object).collect(),
+        left_out: left_out.collect(),
+        problems: inventory.findings.iter().map(|finding| problem(finding, style)).collect(),
+        marked_copy,
+    }
+}
+
+fn problem(finding: &Finding, style: KeyStyle) -> ProblemReport {
+    ProblemReport {
+        severity: finding.severity.name(),
+        kind: finding.kind.name(),
+        column: finding.column.map(|column| column.name()),
+        heading: finding.heading.clone(),
+        count: finding.rows.len(),
+        rows: finding.rows.clone(),
+        cells: finding.cells(),
+        examples: finding.examples.clone(),
+        message: style.shown(&finding.message()),
+        hint: style.shown(&finding.hint),
+    }
+}
+
+fn object(item: &Item) -> ObjectReport {
+    let text = |text: &str| (!text.is_empty()).then(|| text.to_owned());
+    let rated = |rating: Option<Rating>| rating.map(Rating::name);
+    let tolerance = item.tolerance.as_ref();
+    ObjectReport {
+        row: item.row,
+        section: text(&item.section),
+        id: item.id.clone(),
+        item: text(&item.item),
+        quantity: item.quantity,
+        building: text(&item.building),
+        floor: text(&item.floor),
+        room: text(&item.room),
+        level_ratio: item.level_ratio,
+        height_m: item.height_m,
+        thickness_m: item.thickness_m,
+        width_m: item.width_m,
+        cg_height_m: item.cg_height_m,
+        mass_kg: item.mass_kg,
+        stiffness_n_m: item.cushion.as_ref().and_then(|edge| edge.cushion.linear_stiffness_n_m()),
+        tolerance_g: tolerance.and_then(|tolerance| tolerance.peak_m_s2).map(|peak| peak / G0_M_S2),
+        tolerance_duration_s: tolerance.and_then(|tolerance| tolerance.duration_s),
+        anchored: item.anchored,
+        life_safety: rated(item.consequences.life_safety),
+        property: rated(item.consequences.property),
+        function: rated(item.consequences.function),
+        rests_on: text(&item.rests_on),
+        wall_gap_m: item.surroundings.wall_gap_m,
+        neighbour_gap_m: item.surroundings.neighbour_gap_m,
+        casters: item.surroundings.casters.map(Casters::name),
+        clearance_m: item.surroundings.clearance_m,
+        doubts: item.doubts.iter().map(|kind| kind.name()).collect(),
+    }
+}
+
+fn counts(items: &[Item]) -> Counts {
+    let mut counts = Counts { rows: items.len(), ..Counts::default() };
+    for item in items {
+        counts.objects += u64::from(item.quantity);
+        counts.with_size += usize::from(item.height_m.is_some() && item.thickness_m.is_some());
+        counts.with_level += usize::from(item.level_ratio.is_some());
+        counts.with_width += usize::from(item.width_m.is_some());
+        counts.with_mass += usize::from(item.mass_kg.is_some());
+        counts.with_cushion += usize::from(item.cushion.is_some());
+        counts.with_tolerance += usize::from(item.tolerance.is_some());
+    }
+    counts
+}
+
+fn row(item: &Item) -> RowReport {
+    let cushion = item.cushion.as_ref().map(|edge| &edge.cushion);
+    let tolerance = item.tolerance.as_ref();
+    RowReport {
+        row: item.row,
+        id: item.id.clone(),
+        item: item.item.clone(),
+        quantity: item.quantity,
+        level_ratio: item.level_ratio,
+        height_m: item.height_m,
+        thickness_m: item.thickness_m,
+        width_m: item.width_m,
+        mass_kg: item.mass_kg,
+        stiffness_n_m: cushion.and_then(|cushion| cushion.linear_stiffness_n_m()),
+        cushion: cushion.map(cushion_words),
+        tolerance_m_s2: tolerance.and_then(|tolerance| tolerance.peak_m_s2),
+        tolerance_duration_s: tolerance.and_then(|tolerance| tolerance.duration_s),
+        tolerance_source: tolerance.map(|tolerance| tolerance.source.clone()),
+    }
+}

@@ -1,0 +1,101 @@
+"""How hard an earthquake knocks a free-standing object, and whether it falls over.
+
+    import freestand as fs
+    cabinet = fs.Block(height_m=1.8, thickness_m=0.4, mass_kg=150, stiffness_n_m=4.38e6)
+    result = cabinet.rock(fs.read_motion("record.AT2"))
+
+All arguments and results are in SI units, and every name ends in its unit.
+"""
+
+from ._block import Block, Cushion, Sliding, Walls
+from ._errors import BadValue, FreestandError, FreestandWarning, Interrupted, Problem, ReadError, SolveError, StudyError
+from ._freestand import study_toml
+from ._motion import Motion, read_motion, read_motions
+from ._requests import (
+    assess,
+    check_inventory,
+    check_object,
+    code_spectrum,
+    drop_test,
+    floor,
+    restrain,
+    rock,
+    run,
+    shock,
+    shock_spectrum,
+    spectrum,
+    static_test,
+    synth,
+    validate,
+)
+from ._results import (
+    AssessResult,
+    CodeSpectrumResult,
+    DropTestResult,
+    FloorResult,
+    InventoryCheck,
+    MotionSpectrumResult,
+    ObjectResult,
+    RestrainResult,
+    RockResult,
+    RunResult,
+    ShockResult,
+    ShockSpectrumResult,
+    StaticTestResult,
+    SynthResult,
+    ValidateResult,
+    version,
+)
+from ._table import Table
+
+__version__ = version()
+
+__all__ = [
+    "AssessResult",
+    "BadValue",
+    "Block",
+    "CodeSpectrumResult",
+    "Cushion",
+    "DropTestResult",
+    "FloorResult",
+    "FreestandError",
+    "FreestandWarning",
+    "Interrupted",
+    "InventoryCheck",
+    "Motion",
+    "MotionSpectrumResult",
+    "ObjectResult",
+    "Problem",
+    "ReadError",
+    "RestrainResult",
+    "RockResult",
+    "RunResult",
+    "ShockResult",
+    "ShockSpectrumResult",
+    "Sliding",
+    "SolveError",
+    "StaticTestResult",
+    "StudyError",
+    "SynthResult",
+    "Table",
+    "ValidateResult",
+    "Walls",
+    "assess",
+    "check_inventory",
+    "check_object",
+    "code_spectrum",
+    "drop_test",
+    "floor",
+    "read_motion",
+    "read_motions",
+    "restrain",
+    "rock",
+    "run",
+    "shock",
+    "shock_spectrum",
+    "spectrum",
+    "static_test",
+    "study_toml",
+    "synth",
+    "validate",
+]

@@ -1,0 +1,193 @@
+"""The object, its cushion, its walls and what is under it."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from . import _freestand
+from ._convert import Given, PathLike, bad, given, words
+from ._results import DropTestResult
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cushion:
+    """The cushion under one edge: of the whole edge (`stiffness_n_m`), or of one pad of several.
+
+    `law`: linear, power, kelvin-voigt, hunt-crossley, tangent. A pad is given by `pad_stiffness_n_m`, by
+    a drop test (`pad`) or by a cushion file (`file`), each with `pads_per_edge`.
+    """
+
+    #: Stiffness of everything under one edge [N/m]; of a power law a text such as "2e7 N/m^1.5".
+    stiffness_n_m: float | str | None = None
+    #: Stiffness of one pad [N/m].
+    pad_stiffness_n_m: float | str | None = None
+    #: Pads that share the landing of one edge: 2 for a cabinet on four feet.
+    pads_per_edge: int | None = None
+    #: Layers in series: legs, floor covering [N/m].
+    series_stiffness_n_m: float | tuple[float, ...] | None = None
+    #: Thickness of the pad, for warnings [m].
+    pad_thickness_m: float | None = None
+    law: str | None = None
+    exponent: float | None = None
+    #: Damping ratio of the object on the cushion (kelvin-voigt).
+    damping_ratio: float | None = None
+    #: Damping [N s/m] (kelvin-voigt).
+    damping_n_s_m: float | None = None
+    #: Dissipation [s/m] (hunt-crossley).
+    dissipation_s_m: float | None = None
+    #: Compression at which a tangent law bottoms [m].
+    bottoming_m: float | None = None
+    pad: DropTestResult | None = None
+    file: PathLike | None = None
+
+    def _given(self) -> Given:
+        if self.damping_ratio is not None and self.damping_n_s_m is not None:
+            raise bad("damping_ratio and damping_n_s_m exclude each other", "keep one of them")
+        if self.pad is not None and self.file is not None:
+            raise bad("pad and file exclude each other", "keep one of them")
+        toml = None
+        if self.pad is not None:
+            toml = self.pad.cushion_toml
+            if toml is None:
+                raise bad("these drop tests give no pad", "see their pooled[\"reason\"]")
+        plain = {one.name: getattr(self, one.name) for one in fields(self) if one.name not in ("pad", "file")}
+        return given(cushion=words(**plain, cushion=self.file), pad_toml=toml)
+
+
+def cushion_given(
+    cushion: Cushion | DropTestResult | PathLike | None, stiffness_n_m: float | str | None, pads_per_edge: int | None
+) -> Given:
+    """What describes the cushion, from the arguments of a call."""
+    if cushion is None:
+        if stiffness_n_m is None and pads_per_edge is None:
+            return {}
+        return Cushion(stiffness_n_m=stiffness_n_m, pads_per_edge=pads_per_edge)._given()
+    if stiffness_n_m is not None:
+        raise bad("cushion and stiffness_n_m exclude each other", "keep one of them")
+    if isinstance(cushion, DropTestResult):
+        return Cushion(pad=cushion, pads_per_edge=pads_per_edge)._given()
+    if isinstance(cushion, str | os.PathLike):
+        return Cushion(file=cushion, pads_per_edge=pads_per_edge)._given()
+    if pads_per_edge is not None:
+        raise bad("cushion states pads_per_edge itself", "leave pads_per_edge out")
+    return cushion._given()
+
+
+@dataclass(frozen=True)
+class Block:
+    """A free-standing object: a rigid block that rocks about the edges of its base.
+
+    Sizes in m, mass in kg. `stiffness_n_m` is that of everything under one edge; `cushion` replaces it
+    by a `Cushion` or a cushion file. Frozen and hashable; it pickles.
+    """
+
+    height_m: float
+    thickness_m: float
+    mass_kg: float | None = None
+    #: Horizontal size across the thickness.
+    width_m: float | None = None
+    #: Distance between the two edges, if the feet are inset.
+    base_width_m: float | None = None
+    cg_height_m: float | None = None
+    #: Positive to the right.
+    cg_offset_m: float | None = None
+    #: About the left edge; needs the mass.
+    inertia_kg_m2: float | None = None
+    stiffness_n_m: float | None = None
+    cushion: Cushion | PathLike | None = None
+    _body: _freestand.Body = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        plain = {name: getattr(self, name) for name in _SIZES}
+        values = given(**plain) | cushion_given(self.cushion, self.stiffness_n_m, None)
+        object.__setattr__(self, "_body", _freestand.Body(values))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Block, tuple(getattr(self, one.name) for one in fields(self) if one.init)
+
+    @property
+    def half_diagonal_m(self) -> float:
+        """R: from the edge to the centre of gravity [m]."""
+        return self._body.half_diagonal_m
+
+    @property
+    def slenderness_angle_rad(self) -> float:
+        """α: between R and the vertical [rad]."""
+        return self._body.slenderness_angle_rad
+
+    @property
+    def frequency_rad_s(self) -> float:
+        """p: the frequency parameter, √(3g/4R) of a uniform block [rad/s]."""
+        return self._body.frequency_rad_s
+
+    @property
+    def restitution_ratio(self) -> float:
+        """Housner's ratio of the angular velocities after and before an impact."""
+        return self._body.restitution_ratio
+
+    @property
+    def lift_acceleration_g(self) -> float:
+        """Acceleration of the floor that lifts an edge [g]."""
+        return self._body.lift_acceleration_g
+
+    def rock(self, motion: Any = None, **options: Any) -> Any:
+        """Its response to a motion: the same as `freestand.rock(block, motion, …)`."""
+        from ._requests import rock
+
+        return rock(self, motion, **options)
+
+    def shock(self, **options: Any) -> Any:
+        """One landing: the same as `freestand.shock(block, …)`."""
+        from ._requests import shock
+
+        return shock(self, **options)
+
+
+_SIZES = (
+    "height_m", "thickness_m", "mass_kg", "width_m", "base_width_m", "cg_height_m", "cg_offset_m", "inertia_kg_m2",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class Walls:
+    """Walls beside the object: gaps in m, 0 where they touch; None: no wall on this side."""
+
+    left_m: float | None = None
+    right_m: float | None = None
+    #: Height of the walls; None: taller than the object.
+    height_m: float | None = None
+    #: Angular velocity after an impact on a wall divided by the one before, 0 to below 1.
+    restitution: float | None = None
+    #: At the point of contact; with the mass it gives the shock there.
+    stiffness_n_m: float | None = None
+
+    def _given(self) -> Given:
+        return given(
+            left_m=self.left_m,
+            right_m=self.right_m,
+            wall_height_m=self.height_m,
+            wall_restitution=self.restitution,
+            wall_stiffness_n_m=self.stiffness_n_m,
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sliding:
+    """The object slides on its base, or stands on casters and rolls."""
+
+    #: Coefficient of friction at rest, of the base or of braked wheels.
+    friction: float | None = None
+    friction_kinetic: float | None = None
+    casters: bool | None = None
+    rolling_resistance: float | None = None
+    brakes: bool | None = None
+    #: Room beside it: the time and the speed at which it is reached are reported.
+    clearance_left_m: float | None = None
+    clearance_right_m: float | None = None
+    #: Stiffness of the stop at the end of the clearance; with the mass it gives the shock there.
+    stop_stiffness_n_m: float | None = None
+
+    def _given(self) -> Given:
+        return given(**{one.name: getattr(self, one.name) for one in fields(self)})

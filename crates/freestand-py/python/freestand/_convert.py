@@ -1,0 +1,190 @@
+"""Values of Python as freestand takes them: arrays, texts by key, studies, inventories."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import warnings as python_warnings
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from ._errors import BadValue, FreestandWarning
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import numpy.typing as npt
+
+Array: TypeAlias = "npt.NDArray[np.float64]"
+Numbers: TypeAlias = "npt.ArrayLike"
+PathLike: TypeAlias = "str | os.PathLike[str]"
+Given: TypeAlias = "dict[str, Any]"
+
+
+def bad(message: str, hint: str) -> BadValue:
+    """A wrong argument, with its remedy."""
+    return BadValue([(message, None, None, hint)])
+
+
+def given(**values: Any) -> Given:
+    """The arguments that were given: freestand's own defaults count for the others."""
+    return {name: value for name, value in values.items() if value is not None}
+
+
+def doubles(name: str, values: Numbers) -> Array:
+    """One-dimensional, contiguous, aligned doubles in the byte order of the machine.
+
+    Strided, misaligned, read-only and big-endian arrays, float32 and integers, lists and one number
+    are accepted; complex numbers, texts and objects are not.
+    """
+    try:
+        array = np.asarray(values)
+    except (TypeError, ValueError) as error:
+        raise bad(f"{name} is not an array of numbers: {error}", f"give {name} as a list or an array of numbers") from None
+    if array.dtype.kind not in "iuf":
+        raise bad(f"{name} is an array of {array.dtype}, not of numbers", f"give {name} as a list or an array of numbers")
+    if array.ndim == 0:
+        array = array.reshape(1)
+    if array.ndim != 1:
+        raise bad(f"{name} has the shape {array.shape}, not one dimension", f"give one row or column of {name}")
+    return np.require(array, "f8", ["C", "A"])
+
+
+def data(name: str, values: Numbers | None) -> bytes | None:
+    """The same as bytes, which is how arrays cross."""
+    return None if values is None else doubles(name, values).tobytes()
+
+
+def words(**values: Any) -> Given | None:
+    """Arguments that are read by key: paths as texts, arrays as lists."""
+    plain: Given = {}
+    for name, value in given(**values).items():
+        if isinstance(value, os.PathLike):
+            value = os.fspath(value)
+        elif isinstance(value, np.ndarray | tuple):
+            value = list(value)
+        plain[name] = value
+    return plain or None
+
+
+def warn(messages: Sequence[str]) -> None:
+    """Shows warnings of a result at the line that called freestand."""
+    if not messages:
+        return
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    for message in messages:
+        python_warnings.warn(message, FreestandWarning, stacklevel=level)
+
+
+def study(source: PathLike | Mapping[str, Any] | None) -> Given:
+    """A study: a path, its TOML text, or a dictionary of its tables."""
+    if source is None:
+        return {}
+    if isinstance(source, Mapping):
+        return {"study_text": toml(source)}
+    if isinstance(source, str) and ("\n" in source or "=" in source):
+        return {"study_text": source}
+    return {"study": os.fspath(source)}
+
+
+def toml(tables: Mapping[str, Any]) -> str:
+    """A dictionary as TOML."""
+    lines: list[str] = []
+    _write_table(tables, (), lines)
+    return "\n".join(lines) + "\n"
+
+
+def _write_table(table: Mapping[str, Any], names: tuple[str, ...], lines: list[str]) -> None:
+    plain = {key: value for key, value in table.items() if not _is_table(value) and value is not None}
+    if names and (plain or not table):
+        lines.append(f"[{'.'.join(_quoted(name) for name in names)}]")
+    lines.extend(f"{_quoted(key)} = {_toml_value(key, value)}" for key, value in plain.items())
+    for key, value in table.items():
+        if isinstance(value, Mapping):
+            _write_table(value, (*names, key), lines)
+        elif _is_table(value):
+            for one in value:
+                lines.append(f"[[{'.'.join(_quoted(name) for name in (*names, key))}]]")
+                flat = {name: inner for name, inner in one.items() if inner is not None}
+                lines.extend(f"{_quoted(name)} = {_toml_value(name, inner)}" for name, inner in flat.items())
+
+
+def _is_table(value: Any) -> bool:
+    is_list = isinstance(value, Sequence) and not isinstance(value, str) and len(value) > 0
+    return isinstance(value, Mapping) or (is_list and all(isinstance(one, Mapping) for one in value))
+
+
+def _quoted(key: str) -> str:
+    is_bare = key and all(c.isascii() and (c.isalnum() or c in "_-") for c in key)
+    return key if is_bare else _toml_text(key)
+
+
+def _toml_text(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return '"' + "".join(c if c.isprintable() else f"\\U{ord(c):08X}" for c in escaped) + '"'
+
+
+def _toml_value(key: str, value: Any) -> str:
+    if isinstance(value, bool | np.bool_):
+        return "true" if value else "false"
+    if isinstance(value, int | np.integer):
+        return str(int(value))
+    if isinstance(value, float | np.floating):
+        return repr(float(value))
+    if isinstance(value, str | os.PathLike):
+        return _toml_text(os.fspath(value))
+    if isinstance(value, Sequence | np.ndarray):
+        return "[" + ", ".join(_toml_value(key, one) for one in value) + "]"
+    raise bad(f"{key} is a {type(value).__name__}, which a study cannot hold", "give a number, a text, a list or a table")
+
+
+@contextlib.contextmanager
+def removed_on_failure(folder: Path | None) -> Iterator[None]:
+    """Removes a temporary folder if what fills it fails."""
+    try:
+        yield
+    except BaseException:
+        if folder is not None:
+            import shutil
+
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
+
+
+@contextlib.contextmanager
+def inventory(source: Any) -> Iterator[str | None]:
+    """An inventory as a file: a path as it is; a table of pandas, polars or pyarrow as CSV.
+
+    The headings of a table are those of a file, with units: `height [mm]`.
+    """
+    if source is None or isinstance(source, str | os.PathLike):
+        yield None if source is None else os.fspath(source)
+        return
+    import tempfile
+
+    with tempfile.TemporaryDirectory(prefix="freestand-") as folder:
+        path = os.path.join(folder, "inventory.csv")
+        _write_csv(source, path)
+        yield path
+
+
+def _write_csv(source: Any, path: str) -> None:
+    if hasattr(source, "to_csv"):  # pandas
+        source.to_csv(path, index=False)
+    elif hasattr(source, "write_csv"):  # polars
+        source.write_csv(path)
+    elif hasattr(source, "to_pylist") and hasattr(source, "column_names"):  # pyarrow
+        import csv
+
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, source.column_names)
+            writer.writeheader()
+            writer.writerows(source.to_pylist())
+    else:
+        kind = type(source).__name__
+        raise bad(f"an inventory cannot be a {kind}", "give a path, or a table of pandas, polars or pyarrow")

@@ -1,0 +1,577 @@
+"""The results of requests, named as their commands."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from . import _freestand
+from ._base import Columns, Result
+from ._convert import Array, PathLike, bad
+from ._table import Table
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import matplotlib.axes
+    import numpy.typing as npt
+    import xarray
+
+    from ._motion import Motion
+
+#: Facts, warnings, impacts, impacts on walls, names and columns of the history.
+Answer: TypeAlias = "tuple[dict[str, Any], list[str], bytes, bytes, tuple[str, bytes] | None]"
+
+_IMPACT = np.dtype(
+    [(name, "f8") for name in ("time_s", "omega_before_rad_s", "omega_after_rad_s", "edge_acceleration_impact_velocity_g")]
+)
+_WALL_IMPACT = np.dtype(
+    [(name, "f8") for name in ("side", "time_s", "omega_before_rad_s", "omega_after_rad_s", "speed_m_s", "acceleration_g")]
+)
+
+
+def _structured(rows: list[dict[str, Any]]) -> npt.NDArray[Any]:
+    """Rows of a document as a structured array: texts as texts, None as NaN."""
+    if not rows:
+        return np.zeros(0, [("time_s", "f8")])
+    is_text = {name: any(isinstance(row[name], str) for row in rows) for name in rows[0]}
+    dtype = [(name, "U16" if text else "f8") for name, text in is_text.items()]
+    missing = {name: "" if text else np.nan for name, text in is_text.items()}
+    return np.array([tuple(missing[k] if v is None else v for k, v in row.items()) for row in rows], dtype)
+
+
+class RockResult(Result):
+    """The response of one object to one motion.
+
+    `outcome` is `no-uplift`, `rocked`, `leaned` or `overturned`. Lengths in m, rotations in rad, times in s;
+    `edge_acceleration_g` is the shock from the largest uplift by the paper's Eq. (5).
+    """
+
+    outcome: str
+    stopped: str
+    end_time_s: float
+    peak_rotation_rad: float
+    peak_rotation_ratio: float
+    peak_rotation_time_s: float | None
+    uplift_m: float
+    cg_rise_m: float
+    first_uplift_time_s: float | None
+    uplift_count: int
+    impact_count: int
+    wall_angle_left_rad: float | None
+    wall_angle_right_rad: float | None
+    wall_impact_count: int
+    wall_speed_max_m_s: float | None
+    wall_acceleration_g: float | None
+    wall_impulse_max_n_s: float | None
+    leaning: bool
+    passed_alpha_time_s: float | None
+    overturn_time_s: float | None
+    rest_time_s: float | None
+    at_rest: bool
+    friction_needed_ratio: float | None
+    impact_friction_needed_ratio: float
+    restitution_ratio: float
+    final_rotation_rad: float
+    final_omega_rad_s: float
+    half_diagonal_m: float
+    slenderness_angle_rad: float
+    frequency_parameter_rad_s: float
+    uplift_threshold_g: float
+    model: str
+    accuracy: str
+    edge_acceleration_g: float | None
+    edge_acceleration_impact_velocity_g: float | None
+    ceiling_g: float | None
+    steps: int
+    evaluations: int
+
+    #: time_s, theta_rad, omega_rad_s, uplift_m, base_accel_m_s2 (arrays of one length); None if not recorded.
+    history: Columns | None
+    _impacts: bytes
+    _wall_impacts: bytes
+    _motion: Motion | None
+
+    def __init__(
+        self,
+        facts: dict[str, Any],
+        warnings: list[str],
+        impacts: bytes,
+        wall_impacts: bytes,
+        history: tuple[str, bytes] | None,
+        motion: Motion | None = None,
+    ) -> None:
+        self.__dict__ = facts
+        self._facts = facts.copy()
+        self.warnings = warnings
+        self._impacts = impacts
+        self._wall_impacts = wall_impacts
+        self.history = None if history is None else Columns(*history)
+        self._motion = motion
+
+    @property
+    def impacts(self) -> npt.NDArray[Any]:
+        """A structured array, one row for each impact: time_s, omega_before_rad_s, omega_after_rad_s,
+        edge_acceleration_impact_velocity_g (NaN without a cushion)."""
+        known = self._facts.get("impacts")
+        return np.frombuffer(self._impacts, _IMPACT) if known is None else _structured(known)
+
+    @property
+    def wall_impacts(self) -> npt.NDArray[Any]:
+        """A structured array, one row for each impact on a wall; side is 1 (right) or −1 (left)."""
+        return np.frombuffer(self._wall_impacts, _WALL_IMPACT)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The document of the command, without `schema` and `processing`."""
+        found: dict[str, Any] = {}
+        for key, value in self._facts.items():
+            if key == "wall_impact_count":
+                found[key] = value
+                found["wall_impacts"] = [_wall_row(row) for row in self.wall_impacts.tolist()]
+                continue
+            found[key] = value
+            if key == "impact_count" and "impacts" not in self._facts:
+                names = _IMPACT.names or ()
+                found["impacts"] = [dict(zip(names, map(_known, row))) for row in self.impacts.tolist()]
+        return {**found, "warnings": self.warnings}
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The history as an xarray Dataset over time_s, with the single values in `attrs`."""
+        import xarray
+
+        if self.history is None:
+            raise bad("the history was not recorded", "call rock with history=True")
+        time = ("time_s", self.history["time_s"], {"units": "s"})
+        variables = {name: ("time_s", values) for name, values in self.history.items() if name != "time_s"}
+        attrs = {key: value for key, value in self._facts.items() if isinstance(value, int | float | str)}
+        return xarray.Dataset(variables, {"time_s": time}, attrs)
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """Rotation, floor motion and impacts against time: `freestand.plot.rock`."""
+        from . import plot
+
+        return plot.rock(self, ax=ax)
+
+
+def _known(value: float) -> float | None:
+    return None if np.isnan(value) else value
+
+
+def _wall_row(row: tuple[float, ...]) -> dict[str, Any]:
+    side, time_s, before, after, speed, acceleration = row
+    return {
+        "time_s": time_s,
+        "side": "right" if side > 0 else "left",
+        "omega_before_rad_s": before,
+        "omega_after_rad_s": after,
+        "speed_m_s": _known(speed),
+        "acceleration_g": _known(acceleration),
+    }
+
+
+def _write(path: PathLike, text: str) -> None:
+    with open(os.fspath(path), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+class ShockResult(Result):
+    """The shock of one landing; `edge_acceleration_g` is that of the landing edge."""
+
+    scenario: str
+    model: str
+    energy_source: str
+    drop_acceleration_g: float
+    edge_acceleration_g: float
+    edge_acceleration_m_s2: float
+    amplification_ratio: float
+    landing_ratio: float
+    effective_mass_kg: float
+    edge_velocity_m_s: float
+    angular_velocity_rad_s: float
+    contact_distance_m: float
+    half_diagonal_m: float
+    slenderness_angle_rad: float
+    cg_rise_m: float
+    uplift_m: float | None
+    rotation_rad: float | None
+    stiffness_n_m: float
+    law: str
+    cushion: str
+    pulse_duration_s: float
+    velocity_change_m_s: float
+    compression_m: float
+    balance_rise_m: float
+    ceiling_g: float | None
+    impact_friction_needed_ratio: float | None
+    models: dict[str, Any]
+    at: dict[str, Any] | None
+    tolerance_g: float | None
+    tolerance_edge_lift_m: float | None
+    damage_boundary_tests: Any
+    damage_boundary: Any
+    demand_capacity: dict[str, Any] | None
+    demand_capacity_ratio: float | None
+    governing: str | None
+    verdict: str
+    max_stiffness_n_m: float | None
+    notes: list[str]
+
+
+class DropTestResult(Result):
+    """A pad from its drop tests. It can be given as `cushion`, with `pads_per_edge`."""
+
+    tests: list[dict[str, Any]]
+    pooled: dict[str, Any]
+    failed: list[Any]
+
+    def __init__(self, document: dict[str, Any], cushion_toml: str | None, loops: Sequence[str]) -> None:
+        super().__init__(document)
+        #: The pad as the text of a cushion file; None if the tests give no pad.
+        self.cushion_toml = cushion_toml
+        #: For each test, its force–compression loop as columns.
+        self.loops = [Columns._of_csv(loop) for loop in loops]
+
+    @property
+    def stiffness_n_m(self) -> float | None:
+        """Stiffness of one pad [N/m], pooled over the tests."""
+        return _number(self._document["pooled"]["stiffness_n_m"])
+
+    @property
+    def ci95_n_m(self) -> Array | None:
+        """Its 95 % interval [N/m]."""
+        found = self._document["pooled"]["ci95_n_m"]
+        return None if found is None else np.array(found, "f8")
+
+    def save(self, path: PathLike) -> None:
+        """Writes the pad as a cushion file (TOML), which every command accepts."""
+        if self.cushion_toml is None:
+            raise bad("these tests give no pad", "see `pooled[\"reason\"]` and the flags of the tests")
+        _write(path, self.cushion_toml)
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """Force against compression of each test: `freestand.plot.loop`."""
+        from . import plot
+
+        return plot.loop(self, ax=ax)
+
+
+def _number(value: Any) -> float | None:
+    return None if value is None else float(value)
+
+
+class StaticTestResult(Result):
+    """Static stiffness of a pad."""
+
+
+class ShockSpectrumResult(Result):
+    """A shock response spectrum (ISO 18431-4)."""
+
+    kind: str
+    peak: str
+    damping_ratio: float
+    quality_factor_ratio: float
+    upsample: bool
+    spectra: list[dict[str, Any]]
+    timing: dict[str, Any]
+
+    @property
+    def frequencies_hz(self) -> Array:
+        """Frequencies of the oscillators [Hz]."""
+        return np.array(self._document["spectra"][0]["frequencies_hz"], "f8")
+
+    @property
+    def values(self) -> Array:
+        """Peak responses, one for each frequency, in `unit`."""
+        return np.array(self._document["spectra"][0]["values"], "f8")
+
+    @property
+    def unit(self) -> str:
+        """The unit of `values`."""
+        return str(self._document["spectra"][0]["unit"])
+
+
+class CodeSpectrumResult(Result):
+    """The elastic response spectrum of a code, for 5 % damping."""
+
+    code: str
+    site: str | None
+    place: dict[str, Any] | None
+    hazard_factor: float | None
+    return_period_years: int | None
+    kpz_g: float | None
+    minimum_kpz_governs: bool | None
+    facts: list[dict[str, Any]]
+    corner_periods_s: Array
+    periods_s: Array
+    sa_g: Array
+    vertical_sa_g: Array | None
+    parts: dict[str, Any] | None
+
+
+class MotionSpectrumResult(Result):
+    """The response spectrum of a motion: `periods_s`, `sd_m`, `psv_m_s`, `psa_g`, `sa_g`."""
+
+    path: str
+    name: str
+    upsample: int
+    processing: list[str]
+    scale_ratio: float
+    periods_s: Array
+    damping_ratio: float
+    sd_m: Array
+    psv_m_s: Array
+    psa_g: Array
+    sa_g: Array
+    more: list[Any]
+
+
+class SynthResult(Result):
+    """Motions that fit a target."""
+
+    code: str
+    site: str
+    place: dict[str, Any]
+    hazard_factor: float
+    return_period_years: int
+    kpz_g: float
+    minimum_kpz_governs: bool
+    facts: list[dict[str, Any]]
+    seed: int
+    generator: str
+    method: str
+    motions: list[dict[str, Any]]
+
+    def __init__(self, document: dict[str, Any], records: list[Motion]) -> None:
+        super().__init__(document)
+        #: The motions.
+        self.records = records
+
+
+class FloorResult(Result):
+    """The floors of a building: `levels` of the document, and their motions."""
+
+    motion: str
+    processing: list[str]
+    building_height_m: float
+    model: str
+    damping: str
+    damping_ratio: float
+    shear_flexure_ratio: float
+    pga_g: float
+    modes: list[dict[str, Any]]
+    across: Any
+    levels: list[dict[str, Any]]
+    motions: list[dict[str, Any]]
+    spectra: Any
+    code_clause: str | None
+
+    def __init__(self, document: dict[str, Any], floors: list[list[Motion]]) -> None:
+        super().__init__(document)
+        #: `floors[i][j]` is the motion of level j under motion i.
+        self.floors = floors
+
+
+class ObjectResult(Result):
+    """Whether an earthquake rocks one object and whether it falls over; `answer` is the sentence."""
+
+    answer: str
+    answer_kind: str
+    earthquake: str
+    building: Any
+    falls: str
+    shock: str
+    motions: int
+    motions_lifted: int
+    motions_overturned: int
+    p_overturn: float
+    p_overturn_low: float
+    p_overturn_high: float
+    accepted_ratio: float
+    accepted_for: str
+    confidence: float
+    floor_acceleration_g: dict[str, Any]
+    lift_acceleration_g: float
+    uplift_m_max: float | None
+    uplift_m_median: float | str
+    rotation_ratio_median: float | str
+    edge_acceleration_g_median: float | None
+    edge_acceleration_g_p16: float | None
+    edge_acceleration_g_p84: float | None
+    edge_acceleration_compliant_g_median: float | None
+    edge_acceleration_g_max: float | None
+    landing_acceleration_g_max: float | None
+    ceiling_g: float | None
+    pulse_duration_s: float | None
+    velocity_change_m_s: float | None
+    pad_uplift_threshold_g: float | None
+    rocking_frequency_hz: float | None
+    tolerance_g: float | None
+    tolerance_duration_s: float | None
+    demand_capacity_ratio: float | None
+    p_exceed: float | None
+    p_exceed_low: float | None
+    p_exceed_high: float | None
+    models_agree: bool | None
+    clearance_m: float
+    sliding: str
+    level_ratio: float | None
+    place: Any
+    scales: list[dict[str, Any]] | None
+    assumptions: list[str]
+
+
+class RestrainResult(Result):
+    """The force that the code asks of a restraint, and its anchors."""
+
+    code: str | None
+    clause: str
+    force_n: float
+    force_ratio: float
+    acts_at_height_m: float
+    overturning_moment_n_m: float
+    resisting_moment_n_m: float
+    axis: str
+    anchor_tension_n: float
+    anchor_tension_concrete_n: float
+    per_anchor: dict[str, Any]
+    anchors_per_edge: int
+    bracket_height_m: float
+    bracket_force_n: float
+    bracket_base_shear_n: float
+    held_weight_ratio: float
+    overstrength_ratio: float
+    formula: str
+    level_ratio: float
+    place: dict[str, Any] | None
+    factors: dict[str, Any]
+    assumptions: list[str]
+    others: list[Any]
+    sheet: Any
+
+    def __init__(self, document: dict[str, Any], sheet: str) -> None:
+        super().__init__(document)
+        #: A sheet to print and sign (HTML).
+        self.sheet_html = sheet
+
+    def save(self, path: PathLike) -> None:
+        """Writes the sheet (HTML)."""
+        _write(path, self.sheet_html)
+
+
+class InventoryCheck(Result):
+    """How a list was understood; `problems` are all doubts and errors."""
+
+    path: str
+    sha256: str
+    sheet: str | None
+    header_row: int
+    counts: dict[str, Any]
+    columns: list[dict[str, Any]]
+    carried: list[str]
+    first_rows: list[dict[str, Any]]
+    objects: list[dict[str, Any]]
+    left_out: list[dict[str, Any]]
+    problems: list[dict[str, Any]]
+    marked_copy: Any
+
+    @property
+    def ok(self) -> bool:
+        """Whether no cell has an error."""
+        return all(problem["severity"] != "error" for problem in self._document["problems"])
+
+    @property
+    def table(self) -> Table:
+        """The objects, in SI, as a table."""
+        return Table._from_rows(self._document["objects"])
+
+
+class ValidateResult(Result):
+    """Table I of the paper and the closed forms."""
+
+    table_one_gravity_m_s2: float
+    table_one: list[dict[str, Any]]
+    checks: list[dict[str, Any]]
+
+    @property
+    def ok(self) -> bool:
+        """Whether every check holds."""
+        return all(check["ok"] for check in self._document["checks"])
+
+
+class _Folder(Result):
+    """A result whose files are in a folder."""
+
+    _folder: Path
+
+    def _in(self, folder: Path, own: Path | None) -> None:
+        """The folder, and the temporary one around it that is removed with the result."""
+        self._folder = folder
+        if own is not None:
+            import shutil
+            import weakref
+
+            weakref.finalize(self, shutil.rmtree, own, ignore_errors=True)
+
+    def save(self, folder: PathLike) -> Path:
+        """Copies the files of the command into a folder, which must be new or empty."""
+        import shutil
+        from pathlib import Path
+
+        target = Path(folder)
+        if target.exists() and (not target.is_dir() or any(target.iterdir())):
+            raise bad(f"{target} is not an empty folder", "name a new folder")
+        shutil.copytree(self._folder, target, dirs_exist_ok=True)
+        return target
+
+    def _read(self, name: str) -> Table:
+        import csv
+
+        with open(self._folder / name, newline="", encoding="utf-8") as file:
+            rows = [{key: _cell(text) for key, text in row.items()} for row in csv.DictReader(file)]
+        return Table._from_rows(rows)
+
+
+def _cell(text: str) -> str | float | bool | None:
+    if text in ("", "true", "false"):
+        return None if text == "" else text == "true"
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+class AssessResult(_Folder):
+    """Verdicts about an inventory."""
+
+    #: A row for each object: the columns of objects.csv, and `row` of the list. `overturned` is +∞.
+    objects: Table
+
+    def __init__(self, document: dict[str, Any]) -> None:
+        super().__init__(document)
+        self.objects = Table._from_rows(document["rows"])
+
+    def report_html(self) -> str:
+        """The report, which loads nothing from a network."""
+        return (self._folder / "report.html").read_text(encoding="utf-8")
+
+
+class RunResult(_Folder):
+    """A study: the keys of summary.json."""
+
+    @property
+    def rows(self) -> Table:
+        """The shock of every object under every motion on every level: srs.csv."""
+        return self._read("srs.csv")
+
+    @property
+    def uplift_rows(self) -> Table:
+        """The uplift of every object under every motion on every level: urs.csv."""
+        return self._read("urs.csv")
+
+
+def version() -> str:
+    """The version of freestand."""
+    return _freestand.version()

@@ -1,0 +1,188 @@
+//! Studies and inventories.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use freestand_assess::inventory::{Floors, Mapping, ReadOptions, check_report, inspect_inventory};
+use freestand_assess::job::{Job, ListRequest, SCHEMA, assess_into, floors_of, inventory_of};
+use freestand_assess::library::Libraries;
+use freestand_assess::output::object_rows;
+use freestand_input::keys::KeyStyle;
+use freestand_input::problem::{Problem, Problems};
+use freestand_output::folder::OutputFolder;
+use freestand_output::streamed::{rows_head, rows_tail};
+use freestand_study::outputs::{expected_names, write_outputs};
+use freestand_study::resolve::{Overrides, builtin, builtin_toml, load, motion_paths, resolve_with};
+use freestand_study::run::{Stage, Step, run as run_study};
+use freestand_study::study::Study;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arguments::{Given, told};
+use crate::errors::{of_study, raised_all};
+use crate::work::watched_with;
+
+/// The built-in study as TOML.
+#[pyfunction]
+pub(crate) fn study_toml() -> &'static str {
+    builtin_toml()
+}
+
+/// The study that was given as a path or as text, or the built-in one.
+pub(crate) fn study_of(values: &Bound<'_, PyDict>, overrides: &Overrides) -> PyResult<Study> {
+    let mut given = Given::new(values);
+    let (path, text) = (given.path("study"), given.text("study_text"));
+    given.finish()?;
+    let study = match (path, text) {
+        (Some(path), _) => load(&path, overrides),
+        (None, Some(text)) => resolve_with(&text, None, Path::new(""), overrides),
+        (None, None) => builtin(overrides),
+    };
+    study.map_err(of_study)
+}
+
+/// The last step of work, which a function of Python is told.
+#[derive(Default)]
+struct Told(Mutex<Option<(&'static str, usize, usize)>>);
+
+impl Told {
+    /// Keeps the step, and stops the work where this is asked.
+    fn step(&self, step: Step, stop: &AtomicBool) -> ControlFlow<()> {
+        if let Ok(mut last) = self.0.lock() {
+            *last = Some((step.stage.map_or("", Stage::name), step.done, step.total));
+        }
+        if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// Calls the function with the last step, unless it knows it already.
+    fn tell(&self, progress: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        let last = self.0.lock().ok().and_then(|mut last| last.take());
+        match (progress, last) {
+            (Some(progress), Some(step)) => progress.call1(step).map(|_| ()),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Overrides of a study: seed and hazard.
+fn overrides(given: &mut Given<'_, '_>) -> Overrides {
+    Overrides { seed: given.whole("seed", 0), hazard: given.words("hazard"), ..Overrides::default() }
+}
+
+/// The verdicts about an inventory, written into a folder: the document of the command.
+#[pyfunction]
+pub(crate) fn assess(
+    py: Python<'_>,
+    inventory: Option<PathBuf>,
+    out: PathBuf,
+    values: &Bound<'_, PyDict>,
+    threads: Option<usize>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let mut given = Given::new(values);
+    let overrides = overrides(&mut given);
+    let request = ListRequest {
+        sheet: given.text("sheet"),
+        columns: given.path("columns"),
+        storeys: given.count("storeys"),
+        is_strict: given.flag("strict"),
+        assess_anchored: given.flag("assess_anchored"),
+    };
+    let job = Job {
+        resume: given.flag("resume"),
+        force: given.flag("force"),
+        parquet: given.flag("parquet"),
+        outcomes: given.flag("outcomes"),
+    };
+    let (library, cushions) = (given.path("library"), given.path("cushion_library"));
+    given.finish()?;
+    let mut study = study_of(values, &overrides)?;
+    let settings = &mut study.assessment;
+    settings.seed = overrides.seed.unwrap_or(settings.seed);
+    settings.library = library.or(settings.library.take());
+    settings.cushion_library = cushions.or(settings.cushion_library.take());
+    let told = Told::default();
+    let work = |stop: &AtomicBool| {
+        let inventory = inventory_of(&study, inventory.as_deref(), &request)?;
+        let report = assess_into(&study, &inventory, &out, &job, &|step| told.step(step, stop))?;
+        let mut text = rows_head(SCHEMA)?;
+        let mut separator = "";
+        object_rows(&out, &inventory, |row| {
+            let row = serde_json::to_string(row).map_err(|error| {
+                Problem::new(freestand_input::ProblemKind::Computation, format!("a row is not JSON: {error}"))
+            })?;
+            text.push_str(separator);
+            text.push_str(&row);
+            separator = ",\n";
+            Ok::<(), Problem>(())
+        })?;
+        text.push_str(&rows_tail(SCHEMA, &report, &report.all_warnings())?);
+        Ok::<String, Problems>(text)
+    };
+    watched_with(py, threads, work, |_| told.tell(progress))?.map_err(of_study)
+}
+
+/// How a list is understood: the document of `inventory check`.
+#[pyfunction]
+pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, PyDict>) -> PyResult<String> {
+    let mut given = Given::new(values);
+    let (sheet, columns) = (given.text("sheet"), given.path("columns"));
+    let storeys = given.count("storeys");
+    let is_strict = given.flag("strict");
+    let (library, cushions) = (given.path("library"), given.path("cushion_library"));
+    given.finish()?;
+    let has_study = values.contains("study")? || values.contains("study_text")?;
+    let floors = if has_study {
+        floors_of(&study_of(values, &Overrides::default())?, storeys)
+    } else {
+        Floors { storeys, ..Floors::default() }
+    };
+    let work = || {
+        let libraries = Libraries::with_files(library.as_deref(), cushions.as_deref())?;
+        let mapping = columns.as_deref().map(Mapping::load).transpose()?;
+        libraries.looked_up(|lookup| {
+            let sheet = sheet.as_deref();
+            inspect_inventory(&path, &ReadOptions { sheet, mapping: mapping.as_ref(), floors, is_strict, lookup })
+        })
+    };
+    let reading = py.detach(work).map_err(|problems: Problems| raised_all(problems))?;
+    let report = check_report(&reading, None, KeyStyle::Argument);
+    told("freestand.inventory/1", &report, &reading.inventory.warnings)
+}
+
+/// A whole study, written into a folder: the document of the command.
+#[pyfunction]
+pub(crate) fn run(
+    py: Python<'_>,
+    out: PathBuf,
+    values: &Bound<'_, PyDict>,
+    threads: Option<usize>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let mut given = Given::new(values);
+    let overrides = overrides(&mut given);
+    let force = given.flag("force");
+    let source = given.path("study");
+    given.finish()?;
+    let study = study_of(values, &overrides)?;
+    let schema = freestand_study::summary::SCHEMA;
+    let told_step = Told::default();
+    let work = |stop: &AtomicBool| {
+        let inputs: Vec<PathBuf> = source.iter().cloned().chain(motion_paths(&study)).collect();
+        let folder = OutputFolder::stage(&out, force, &inputs)?.of_command(schema)?;
+        folder.check(&expected_names(&study, false))?;
+        let result = run_study(&study, &|step| told_step.step(step, stop))?;
+        if stop.load(Ordering::Relaxed) {
+            return Err(Problem::stopped().into());
+        }
+        let mut body = write_outputs(folder, &study, &result)?.body;
+        if let serde_json::Value::Object(keys) = &mut body {
+            keys.insert("out".to_owned(), serde_json::Value::from(out.display().to_string()));
+        }
+        Ok::<_, Problems>((body, result.warnings))
+    };
+    let (body, warnings) = watched_with(py, threads, work, |_| told_step.tell(progress))?.map_err(of_study)?;
+    told(schema, &body, &warnings)
+}

@@ -1,0 +1,203 @@
+//! Motions: samples from Python and from record files.
+
+use std::path::{Path, PathBuf};
+
+use freestand::motion::Motion;
+use freestand::synthesis::DAMPING_RATIO;
+use freestand_input::file::sha256_hex;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::{Dimension, parse_positive};
+use freestand_input::word_reader::WordReader;
+use freestand_output::folder::write_file;
+use freestand_records::formats::{Component, write_at2, write_csv};
+use freestand_records::processing::{Processing, process};
+use freestand_study::inspect::{SpectrumRequest, measure_facts, spectrum};
+use freestand_study::recorded::{MotionFiles, ReadMotion, read_all};
+use freestand_study::study::RecordedMotion;
+use freestand_study::target::usual_periods_s;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::arguments::{Given, bytes, dictionary, doubles, told};
+use crate::errors::{raised, raised_all};
+use crate::work::watched;
+
+/// The motion behind `freestand.Motion`.
+#[pyclass(frozen, module = "freestand._freestand")]
+pub(crate) struct Record {
+    pub(crate) read: ReadMotion,
+}
+
+/// A motion that is not from a file.
+pub(crate) fn unread(name: String, motion: Motion, processing: Vec<String>) -> Record {
+    let sha256 = sha256_hex(&bytes(motion.accel_m_s2().iter().copied()));
+    let motion = RecordedMotion {
+        path: PathBuf::from(&name),
+        name,
+        sha256,
+        description: "samples from Python".to_owned(),
+        scale_ratio: 1.0,
+        station_xml: Vec::new(),
+        scale_target: None,
+        processing,
+        matched: None,
+        suite: None,
+        motion,
+        across: None,
+        vertical: None,
+    };
+    Record { read: ReadMotion { motion, notes: Vec::new(), start_note: None, unit: "m/s2" } }
+}
+
+impl Record {
+    pub(crate) fn motion(&self) -> &Motion {
+        &self.read.motion.motion
+    }
+
+    /// The same, with other samples.
+    fn with(&self, motion: Motion, steps: Vec<String>) -> Self {
+        let mut read = self.read.clone();
+        read.motion.motion = motion;
+        read.motion.processing.extend(steps);
+        Self { read }
+    }
+}
+
+#[pymethods]
+impl Record {
+    /// A motion of samples [m/s²], as bytes of doubles.
+    #[new]
+    #[pyo3(signature = (accel_m_s2, dt_s, name, notes=None, processing=None))]
+    fn new(
+        accel_m_s2: &[u8],
+        dt_s: f64,
+        name: String,
+        notes: Option<Vec<String>>,
+        processing: Option<Vec<String>>,
+    ) -> PyResult<Self> {
+        let motion = Motion::new(dt_s, doubles(accel_m_s2));
+        let motion = motion.map_err(|error| raised(Problem::value(error.to_string(), "check accel_m_s2 and dt_s")))?;
+        let mut record = unread(name, motion, processing.unwrap_or_default());
+        record.read.notes = notes.unwrap_or_default();
+        Ok(record)
+    }
+
+    fn accel<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &bytes(self.motion().accel_m_s2().iter().copied()))
+    }
+
+    #[getter]
+    fn dt_s(&self) -> f64 {
+        self.motion().dt_s()
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.read.motion.name
+    }
+
+    #[getter]
+    fn description(&self) -> &str {
+        &self.read.motion.description
+    }
+
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.read.notes.clone()
+    }
+
+    #[getter]
+    fn processing(&self) -> Vec<String> {
+        self.read.motion.processing.clone()
+    }
+
+    #[getter]
+    fn pga_g(&self) -> f64 {
+        self.motion().peak_m_s2() / freestand::G0_M_S2
+    }
+
+    fn measures<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let facts = py.detach(|| measure_facts(self.motion()));
+        dictionary(py, &facts, |_| false)
+    }
+
+    fn spectrum(&self, py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<String> {
+        let mut given = Given::new(values);
+        let periods_s = given.numbers("periods_s").unwrap_or_else(usual_periods_s);
+        let damping_ratios = given.numbers("damping_ratio").unwrap_or_else(|| vec![DAMPING_RATIO]);
+        if let Some(wrong) = damping_ratios.iter().find(|ratio| !(0.0..1.0).contains(*ratio)) {
+            given.push(Problem::value(format!("damping_ratio is {wrong}"), "give a ratio from 0 to below 1"));
+        }
+        let upsample = given.count("upsample").unwrap_or(1);
+        given.finish()?;
+        let request = SpectrumRequest { damping_ratios, periods_s, upsample };
+        let report = watched(py, None, |_| spectrum(&self.read, &request))?.map_err(raised)?;
+        told("freestand.motion-spectrum/1", &report, &report.warnings)
+    }
+
+    fn process(&self, py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let mut given = Given::new(values);
+        let words = given.words("words");
+        let mut reader = WordReader::new(&words);
+        let processing = Processing::read(&mut reader, Path::new(""));
+        reader.problems.into_iter().for_each(|problem| given.push(problem));
+        given.finish()?;
+        let component = Component {
+            name: self.read.motion.name.clone(),
+            station: None,
+            direction: None,
+            unit: self.read.unit,
+            // What is raw was centred when it was read.
+            is_raw: false,
+            start: None,
+            station_xml: None,
+            motion: self.motion().clone(),
+            line_of_first_value: 1,
+        };
+        let processed = py.detach(|| process(&component, &processing)).map_err(raised)?;
+        let mut record = self.with(processed.motion, processed.steps);
+        record.read.notes.extend(processed.notes);
+        record.read.motion.scale_ratio *= processed.scale_ratio;
+        Ok(record)
+    }
+
+    fn scaled(&self, factor: f64) -> PyResult<Self> {
+        let scaled = self.motion().scaled(factor);
+        let scaled = scaled.map_err(|error| raised(Problem::value(error.to_string(), "give a finite factor")))?;
+        let mut record = self.with(scaled, vec![format!("scaled by {factor}")]);
+        record.read.motion.scale_ratio *= factor;
+        Ok(record)
+    }
+
+    fn write(&self, path: PathBuf) -> PyResult<()> {
+        let is = |ending: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending));
+        let text = match (is("csv"), is("at2")) {
+            (true, _) => write_csv(self.motion()),
+            (_, true) => write_at2(self.motion(), &self.read.motion.name),
+            _ => {
+                let message = format!("{} is neither .csv nor .at2", path.display());
+                return Err(raised(Problem::value(message, "name the file with one of these endings")));
+            }
+        };
+        write_file(&path, text.as_bytes(), &[]).map_err(raised)
+    }
+}
+
+/// The motions of files.
+#[pyfunction]
+pub(crate) fn read_motions(py: Python<'_>, paths: Vec<PathBuf>, values: &Bound<'_, PyDict>) -> PyResult<Vec<Record>> {
+    let mut given = Given::new(values);
+    let words = given.words("words");
+    let mut reader = WordReader::new(&words);
+    let files = MotionFiles { paths, ..MotionFiles::read(&mut reader, Path::new("")) };
+    reader.problems.into_iter().for_each(|problem| given.push(problem));
+    given.finish()?;
+    let read = watched(py, None, |_| read_all(&files))?.map_err(raised_all)?;
+    Ok(read.into_iter().map(|read| Record { read }).collect())
+}
+
+/// Metres per second squared in a unit of acceleration.
+#[pyfunction]
+pub(crate) fn acceleration_unit(unit: &str) -> PyResult<f64> {
+    parse_positive(&format!("1 {unit}"), Dimension::Acceleration, "the unit").map_err(raised)
+}

@@ -1,0 +1,219 @@
+//! One object: whether it falls over, and how strongly it must be held.
+
+use std::sync::atomic::Ordering;
+
+use freestand::G0_M_S2;
+use freestand_assess::inventory::{CASTERS, Surroundings, UpperBody};
+use freestand_assess::one_object::{
+    Earthquake, Floor, FloorPlace, Object, ObjectRequest, RestsOn, SCHEMA, Withstood, one_object,
+};
+use freestand_assess::restrain::{
+    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain as restrained,
+};
+use freestand_input::keys::Words;
+use freestand_input::problem::Problem;
+use freestand_study::resolve::Overrides;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arguments::{Given, told};
+use crate::assess::study_of;
+use crate::errors::{raised, raised_all};
+use crate::motion::Record;
+use crate::work::watched;
+
+/// Exactly one earthquake is named.
+fn check_one(given: &mut Given<'_, '_>, named: &[(&'static str, bool)]) {
+    let names: Vec<&str> = named.iter().filter(|(_, is_named)| *is_named).map(|(name, _)| *name).collect();
+    match names.as_slice() {
+        [_] => {}
+        [] => {
+            let all: Vec<&str> = named.iter().map(|(name, _)| *name).collect();
+            given.push(Problem::value("no earthquake is named", format!("give one of {}", all.join(", "))));
+        }
+        several => {
+            let message = format!("{} name different earthquakes", several.join(" and "));
+            given.push(Problem::value(message, "keep one of them"));
+        }
+    }
+}
+
+/// The coefficient of friction: from the first to the second.
+fn friction(given: &mut Given<'_, '_>) -> Option<(f64, f64)> {
+    let (low, high) = given.point("friction")?;
+    if low > 0.0 && low <= high {
+        return Some((low, high));
+    }
+    let message = "friction is not a range of positive numbers";
+    given.push(Problem::value(message, "give one number, or the smaller and the larger end of a range"));
+    None
+}
+
+/// What is beside an object and on it.
+fn surroundings(given: &mut Given<'_, '_>) -> Surroundings {
+    let [height_m, thickness_m, mass_kg] =
+        ["upper_height_m", "upper_thickness_m", "upper_mass_kg"].map(|name| given.positive(name));
+    let upper = height_m.zip(thickness_m).map(|(height_m, thickness_m)| UpperBody { height_m, thickness_m, mass_kg });
+    if upper.is_none() && (height_m.is_some() || thickness_m.is_some() || mass_kg.is_some()) {
+        let message = "what stands on the object lacks its height or its thickness";
+        given.push(Problem::value(message, "give upper_height_m and upper_thickness_m, or leave out all three"));
+    }
+    Surroundings {
+        wall_gap_m: given.non_negative("wall_gap_m"),
+        neighbour_gap_m: given.non_negative("neighbour_gap_m"),
+        wall_height_m: given.positive("wall_height_m"),
+        wall_stiffness_n_m: given.positive("wall_stiffness_n_m"),
+        wall_restitution: given.non_negative("wall_restitution"),
+        casters: given.choice("casters", CASTERS),
+        rolling_resistance_ratio: given.positive("rolling_resistance"),
+        clearance_m: given.non_negative("clearance_m"),
+        upper,
+    }
+}
+
+/// The sentence about one object, and the numbers behind it.
+#[pyfunction]
+pub(crate) fn check_object(
+    py: Python<'_>,
+    motions: Vec<PyRef<'_, Record>>,
+    values: &Bound<'_, PyDict>,
+    threads: Option<usize>,
+) -> PyResult<String> {
+    let mut given = Given::new(values);
+    let hazard: Words = given.words("hazard");
+    let has_place = hazard.get("place").is_some();
+    let (peak_g, study) = (given.positive("pga_g"), given.path("study"));
+    let named = [
+        ("place", has_place && study.is_none()),
+        ("pga_g", peak_g.is_some()),
+        ("study", study.is_some()),
+        ("motions", !motions.is_empty()),
+    ];
+    check_one(&mut given, &named);
+    let has_site = hazard.get("site").is_some() || hazard.get("return_period_years").is_some();
+    if has_site && !has_place && study.is_none() {
+        let message = "site and return_period_years belong to the code of a place";
+        given.push(Problem::value(message, "give place, or leave them out"));
+    }
+    let scales = given.numbers("scales");
+    if scales.is_some() && motions.is_empty() {
+        given.push(Problem::value("scales applies to motions of the floor", "give motions, or leave scales out"));
+    }
+    let rests_on = given.text("cushion").map(RestsOn::Entry);
+    let rests_on = rests_on.or(given.positive("stiffness_n_m").map(RestsOn::Stiffness));
+    let duration_s = given.positive("tolerance_duration_s");
+    let tolerance = given.positive("tolerance_g");
+    let tolerance = tolerance.map(|of_g| Withstood { peak_m_s2: of_g * G0_M_S2, duration_s });
+    let (height, thickness) = (given.positive("height_m"), given.positive("thickness_m"));
+    let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
+    let mass_kg = given.positive("mass_kg");
+    let friction_ratio = friction(&mut given);
+    let surroundings = surroundings(&mut given);
+    let place = match (given.text("floor"), given.number("level_ratio")) {
+        (Some(_), Some(_)) => {
+            let message = "floor and level_ratio are two ways to name the floor";
+            given.push(Problem::value(message, "keep one of them"));
+            FloorPlace::Ground
+        }
+        (Some(name), None) => FloorPlace::Name(name),
+        (None, Some(ratio)) => FloorPlace::Share(ratio),
+        (None, None) => FloorPlace::Ground,
+    };
+    let storeys = given.whole("storeys", 1).map(|storeys| u16::try_from(storeys).unwrap_or(u16::MAX));
+    let storey_height_m = given.positive("storey_height_m");
+    let worlds = given.whole("worlds", 1).map(|worlds| u32::try_from(worlds).unwrap_or(u32::MAX));
+    let seed = given.whole("seed", 0);
+    given.finish()?;
+    let Some((height_m, thickness_m)) = height.zip(thickness) else {
+        return Err(raised(Problem::value("the size of the object is missing", "give height_m and thickness_m")));
+    };
+    let earthquake = match (study, peak_g) {
+        (Some(path), _) => Earthquake::Study { path, hazard },
+        (None, Some(of_g)) => Earthquake::GroundAcceleration(of_g * G0_M_S2),
+        (None, None) if motions.is_empty() => Earthquake::Place(hazard),
+        (None, None) => Earthquake::Motions {
+            motions: motions.iter().map(|record| record.read.clone()).collect(),
+            scales: scales.unwrap_or_default(),
+        },
+    };
+    let request = ObjectRequest {
+        object: Object {
+            height_m,
+            thickness_m,
+            width_m,
+            cg_height_m,
+            mass_kg,
+            rests_on,
+            tolerance,
+            friction_ratio,
+            surroundings,
+        },
+        earthquake,
+        floor: Floor { place, storeys, storey_height_m },
+        worlds,
+        seed,
+    };
+    let report = watched(py, threads, |stop| one_object(&request, &|| stop.load(Ordering::Relaxed)))?;
+    let report = report.map_err(raised_all)?;
+    told(SCHEMA, &report.facts, &report.warnings)
+}
+
+/// The force that a restraint has to carry: the document, and a sheet to print (HTML).
+#[pyfunction]
+pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(String, String)> {
+    let mut given = Given::new(values);
+    let hazard = given.words("hazard");
+    let acceleration_g = given.positive("floor_acceleration_g");
+    let has_study = values.contains("study")? || values.contains("study_text")?;
+    let named = [
+        ("place or code", !hazard.is_empty() && !has_study),
+        ("study", has_study),
+        ("floor_acceleration_g", acceleration_g.is_some()),
+    ];
+    check_one(&mut given, &named);
+    let floor = RestrainFloor {
+        name: given.text("floor"),
+        level_ratio: given.number("level_ratio"),
+        storeys: given.count("storeys"),
+        storey_height_m: given.positive("storey_height_m"),
+    };
+    let factors = RestrainFactors {
+        importance_ratio: given.positive("importance_ratio"),
+        amplification_ratio: given.positive("amplification_ratio"),
+        response_ratio: given.positive("response_ratio"),
+        resonance_ratio: given.positive("resonance_ratio"),
+        strength_ratio: given.positive("strength_ratio"),
+        building_ductility_ratio: given.positive("building_ductility_ratio"),
+    };
+    let (mass, height, thickness) =
+        (given.positive("mass_kg"), given.positive("height_m"), given.positive("thickness_m"));
+    let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
+    let anchors_per_edge = given.count("anchors_per_edge").unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get());
+    let is_compared = given.flag("compare");
+    given.finish()?;
+    let (Some(mass_kg), Some(height_m), Some(thickness_m)) = (mass, height, thickness) else {
+        let hint = "give mass_kg, height_m and thickness_m";
+        return Err(raised(Problem::value("the mass or the size of the object is missing", hint)));
+    };
+    let hazard = if has_study {
+        let overrides = Overrides { hazard, ..Overrides::default() };
+        RestrainHazard::Study(Box::new(study_of(values, &overrides)?))
+    } else {
+        acceleration_g.map_or(RestrainHazard::Code(hazard), RestrainHazard::FloorAcceleration)
+    };
+    let request = RestrainRequest {
+        mass_kg,
+        height_m,
+        thickness_m,
+        width_m,
+        cg_height_m,
+        hazard,
+        floor,
+        factors,
+        anchors_per_edge,
+        is_compared,
+    };
+    let report = watched(py, None, |_| restrained(request))?.map_err(raised_all)?;
+    let document = report.facts.clone().key("sheet", None::<String>);
+    Ok((told("freestand.restrain/1", &document, &report.warnings)?, report.sheet))
+}

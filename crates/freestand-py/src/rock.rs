@@ -1,0 +1,310 @@
+//! One object under one motion: rocking, on cushions, sliding.
+
+use freestand::G0_M_S2;
+use freestand::block::Block;
+use freestand::compliant::{CompliantBase, CompliantOptions, Start};
+use freestand::rocking::{Restitution, RockingModel, RockingOptions, Until};
+use freestand::sliding::Clearance;
+use freestand_input::problem::Problem;
+use freestand_output::facts::{Facts, Value};
+use freestand_study::compliant::{
+    self as on_cushions, CompliantRequest, Release, accuracy, rock_on_cushions, start, with_tangential_stiffness,
+};
+use freestand_study::restitution::checked;
+use freestand_study::rock::{ACCURACIES, HISTORY, MODELS, RockRequest, history_row, rock as calculated};
+use freestand_study::sliding::{self, Contact, SlideRequest, StopShock, Surface, SurfaceGiven, slide as slid};
+use freestand_study::walls::{GivenWalls, WallStiffness, needs_a_gap};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::arguments::{Given, bytes, dictionary};
+use crate::block::Body;
+use crate::errors::raised;
+use crate::motion::Record;
+
+/// Facts, warnings, impacts, impacts on walls, names and columns of the history.
+type Answer<'py> =
+    (Bound<'py, PyDict>, Vec<String>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Option<(String, Bound<'py, PyBytes>)>);
+
+/// Numbers of an impact, in this order, in the arrays of the Python layer.
+const IMPACT: [&str; 4] = ["time_s", "omega_before_rad_s", "omega_after_rad_s", "edge_acceleration_impact_velocity_g"];
+
+/// Numbers of an impact on a wall; before them stands 1 for the right wall and −1 for the left.
+const WALL_IMPACT: [&str; 5] = ["time_s", "omega_before_rad_s", "omega_after_rad_s", "speed_m_s", "acceleration_g"];
+
+/// A list of facts as rows of numbers.
+fn rows<const N: usize>(facts: &Facts<'_>, list: &str, names: [&str; N], side: bool) -> Vec<u8> {
+    let Some(Value::List(rows)) = facts.get(list) else { return Vec::new() };
+    let row = |value: &Value<'_>| {
+        let Value::Facts(row) = value else { return Vec::new() };
+        let side = side.then(|| if row.text("side") == Some("right") { 1.0 } else { -1.0 });
+        let numbers = names.map(|name| row.number(name).unwrap_or(f64::NAN));
+        bytes(side.into_iter().chain(numbers))
+    };
+    rows.iter().flat_map(row).collect()
+}
+
+/// The names of the columns of a history, and the columns, one after the other.
+fn columns(head: &str, rows: &[impl AsRef<[f64]>]) -> (String, Vec<u8>) {
+    let width = head.split(',').count();
+    let column = |column: usize| rows.iter().map(move |row| row.as_ref().get(column).copied().unwrap_or(f64::NAN));
+    (head.to_owned(), bytes((0..width).flat_map(column)))
+}
+
+fn answer<'py>(
+    py: Python<'py>,
+    facts: &Facts<'_>,
+    warnings: Vec<String>,
+    history: Option<(String, Vec<u8>)>,
+) -> PyResult<Answer<'py>> {
+    // Those of a rigid base are numbers alone, and many.
+    let is_rigid = facts.get("wall_impacts").is_some();
+    let impacts = if is_rigid { rows(facts, "impacts", IMPACT, false) } else { Vec::new() };
+    let impacts = PyBytes::new(py, &impacts);
+    let walls = PyBytes::new(py, &rows(facts, "wall_impacts", WALL_IMPACT, true));
+    let known = dictionary(py, facts, |name| is_rigid && matches!(name, "impacts" | "wall_impacts"))?;
+    Ok((known, warnings, impacts, walls, history.map(|(head, history)| (head, PyBytes::new(py, &history)))))
+}
+
+/// The restitution, checked with the object where there is one.
+pub(crate) fn restitution(given: &mut Given<'_, '_>, blocks: &[Block]) -> Restitution {
+    let (value, factor) = (given.number("restitution"), given.number("restitution_factor"));
+    if value.is_some() && factor.is_some() {
+        let message = "restitution and restitution_factor exclude each other";
+        given.push(Problem::value(message, "keep one of them"));
+    }
+    let factor = factor.map_or(Restitution::Housner, Restitution::Factor);
+    given.keep(checked(value.map_or(factor, Restitution::Value), blocks)).unwrap_or_default()
+}
+
+/// The walls beside an object, and what the shock on them needs.
+pub(crate) fn walls(
+    given: &mut Given<'_, '_>,
+    block: Option<&Block>,
+    mass_kg: Option<f64>,
+) -> (freestand::wall::Walls, WallStiffness) {
+    let of = GivenWalls {
+        left_gap_m: given.non_negative("left_m"),
+        right_gap_m: given.non_negative("right_m"),
+        height_m: given.positive("wall_height_m"),
+        restitution_ratio: given.number("wall_restitution"),
+    };
+    let stiffness_n_m = given.positive("wall_stiffness_n_m");
+    let has_gap = of.left_gap_m.or(of.right_gap_m).is_some();
+    if stiffness_n_m.is_some() && !has_gap && of.height_m.is_none() && of.restitution_ratio.is_none() {
+        given.push(needs_a_gap());
+    }
+    if stiffness_n_m.is_some() && mass_kg.is_none() {
+        let message = "the stiffness of the walls is used for the shock, which also needs the mass of the object";
+        given.push(Problem::value(message, "give mass_kg, or leave the stiffness of the walls out"));
+    }
+    let walls = block.and_then(|block| given.keep(of.walls(block))).unwrap_or_default();
+    (walls, WallStiffness { mass_kg, stiffness_n_m })
+}
+
+/// What is under an object that slides or stands on casters.
+pub(crate) fn surface(given: &mut Given<'_, '_>) -> Option<Surface> {
+    let contact = match (given.flag("casters"), given.flag("brakes")) {
+        (false, _) => Contact::Base,
+        (true, false) => Contact::Casters,
+        (true, true) => Contact::BrakedCasters,
+    };
+    let of = SurfaceGiven {
+        contact,
+        friction: given.positive("friction"),
+        friction_kinetic: given.non_negative("friction_kinetic"),
+        rolling_resistance: given.positive("rolling_resistance"),
+        clearance: Clearance {
+            left_m: given.non_negative("clearance_left_m"),
+            right_m: given.non_negative("clearance_right_m"),
+        },
+    };
+    given.keep(Surface::new(&of))
+}
+
+/// The time at which a history ends.
+fn until(duration_s: Option<f64>) -> Until {
+    duration_s.map_or(Until::EndOfMotion, Until::Time)
+}
+
+fn nothing_moves() -> Problem {
+    let hint = "give a motion, or initial_rotation_rad or initial_velocity_rad_s with duration_s";
+    Problem::value("nothing moves the object", hint)
+}
+
+/// The response of an object on a rigid base, or on its cushions.
+#[pyfunction]
+pub(crate) fn rock<'py>(
+    py: Python<'py>,
+    body: &Body,
+    motion: Option<&Record>,
+    vertical: Option<&Record>,
+    values: &Bound<'py, PyDict>,
+    history: bool,
+) -> PyResult<Answer<'py>> {
+    let mut given = Given::new(values);
+    let on_cushions = match given.text("base").as_deref() {
+        None | Some("rigid") => false,
+        Some("compliant") => true,
+        Some(other) => {
+            given.push(Problem::value(format!("base \"{other}\" is not known"), "give one of rigid, compliant"));
+            false
+        }
+    };
+    if on_cushions {
+        compliant(py, body, motion, vertical, given, history)
+    } else {
+        rigid(py, body, motion, vertical, given, history)
+    }
+}
+
+fn rigid<'py>(
+    py: Python<'py>,
+    body: &Body,
+    motion: Option<&Record>,
+    vertical: Option<&Record>,
+    mut given: Given<'_, 'py>,
+    history: bool,
+) -> PyResult<Answer<'py>> {
+    let block = body.block;
+    if body.edge.is_some() && body.mass_kg.is_none() {
+        let message = "the cushion is used for the shock, which also needs the mass of the object";
+        given.push(Problem::value(message, "give mass_kg, or leave the cushion out"));
+    }
+    let model = given.choice("model", MODELS).unwrap_or_default();
+    let (walls, wall) = walls(&mut given, Some(&block), body.mass_kg);
+    if !walls.is_none() && model == RockingModel::Linearised {
+        let message = "the linearised equation of motion has no walls";
+        given.push(Problem::value(message, "leave model out, or the walls"));
+    }
+    let duration_s = given.positive("duration_s");
+    let options = RockingOptions {
+        model,
+        restitution: restitution(&mut given, &[block]),
+        gravity_m_s2: given.positive("gravity_m_s2").unwrap_or(G0_M_S2),
+        accuracy: given.choice("accuracy", ACCURACIES).unwrap_or_default(),
+        initial_rotation_rad: given.number("initial_rotation_rad").unwrap_or(0.0),
+        initial_omega_rad_s: given.number("initial_velocity_rad_s").unwrap_or(0.0),
+        until: until(duration_s),
+        walls,
+    };
+    let friction = given.positive("friction");
+    if motion.or(vertical).is_none() {
+        if options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
+            given.push(nothing_moves());
+        } else if duration_s.is_none() {
+            let message = "free rocking needs a time at which to stop";
+            given.push(Problem::value(message, "give duration_s, for example duration_s=30"));
+        }
+    }
+    given.finish()?;
+    let request = RockRequest {
+        block,
+        horizontal: motion.map(|record| record.motion().clone()),
+        vertical: vertical.map(|record| record.motion().clone()),
+        options,
+        cushion: body.mass_kg.zip(body.edge.clone()),
+        wall,
+        friction,
+    };
+    let report = py.detach(|| calculated(&request, history)).map_err(raised)?;
+    let rows: Vec<[f64; 5]> = report.history.iter().map(|point| history_row(&block, point)).collect();
+    answer(py, &report.facts, report.warnings, history.then(|| columns(HISTORY, &rows)))
+}
+
+fn compliant<'py>(
+    py: Python<'py>,
+    body: &Body,
+    motion: Option<&Record>,
+    vertical: Option<&Record>,
+    mut given: Given<'_, 'py>,
+    history: bool,
+) -> PyResult<Answer<'py>> {
+    let of_rigid_base = ["restitution", "restitution_factor", "left_m", "right_m", "wall_height_m"];
+    for name in of_rigid_base {
+        if given.number(name).is_some() {
+            let hint = "leave it out: on cushions, the equations of motion determine the energy lost in a landing";
+            given.push(Problem::value(format!("{name} applies only to a rigid base"), hint));
+        }
+    }
+    let tangential = given.positive("tangential_stiffness_n_m");
+    let ratio = given.positive("tangential_ratio");
+    let friction_ratio = given.non_negative("friction");
+    let rise = given.positive("cg_rise_m").map(Release::CgRise);
+    let release = rise.or(given.number("initial_rotation_rad").map(Release::Rotation));
+    let omega = given.number("initial_velocity_rad_s").unwrap_or(0.0);
+    let gravity_m_s2 = given.positive("gravity_m_s2").unwrap_or(G0_M_S2);
+    let duration_s = given.positive("duration_s");
+    let at = given.point("at_m");
+    let contacts = given.count("contacts");
+    let accuracy = accuracy(given.choice("accuracy", ACCURACIES).unwrap_or_default());
+    let start = given.keep(start(&body.block, release, omega)).unwrap_or(Start::Rest);
+    let cushion = body.mass_kg.zip(body.edge.clone());
+    if cushion.is_none() {
+        let hint = "give the block mass_kg and the stiffness_n_m of the whole cushion under one edge";
+        given.push(Problem::value("a compliant base needs a mass and a stiffness", hint));
+    }
+    if motion.or(vertical).is_none() && start == Start::Rest {
+        given.push(nothing_moves());
+    }
+    given.finish()?;
+    let Some((mass_kg, edge)) = cushion else { return Err(raised(nothing_moves())) };
+    let mut base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, edge.cushion) };
+    base.contacts = contacts.unwrap_or(base.contacts);
+    base.tangential_stiffness_ratio = ratio.unwrap_or(base.tangential_stiffness_ratio);
+    if let Some(stiffness_n_m) = tangential {
+        base = with_tangential_stiffness(base, stiffness_n_m, gravity_m_s2);
+    }
+    let options = CompliantOptions { gravity_m_s2, accuracy, start, duration_s, points_m: at.into_iter().collect() };
+    let request = CompliantRequest {
+        block: body.block,
+        base,
+        pad_thickness_m: edge.pad_thickness_m,
+        notes: edge.notes,
+        horizontal: motion.map(|record| record.motion().clone()),
+        vertical: vertical.map(|record| record.motion().clone()),
+        options,
+    };
+    let report = crate::work::watched(py, None, |_| rock_on_cushions(&request, history))?.map_err(raised)?;
+    let rows: Vec<_> = report.history.iter().map(on_cushions::history_row).collect();
+    let head = on_cushions::history_head(&report.history);
+    answer(py, &report.facts, report.warnings, history.then(|| columns(&head, &rows)))
+}
+
+/// The travel of an object that slides or rolls; `None` if it is on braked casters that hold.
+#[pyfunction]
+pub(crate) fn slide<'py>(
+    py: Python<'py>,
+    body: &Body,
+    motion: Option<&Record>,
+    vertical: Option<&Record>,
+    values: &Bound<'py, PyDict>,
+    history: bool,
+) -> PyResult<Option<Answer<'py>>> {
+    let mut given = Given::new(values);
+    let surface = surface(&mut given);
+    let carried = surface.and_then(|surface| given.keep(surface.carries(&body.block)));
+    let stop = surface.and_then(|surface| {
+        let stiffness_n_m = given.positive("stop_stiffness_n_m");
+        given.keep(StopShock::new(stiffness_n_m, body.mass_kg, &surface.clearance))?
+    });
+    let gravity_m_s2 = given.positive("gravity_m_s2").unwrap_or(G0_M_S2);
+    let until = until(given.positive("duration_s"));
+    if motion.or(vertical).is_none() {
+        given.push(Problem::value("nothing moves the object", "give a motion"));
+    }
+    given.finish()?;
+    let (Some(surface), Some(true)) = (surface, carried) else { return Ok(None) };
+    let request = SlideRequest {
+        block: body.block,
+        surface,
+        stop,
+        horizontal: motion.map(|record| record.motion().clone()),
+        vertical: vertical.map(|record| record.motion().clone()),
+        gravity_m_s2,
+        until,
+    };
+    let report = py.detach(|| slid(&request, history)).map_err(raised)?;
+    let rows: Vec<_> = report.history.iter().map(sliding::history_row).collect();
+    answer(py, &report.facts, report.warnings, history.then(|| columns(sliding::HISTORY, &rows))).map(Some)
+}

@@ -1,0 +1,97 @@
+"""Threads, the interpreter's lock, Ctrl-C and fork."""
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import freestand as fs
+import numpy as np
+import pytest
+
+LONG = fs.Motion(4 * np.sin(np.arange(12_000) * 0.03), 0.005)
+SIZES = np.linspace(0.5, 3, 150), np.linspace(0.1, 1, 150)
+
+
+def test_the_lock_is_released():
+    """A thread of Python goes on while a spectrum is calculated."""
+    ticks, ended = [], threading.Event()
+
+    def tick():
+        while not ended.is_set():
+            ticks.append(time.perf_counter())
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    begun = time.perf_counter()
+    fs.spectrum(LONG, *SIZES, threads=1)
+    took = time.perf_counter() - begun
+    ended.set()
+    thread.join()
+    during = [one for one in ticks if begun < one < begun + took]
+    # Were the lock held, there would be none; a busy machine gives fewer than one a millisecond.
+    assert len(during) > 5, f"{len(during)} ticks in {took:.3f} s"
+
+
+def test_calls_from_many_threads_are_the_same(cabinet, floor_motion):
+    expected = cabinet.rock(floor_motion).to_dict()
+    with ThreadPoolExecutor(8) as pool:
+        for found in pool.map(lambda _: cabinet.rock(floor_motion).to_dict(), range(40)):
+            assert found == expected
+
+
+SCRIPT = """
+import sys, time
+import freestand as fs, numpy as np
+motion = fs.Motion(4 * np.sin(np.arange(20_000) * 0.03), 0.005)
+heights, thicknesses = np.linspace(0.5, 3, 1000), np.linspace(0.1, 1, 1000)
+motions = [fs.Motion(motion.accel_m_s2, 0.005, str(i)) for i in range(50)]
+print("ready", flush=True)
+try:
+    fs.spectrum(motions, heights, thicknesses)
+except KeyboardInterrupt as error:
+    assert isinstance(error, fs.Interrupted), type(error)
+    print("interrupted", flush=True)
+    sys.exit(3)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+def test_ctrl_c_stops_a_spectrum():
+    child = subprocess.Popen([sys.executable, "-W", "ignore", "-c", SCRIPT], stdout=subprocess.PIPE, text=True)
+    assert child.stdout.readline() == "ready\n"
+    time.sleep(0.5)
+    child.send_signal(signal.SIGINT)
+    begun = time.perf_counter()
+    output, _ = child.communicate(timeout=60)
+    assert (child.returncode, output) == (3, "interrupted\n")
+    # One chunk is 50 ms on an idle machine; the whole spectrum would take minutes.
+    assert time.perf_counter() - begun < 20
+
+
+def _in_child(queue, expected):
+    queue.put(list(fs.spectrum(LONG, [1.0, 2.0], [0.2, 0.3], threads=2).rows()) == expected)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="systems without fork")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_child_made_by_fork_has_threads_of_its_own():
+    expected = list(fs.spectrum(LONG, [1.0, 2.0], [0.2, 0.3], threads=2).rows())
+    context = multiprocessing.get_context("fork")
+    queue = context.Queue()
+    child = context.Process(target=_in_child, args=(queue, expected))
+    child.start()
+    assert queue.get(timeout=60) is True
+    child.join(10)
+    assert child.exitcode == 0
+
+
+def test_blocks_and_motions_go_to_other_processes(cabinet, floor_motion):
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        found = pool.apply(fs.rock, (cabinet, floor_motion))
+    assert found.to_dict() == cabinet.rock(floor_motion).to_dict()

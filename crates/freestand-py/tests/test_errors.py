@@ -1,0 +1,115 @@
+"""Each exception, and messages that name arguments."""
+
+import pickle
+import warnings
+
+import freestand as fs
+import pytest
+from conftest import FLOOR, ROOT
+
+
+def caught(kind, call):
+    with pytest.raises(kind) as raised:
+        call()
+    assert type(raised.value) is kind
+    assert isinstance(raised.value, fs.FreestandError)
+    assert "--" not in str(raised.value), "a flag in a message of Python"
+    assert raised.value.problems and all(isinstance(problem, fs.Problem) for problem in raised.value.problems)
+    again = pickle.loads(pickle.dumps(raised.value))
+    assert type(again) is kind and str(again) == str(raised.value) and again.problems == raised.value.problems
+    return raised.value
+
+
+@pytest.mark.parametrize(
+    ("call", "names"),
+    [
+        (lambda: fs.Block(-1, 0.5), "height_m"),
+        (lambda: fs.Block("1", 0.5), "height_m"),
+        (lambda: fs.Block(True, 0.5), "height_m"),
+        (lambda: fs.Block(1, float("nan")), "thickness_m"),
+        (lambda: fs.Block(1, 0.5, inertia_kg_m2=3), "mass_kg"),
+        (lambda: fs.Block(1, 0.5, base_width_m=0.6), "base"),
+        (lambda: fs.Block(1, 0.5, 100, stiffness_n_m=-4), "stiffness_n_m"),
+        (lambda: fs.Block(1, 0.5, 100, cushion=fs.Cushion(pad_stiffness_n_m=2e6)), "pads_per_edge"),
+        (lambda: fs.Block(1, 0.5, 100, cushion=fs.Cushion(stiffness_n_m=2e6, law="rubber")), "law"),
+        (lambda: fs.Block(1, 0.5).rock(), "initial_rotation_rad"),
+        (lambda: fs.Block(1, 0.5).rock(initial_rotation_rad=0.1), "duration_s"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), restitution=1.5), "restitution"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), restitution=0.5, restitution_factor=0.5), "restitution"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), accuracy="good"), "standard"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), base="soft"), "compliant"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), base="compliant"), "stiffness_n_m"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), walls=fs.Walls(height_m=1)), "left_m"),
+        (lambda: fs.Block(1, 0.5).rock([0, 1, 0]), "Motion"),
+        (lambda: fs.rock("a", fs.Motion([0, 1, 0], 0.1)), "Block"),
+        (lambda: fs.rock(fs.Block(1, 0.5), fs.Motion([0, 1, 0], 0.1), cg_rise_m=0.1), "cg_rise_m"),
+        (lambda: fs.rock(fs.Block(1, 0.5), fs.Motion([0, 1], 0.1), vertical=fs.Motion([0, 1, 0], 0.1)), "resample"),
+        (lambda: fs.Block(1, 0.5, 100).shock(cg_rise_m=0.01), "stiffness_n_m"),
+        (lambda: fs.Block(1, 0.5, stiffness_n_m=1e6).shock(cg_rise_m=0.01), "mass"),
+        (lambda: fs.Block(1, 0.5, 100, stiffness_n_m=1e6).shock(cg_rise_m=0.5), "scenario"),
+        (lambda: fs.Block(1, 0.5, 100, stiffness_n_m=1e6).shock(cg_rise_m=0.01, uplift_m=0.1), "uplift_m"),
+        (lambda: fs.code_spectrum(code="as9999"), "as1170.4"),
+        (lambda: fs.code_spectrum(code="asce7"), "sds_g"),
+        (lambda: fs.read_motion(FLOOR, unit="furlong"), "unit"),
+        (lambda: fs.read_motion(FLOOR, low_cut_hz=-1), "low_cut_hz"),
+        (lambda: fs.synth(0), "count"),
+        (lambda: fs.floor(fs.Motion([0, 1, 0], 0.1), levels=[2]), "levels"),
+        (lambda: fs.shock_spectrum([0, 1, 0]), "dt_s"),
+        (lambda: fs.check_inventory({"a": 1}), "pandas"),
+        (lambda: fs.assess({"building": {"storeys": object()}}), "storeys"),
+    ],
+)  # fmt: skip
+def test_bad_values_name_arguments(call, names):
+    error = caught(fs.BadValue, call)
+    assert isinstance(error, ValueError)
+    assert names in str(error)
+    assert error.hint or "must be" in str(error), "neither a remedy nor what is expected"
+
+
+def test_files_that_cannot_be_read(tmp_path):
+    error = caught(fs.ReadError, lambda: fs.read_motion("nothing.csv"))
+    assert error.path == "nothing.csv" and error.line is None and error.hint
+    broken = tmp_path / "broken.csv"
+    broken.write_text("time [s],acceleration [g]\n0,0\n0.1,0.2\n0.2,x\n")
+    error = caught(fs.ReadError, lambda: fs.read_motion(broken))
+    assert (error.path, error.line) == (str(broken), 4)
+    several = caught(fs.ReadError, lambda: fs.read_motions(["a.csv", "b.csv"]))
+    assert [problem.path for problem in several.problems] == ["a.csv", "b.csv"]
+    caught(fs.ReadError, lambda: fs.Block(1, 0.5, 100, cushion=tmp_path / "pad.toml"))
+    caught(fs.ReadError, lambda: fs.check_inventory(tmp_path / "list.csv"))
+    caught(fs.ReadError, lambda: fs.Motion([0, 1], 0.1).write(tmp_path / "no" / "m.csv"))
+
+
+def test_studies_tell_all_that_is_wrong(tmp_path):
+    text = "[building]\nstoreys = -1\nstory_height = \"3 m\"\n"
+    error = caught(fs.StudyError, lambda: fs.run(text))
+    assert len(error.problems) == 2 and error.problems[0].line == 2
+    path = tmp_path / "study.toml"
+    path.write_text(text)
+    error = caught(fs.StudyError, lambda: fs.assess(path, ROOT / "examples/hospital/inventory.csv"))
+    assert {problem.path for problem in error.problems} == {str(path)}
+    caught(fs.StudyError, lambda: fs.assess())
+
+
+def test_calculations_that_fail():
+    block = fs.Block(2, 0.4)
+    # Restitution 1 loses nothing: a history of many impacts has a limit.
+    wave = fs.Motion([0.0, 5.0, -5.0, 0.0] * 50, 0.01)
+    up = fs.Motion([-30.0] * 200, 0.01)
+    error = caught(fs.SolveError, lambda: block.rock(wave, vertical=up))
+    assert error.hint
+
+
+def test_warnings_point_to_the_caller(floor_motion):
+    squat = fs.Block(0.3, 0.6)
+    with warnings.catch_warnings(record=True) as seen:
+        warnings.simplefilter("always")
+        result = squat.rock(floor_motion)
+    assert [str(one.message) for one in seen] == result.warnings
+    assert seen[0].category is fs.FreestandWarning and seen[0].filename == __file__
+
+
+def test_exceptions_have_a_common_root():
+    for kind in (fs.BadValue, fs.ReadError, fs.StudyError, fs.SolveError, fs.Interrupted):
+        assert issubclass(kind, fs.FreestandError)
+    assert issubclass(fs.BadValue, ValueError) and issubclass(fs.Interrupted, KeyboardInterrupt)

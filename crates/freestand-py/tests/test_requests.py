@@ -1,0 +1,171 @@
+"""The other requests: the documents of their commands."""
+
+import freestand as fs
+import numpy as np
+import pytest
+from conftest import CABINET, FLOOR, ROOT, same, told
+
+DROPS = [ROOT / "validation/cushion" / f"drop-00{i}.csv" for i in (1, 2, 3)]
+
+
+@pytest.fixture(scope="module")
+def pad():
+    return fs.drop_test(DROPS)
+
+
+@pytest.mark.parametrize(
+    ("flags", "options"),
+    [
+        (["--cg-rise", "27 mm"], {"cg_rise_m": 0.027}),
+        (["--uplift", "30 mm", "--tolerance", "5 g", "--tolerance-duration", "11 ms"],
+         {"uplift_m": 0.03, "tolerance_g": 5, "tolerance_duration_s": 0.011}),
+        (["--rotation", "0.05 rad", "--model", "halted", "--at", "0.3 m, 1.2 m"],
+         {"rotation_rad": 0.05, "model": "halted", "at_m": (0.3, 1.2)}),
+        (["--scenario", "overturn-floor", "--contact-stiffness", "2000 N/mm"],
+         {"scenario": "overturn-floor", "contact_stiffness_n_m": 2e6}),
+    ],
+)  # fmt: skip
+def test_shock(cabinet, flags, options):
+    same(cabinet.shock(**options).to_dict(), told("shock", *CABINET, *flags))
+
+
+def test_table_one_of_the_paper():
+    cabinet = fs.Block(2.3, 0.6, 140, stiffness_n_m=4.38e6)
+    # Tests 3 and 4 of Table I by Eq. (5) with g = 9.81 m/s²: 5.88 g, as `freestand validate` has it.
+    assert cabinet.shock(cg_rise_m=0.027, gravity_m_s2=9.81).edge_acceleration_g == pytest.approx(5.882, abs=2e-3)
+
+
+def test_drop_test_gives_a_pad(pad, cabinet, tmp_path):
+    same(pad.to_dict(), told("cushion", "drop", *DROPS))
+    assert pad.ci95_n_m[0] < pad.stiffness_n_m < pad.ci95_n_m[1]
+    assert len(pad.loops) == 3 and set(pad.loops[0]) >= {"compression_m", "force_n"}
+    pad.save(tmp_path / "pad.toml")
+    flags = ["--height", "2.3 m", "--thickness", "600 mm", "--mass", "140 kg", "--pads-per-edge", "2", "--cg-rise", "16 mm"]
+    theirs = told("shock", *flags, "--cushion", tmp_path / "pad.toml")
+    bare = fs.Block(2.3, 0.6, 140)
+    for cushion in (pad, tmp_path / "pad.toml", str(tmp_path / "pad.toml")):
+        same(bare.shock(cushion=cushion, pads_per_edge=2, cg_rise_m=0.016).to_dict(), theirs)
+    held = fs.Block(2.3, 0.6, 140, cushion=fs.Cushion(pad=pad, pads_per_edge=2))
+    same(held.shock(cg_rise_m=0.016).to_dict(), theirs)
+    with pytest.raises(fs.BadValue, match="pads_per_edge"):
+        bare.shock(cushion=pad, cg_rise_m=0.016)
+
+
+def test_laws_of_cushions():
+    power = fs.Block(2.3, 0.6, 140, cushion=fs.Cushion(stiffness_n_m="3e8 N/m^1.5", law="power", exponent=1.5))
+    flags = ["--stiffness", "3e8 N/m^1.5", "--law", "power", "--exponent", "1.5", "--cg-rise", "16 mm"]
+    same(power.shock(cg_rise_m=0.016).to_dict(), told("shock", *CABINET[:6], *flags))
+    layers = fs.Cushion(pad_stiffness_n_m=2.19e6, pads_per_edge=2, series_stiffness_n_m=(9e6, 2e7))
+    flags = ["--pad-stiffness", "2190 N/mm", "--pads-per-edge", 2, "--series-stiffness", "9000 N/mm",
+             "--series-stiffness", "20000 N/mm", "--cg-rise", "16 mm"]  # fmt: skip
+    ours = fs.Block(2.3, 0.6, 140, cushion=layers).shock(cg_rise_m=0.016)
+    theirs = told("shock", *CABINET[:6], *flags)
+    assert ours.edge_acceleration_g == theirs["edge_acceleration_g"]
+    with pytest.raises(fs.BadValue, match="exclude"):
+        fs.Block(2.3, 0.6, 140, stiffness_n_m=1e6, cushion=layers)
+
+
+def test_static_test(tmp_path):
+    press = tmp_path / "press.csv"
+    force = [f"{d / 100:.2f},{2000 * d / 100:.1f}" for d in range(60)]
+    press.write_text("displacement [mm],force [N]\n" + "\n".join(force) + "\n")
+    ours = fs.static_test(press, load_n=400)
+    same(ours.to_dict(), told("cushion", "static", press, "--load", "400 N"))
+    assert ours.tests[0]["tangent_stiffness_n_m"] == pytest.approx(2e6, rel=1e-6)  # a straight line
+
+
+def test_shock_spectrum(floor_motion):
+    theirs = told("shock-spectrum", FLOOR, "--scale", 3.5, "--frequencies", "1 Hz, 5 Hz, 20 Hz", "--damping", "3 %")
+    ours = fs.shock_spectrum(floor_motion, frequencies_hz=[1, 5, 20], damping_ratio=0.03)
+    np.testing.assert_array_equal(ours.values, theirs["spectra"][0]["values"])
+    again = fs.shock_spectrum(floor_motion.accel_m_s2, floor_motion.dt_s, [1, 5, 20], damping_ratio=0.03)
+    np.testing.assert_array_equal(again.values, ours.values)
+    default = fs.shock_spectrum(floor_motion)
+    assert len(default.frequencies_hz) == len(told("shock-spectrum", FLOOR)["spectra"][0]["frequencies_hz"])
+
+
+@pytest.mark.parametrize(
+    ("flags", "options"),
+    [
+        ([], {}),
+        (["--site", "Ce", "--hazard-factor", 0.11, "--return-period", 2500],
+         {"site": "Ce", "hazard_factor": 0.11, "return_period_years": 2500}),
+        (["--place", "Wellington"], {"place": "Wellington"}),
+        (["--code", "asce7", "--sds", "1 g", "--sd1", "0.6 g", "--long-period", "8 s"],
+         {"code": "asce7", "sds_g": 1, "sd1_g": 0.6, "long_period_s": 8}),
+        (["--code", "eurocode8", "--spectrum-type", 2, "--site", "B", "--ground-acceleration", "0.1 g",
+          "--corner-periods", "0.15 s, 0.5 s, 2 s", "--soil-factor", 1.2],
+         {"code": "eurocode8", "spectrum_type": 2, "site": "B", "ground_acceleration_g": 0.1,
+          "corner_periods_s": [0.15, 0.5, 2], "soil_factor": 1.2}),
+    ],
+)  # fmt: skip
+def test_code_spectrum(flags, options):
+    theirs = told("motion", "code-spectrum", *flags, "--periods", "0 s, 0.2 s, 1 s")
+    same(fs.code_spectrum([0, 0.2, 1], **options).to_dict(), theirs)
+
+
+def test_synth_and_floor(tmp_path):
+    ours = fs.synth(2, seed=7, site="Ce", shaking_s=20)
+    flags = ["--count", 2, "--seed", 7, "--site", "Ce", "--shaking", "20 s"]
+    theirs = told("motion", "synth", *flags, "--out", tmp_path / "motions")
+    bare = [{**motion, "path": None} for motion in theirs["motions"]]
+    same(ours.to_dict(), {**theirs, "motions": bare})
+    again = fs.read_motion(tmp_path / "motions" / "synthetic-01.csv")
+    np.testing.assert_array_equal(again.accel_m_s2, ours.records[0].accel_m_s2)
+
+    building = {"storeys": 5, "storey_height_m": 3.0, "period_s": 0.6, "damping_ratio": 0.03}
+    flags = ["--storeys", 5, "--storey-height", "3 m", "--period", "0.6 s", "--damping", "3 %", "--levels", "0.4, 1"]
+    ours = fs.floor(again, levels=[0.4, 1], **building)
+    theirs = told("floor", "--motion", tmp_path / "motions" / "synthetic-01.csv", *flags)
+    same(ours.to_dict(), theirs)
+    assert ours.floors[0][1].pga_g == pytest.approx(theirs["levels"][1]["pfa_g"], rel=1e-12)
+    assert len(fs.floor(again, every_floor=True, **building).floors[0]) == 6
+
+
+def test_check_object(floor_motion):
+    flags = ["--height", "1.8 m", "--thickness", "500 mm", "--mass", "150 kg", "--on", "4380 N/mm", "--tolerance", "10 g"]
+    theirs = told("object", *flags, "--motion", FLOOR, "--scale", 3.5)
+    ours = fs.check_object(1.8, 0.5, mass_kg=150, stiffness_n_m=4.38e6, tolerance_g=10, motions=floor_motion)
+    same(ours.to_dict(), theirs)
+    theirs = told("object", "--height", "2 m", "--thickness", "300 mm", "--place", "Melbourne", "--seed", 3)
+    same(fs.check_object(2, 0.3, place="Melbourne", seed=3).to_dict(), theirs)
+    for wrong in ({}, {"pga_g": 0.3, "place": "Melbourne"}, {"pga_g": 0.3, "scales": [1]}, {"site": "De"}):
+        with pytest.raises(fs.BadValue) as raised:
+            fs.check_object(2, 0.3, **wrong)
+        assert "--" not in str(raised.value)
+
+
+def test_restrain(tmp_path):
+    flags = ["--mass", "360 kg", "--height", "1.8 m", "--thickness", "0.6 m", "--width", "0.9 m"]
+    theirs = told("restrain", *flags, "--place", "Wellington", "--level-ratio", 1, "--compare")
+    ours = fs.restrain(360, 1.8, 0.6, width_m=0.9, place="Wellington", level_ratio=1, compare=True)
+    same(ours.to_dict(), theirs)
+    ours.save(tmp_path / "sheet.html")
+    assert "<svg" in (tmp_path / "sheet.html").read_text()
+    theirs = told("restrain", *flags, "--code", "asce7", "--edition", 2022, "--sds", "1 g", "--level-ratio", 0.5)
+    same(fs.restrain(360, 1.8, 0.6, width_m=0.9, code="asce7", edition=2022, sds_g=1, level_ratio=0.5).to_dict(), theirs)
+
+
+def test_validate():
+    ours = fs.validate()
+    same(ours.to_dict(), told("validate"))
+    assert ours.ok and len(ours.checks) >= 15 and len(ours.table_one) == 5
+
+
+@pytest.mark.parametrize(
+    ("result", "make"),
+    [
+        ("ShockSpectrumResult", lambda m: fs.shock_spectrum(m)),
+        ("MotionSpectrumResult", lambda m: m.spectrum()),
+        ("FloorResult", lambda m: fs.floor(m)),
+        ("ObjectResult", lambda m: fs.check_object(2, 0.3, motions=m)),
+        ("RestrainResult", lambda m: fs.restrain(360, 1.8, 0.6, place="Wellington", level_ratio=1)),
+        ("ShockResult", lambda m: fs.Block(2.3, 0.6, 140, stiffness_n_m=4.38e6).shock(cg_rise_m=0.016)),
+        ("DropTestResult", lambda m: fs.drop_test(DROPS)),
+    ],
+)
+def test_documented_attributes_are_those_of_the_document(result, make, floor_motion):
+    found = make(floor_motion)
+    documented = {name for name in getattr(fs, result).__annotations__ if not name.startswith("_")}
+    assert documented | {"schema", "warnings"} == set(found.to_dict())
+    assert result in found._repr_html_()

@@ -1,0 +1,129 @@
+//! The Python package: its wheel, with the program inside, and its tests.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// The environment with all that builds and tests the package, in the workspace.
+const ENVIRONMENT: &str = "target/venv";
+/// The crate.
+const CRATE: &str = "crates/freestand-py";
+
+/// What builds a wheel.
+const BUILD: [&str; 1] = ["maturin>=1.16,<2"];
+/// What its tests use.
+const TEST: [&str; 7] =
+    ["numpy>=1.26", "pytest>=8", "mypy>=1.15,<3", "pandas>=2.1", "pyarrow>=15", "xarray>=2024.1", "matplotlib>=3.8"];
+
+/// How the program and the extension are compiled.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Profile {
+    /// As for tests: what computes is optimised.
+    Dev,
+    /// As it is published.
+    Release,
+}
+
+/// Why there is no package: it cannot be built here, or it is wrong.
+pub enum Trouble {
+    NotHere(String),
+    Wrong(String),
+}
+
+/// Builds a wheel into a folder, and returns its path.
+pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Trouble> {
+    install(root, &BUILD)?;
+    let (folder, flags): (_, &[&str]) = match profile {
+        Profile::Dev => ("debug", &[]),
+        Profile::Release => ("release", &["--release"]),
+    };
+    run(root, "cargo", &[&["build", "--locked", "--package", "freestand-cli"], flags].concat())?;
+    let name = if cfg!(windows) { "freestand.exe" } else { "freestand" };
+    let scripts = root.join(CRATE).join("freestand.data/scripts");
+    let program = scripts.join(name);
+    let copied =
+        std::fs::create_dir_all(&scripts).and_then(|()| std::fs::copy(target(root).join(folder).join(name), &program));
+    copied.map_err(|error| Trouble::Wrong(format!("cannot copy the program to {}: {error}", scripts.display())))?;
+    // Without it the wheel is larger, and as good.
+    _ = Command::new("strip").arg(&program).stderr(Stdio::null()).status();
+    let empty =
+        |path: PathBuf| path.extension().is_some_and(|ending| ending == "whl").then(|| std::fs::remove_file(path));
+    std::fs::read_dir(out).into_iter().flatten().flatten().for_each(|file| _ = empty(file.path()));
+    let profile = if profile == Profile::Dev { "dev" } else { "release" };
+    let (manifest, out_text) = (format!("{CRATE}/Cargo.toml"), out.to_string_lossy());
+    let arguments = ["build", "--locked", "--profile", profile, "--manifest-path", &manifest, "--out", &out_text];
+    run(root, tool(root, "maturin"), &arguments)?;
+    let wheels = std::fs::read_dir(out).map_err(|error| Trouble::Wrong(format!("{}: {error}", out.display())))?;
+    let found = wheels.flatten().map(|file| file.path()).find(|path| path.extension().is_some_and(|end| end == "whl"));
+    found.ok_or_else(|| Trouble::Wrong(format!("maturin wrote no wheel into {}", out.display())))
+}
+
+/// Builds the wheel, installs it, and runs its tests and the checks of its types.
+pub fn test(root: &Path) -> Result<(), Trouble> {
+    install(root, &[&BUILD[..], &TEST[..]].concat())?;
+    let wheel = wheel(root, &root.join("target/wheels-dev"), Profile::Dev)?;
+    let wheel = wheel.to_string_lossy();
+    let python = python(root);
+    let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "--force-reinstall"];
+    run(root, &python, &[&pip[..], &[&*wheel]].concat())?;
+    let package = root.join(CRATE);
+    let mut wrong = Vec::new();
+    let checks: [&[&str]; 3] = [
+        &["-m", "pytest", "--quiet"],
+        &["-m", "mypy", "python/freestand", "tests/typed.py"],
+        &["-m", "mypy.stubtest", "freestand._freestand", "--concise"],
+    ];
+    for arguments in checks {
+        match run(&package, &python, arguments) {
+            Ok(()) => {}
+            Err(Trouble::Wrong(problem) | Trouble::NotHere(problem)) => wrong.push(problem),
+        }
+    }
+    if wrong.is_empty() { Ok(()) } else { Err(Trouble::Wrong(wrong.join("\n"))) }
+}
+
+fn target(root: &Path) -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
+}
+
+fn tool(root: &Path, name: &str) -> PathBuf {
+    let (folder, ending) = if cfg!(windows) { ("Scripts", ".exe") } else { ("bin", "") };
+    root.join(ENVIRONMENT).join(folder).join(format!("{name}{ending}"))
+}
+
+fn python(root: &Path) -> PathBuf {
+    tool(root, "python")
+}
+
+/// Makes the environment and fetches packages, where they are missing.
+fn install(root: &Path, packages: &[&str]) -> Result<(), Trouble> {
+    let not_here = |problem: Trouble| match problem {
+        Trouble::Wrong(why) | Trouble::NotHere(why) => {
+            Trouble::NotHere(format!("Python 3.10 or later with pip: {why}"))
+        }
+    };
+    if !python(root).exists() {
+        let program = if cfg!(windows) { "python" } else { "python3" };
+        run(root, program, &["-c", "import sys; sys.exit(sys.version_info < (3, 10))"]).map_err(not_here)?;
+        run(root, program, &["-m", "venv", ENVIRONMENT]).map_err(not_here)?;
+    }
+    // Asking pip takes seconds, so that the answer is kept.
+    let mark = root.join(ENVIRONMENT).join(format!("installed-{}", packages.len()));
+    let wanted = packages.join("\n");
+    if std::fs::read_to_string(&mark).is_ok_and(|found| found == wanted) {
+        return Ok(());
+    }
+    let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
+    run(root, python(root), &[&pip[..], packages].concat()).map_err(not_here)?;
+    std::fs::write(&mark, wanted).map_err(|error| Trouble::Wrong(format!("{}: {error}", mark.display())))
+}
+
+/// Runs a command in a folder.
+fn run(folder: &Path, program: impl AsRef<OsStr>, arguments: &[&str]) -> Result<(), Trouble> {
+    let name = format!("{} {}", program.as_ref().to_string_lossy(), arguments.join(" "));
+    match Command::new(program).args(arguments).current_dir(folder).env_remove("VIRTUAL_ENV").status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(Trouble::Wrong(format!("{status}: {name}"))),
+        Err(error) => Err(Trouble::NotHere(format!("cannot run {name}: {error}"))),
+    }
+}
