@@ -480,7 +480,7 @@ fn commands(of: &[String]) -> Vec<Vec<String>> {
 #[test]
 fn help_of_every_command_has_examples() {
     let commands = commands(&[]);
-    assert_eq!(commands.len(), 47);
+    assert_eq!(commands.len(), 50);
     for command in commands {
         let words: Vec<&str> = command.iter().map(String::as_str).chain(["--help"]).collect();
         let shown = freestand(&words);

@@ -121,7 +121,18 @@ pub fn rock_compliant_observed(
     base: &CompliantBase,
     motion: Base<'_>,
     options: &CompliantOptions,
-    observe: impl FnMut(&Piece<'_, '_>),
+    mut observe: impl FnMut(&Piece<'_, '_>),
+) -> Result<CompliantRocking, CompliantError> {
+    follow(block, base, motion, options, &mut observe)
+}
+
+/// Compiled once, with the science, not in each crate that observes a history.
+fn follow(
+    block: &Block,
+    base: &CompliantBase,
+    motion: Base<'_>,
+    options: &CompliantOptions,
+    observe: &mut dyn FnMut(&Piece<'_, '_>),
 ) -> Result<CompliantRocking, CompliantError> {
     check(base, motion, options)?;
     let given = motion.horizontal.or(motion.vertical);
