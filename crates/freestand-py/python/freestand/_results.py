@@ -393,7 +393,18 @@ class ObjectResult(Result):
     accepted_for: str
     confidence: float
     floor_acceleration_g: dict[str, Any]
+    model: str | None
     lift_acceleration_g: float
+    motions_leaning: int | None
+    p_lean: float | None
+    wall_strike_share: float | None
+    wall_speed_m_s_median: float | None
+    wall_acceleration_g_median: float | None
+    slide_m_median: float | None
+    slide_m_p84: float | None
+    stop_share: float | None
+    trip_speed_m_s: float | None
+    trip_margin: float | None
     uplift_m_max: float | None
     uplift_m_median: float | str
     rotation_ratio_median: float | str
