@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use freestand::fragility::{OutcomeClass, Outcomes, Run, ShockRun};
+use freestand::rocking::Outcome;
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
@@ -101,6 +102,8 @@ impl OutcomeTable {
                 self.unresolved[object] += 1;
                 continue;
             }
+            // What leans on a wall has fallen.
+            let text = if text == Outcome::Leaned.name() { OutcomeClass::Overturned.name() } else { text };
             let Some(class) = OutcomeClass::ALL.into_iter().find(|class| class.name() == text) else {
                 let names = OutcomeClass::ALL.map(OutcomeClass::name);
                 let near = nearest(text, &names).map(|near| format!("; is it {near}?")).unwrap_or_default();

@@ -14,7 +14,7 @@ use super::row::Row;
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands};
 use super::shaking::{Shaken, building_words};
 use super::{Earthquake, FloorPlace, ObjectReport, ObjectRequest};
-use crate::inventory::Casters;
+use crate::inventory::{Casters, Surroundings};
 use crate::result::{Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict};
 use crate::verdict::Tally;
 
@@ -26,7 +26,7 @@ pub(super) fn report(
     (found, tally): (Assessment, Tally),
     scales: Vec<(f64, (Assessment, Tally))>,
 ) -> ObjectReport {
-    let counts = counts(&found, &tally);
+    let counts = counts(&found, &tally, &request.object.surroundings);
     let withstands =
         request.object.tolerance.map(|one| Withstands { peak_g: one.peak_m_s2 / G0_M_S2, duration_s: one.duration_s });
     let answer = Answer {
@@ -70,7 +70,7 @@ pub(super) fn report(
     ObjectReport { answer: sentence, kind: answer.kind, facts, scales, warnings }
 }
 
-fn counts(found: &Assessment, tally: &Tally) -> Counts {
+fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
     Counts {
         motions: tally.worlds,
         lifted: tally.lifted,
@@ -83,6 +83,8 @@ fn counts(found: &Assessment, tally: &Tally) -> Counts {
         lift_g: tally.lift_g,
         leaning: leaning(found, tally),
         rolled: found.rolled,
+        slides: found.model == Some(ObjectModel::Slide),
+        has_wall: names_wall(around),
     }
 }
 
@@ -207,7 +209,10 @@ fn around(found: &Assessment, tally: &Tally) -> Facts<'static> {
         .line("  shock there, median", shock_g.and_then(|shock_g| shock_words(Ranked::Value(shock_g))))
         .key("slide_m_median", rolled.map(|rolled| rolled.travel_m_median))
         .key("slide_m_p84", rolled.map(|rolled| rolled.travel_m_p84))
-        .line("rolls, median", rolled.map(|rolled| millimetres(rolled.travel_m_median)))
+        .line(
+            if found.model == Some(ObjectModel::Slide) { "slides, median" } else { "rolls, median" },
+            rolled.map(|rolled| millimetres(rolled.travel_m_median)),
+        )
         .line("  in 84 % up to", rolled.map(|rolled| millimetres(rolled.travel_m_p84)))
         .key("stop_share", rolled.map(|rolled| rolled.stop_share))
         .fact("trip_speed_m_s", "speed at which a stop trips it", rolled.map(|rolled| rolled.trip_speed_m_s))
@@ -252,6 +257,11 @@ fn floor_acceleration(found: &Assessment) -> Facts<'static> {
     )
 }
 
+/// Whether a wall or a neighbour was named.
+fn names_wall(around: &Surroundings) -> bool {
+    around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some()
+}
+
 /// What nobody stated, in sentences.
 fn assumptions(
     request: &ObjectRequest,
@@ -263,7 +273,7 @@ fn assumptions(
     let object = &request.object;
     let around = &object.surroundings;
     let is_free = around.casters == Some(Casters::Free);
-    let names_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
+    let names_wall = names_wall(around);
     let is_at_wall = found.at_wall.is_some();
     let mut said = Vec::new();
     said.push(match (object.cg_height_m, object.width_m) {
@@ -286,13 +296,23 @@ fn assumptions(
         }
     } else if is_at_wall && row.item.cushion.is_some() && found.on_pads.is_none() {
         said.push("on a rigid floor: beside a wall its pads are not followed".to_owned());
+    } else if found.rolled.is_some() {
+        said.push("a level floor that carries it".to_owned());
+    } else if matches!(found.model, Some(ObjectModel::Spatial | ObjectModel::Stack)) {
+        said.push("on its pads alone".to_owned());
     } else if object.rests_on.is_none() || object.mass_kg.is_none() {
         said.push("a rigid floor: without mass and pads no shock is calculated".to_owned());
     } else {
         said.push("on a rigid floor and on its pads: the worse of the two counts".to_owned());
     }
-    if names_wall && !is_at_wall && !is_free {
-        said.push("no wall: what is named is farther away than the object reaches".to_owned());
+    match found.model {
+        _ if !names_wall || is_at_wall => {}
+        Some(ObjectModel::Roll | ObjectModel::Slide) => {
+            said.push("no wall: what it would do at what stands beside it is not calculated".to_owned());
+        }
+        Some(ObjectModel::Stack) => said.push("no wall: stacks are followed without".to_owned()),
+        Some(ObjectModel::Spatial) => {}
+        _ => said.push("no wall: what is named is farther away than the object reaches".to_owned()),
     }
     if is_at_wall && is_given {
         let restitution = match around.wall_restitution {

@@ -11,6 +11,8 @@ pub enum AnswerKind {
     DoesNotRock,
     /// It is on free casters: it rolls, and no stop overturns it.
     Rolls,
+    /// It has little friction: it slides, and no stop overturns it.
+    Slides,
     /// Something lifts an edge, nothing overturns it.
     Rocks,
     /// It is overturned, at most as often as is accepted.
@@ -23,13 +25,14 @@ pub enum AnswerKind {
 
 impl AnswerKind {
     /// Every kind, from the best to the worst.
-    pub const ALL: [Self; 6] =
-        [Self::DoesNotRock, Self::Rolls, Self::Rocks, Self::ProbablyStands, Self::MayFall, Self::Falls];
+    pub const ALL: [Self; 7] =
+        [Self::DoesNotRock, Self::Rolls, Self::Slides, Self::Rocks, Self::ProbablyStands, Self::MayFall, Self::Falls];
 
     /// The kind that belongs to these counts.
     pub(super) fn of(counts: &Counts, accepted_ratio: f64) -> Self {
         let share = f64::from(counts.overturned) / f64::from(counts.asked.max(1));
         match (counts.overturned, counts.lifted) {
+            (0, _) if counts.rolled.is_some() && counts.slides => Self::Slides,
             (0, _) if counts.rolled.is_some() => Self::Rolls,
             (0, 0) => Self::DoesNotRock,
             (0, _) => Self::Rocks,
@@ -44,6 +47,7 @@ impl AnswerKind {
         match self {
             Self::DoesNotRock => "does-not-rock",
             Self::Rolls => "rolls",
+            Self::Slides => "slides",
             Self::Rocks => "rocks",
             Self::ProbablyStands => "probably-stands",
             Self::MayFall => "may-fall",
@@ -55,6 +59,7 @@ impl AnswerKind {
         match self {
             Self::DoesNotRock => "does not rock",
             Self::Rolls => "rolls and stays standing",
+            Self::Slides => "slides and stays standing",
             Self::Rocks => "stays standing",
             Self::ProbablyStands => "will probably stay standing",
             Self::MayFall => "may fall over",
@@ -143,8 +148,12 @@ pub(super) struct Counts {
     pub(super) lift_g: f64,
     /// Those that leave it leaning on a wall, past its balance point: they count as overturning it.
     pub(super) leaning: u32,
-    /// How it rolls; `None`: it does not.
+    /// How it rolls or slides; `None`: it does neither.
     pub(super) rolled: Option<Rolled>,
+    /// Whether it slides on its base.
+    pub(super) slides: bool,
+    /// Whether a wall or a neighbour was named.
+    pub(super) has_wall: bool,
 }
 
 /// What an object withstands.
@@ -236,7 +245,7 @@ impl Answer {
                     _ => format!("{} an edge{by}{none}", self.count(lifted, motions, ("lifts", "lift"))),
                 }
             }
-            AnswerKind::Rolls => String::new(),
+            AnswerKind::Rolls | AnswerKind::Slides => String::new(),
             AnswerKind::Falls if motions == 1 && self.earthquake == Told::Motions => String::new(),
             AnswerKind::ProbablyStands | AnswerKind::MayFall | AnswerKind::Falls => {
                 let counted = self.count(overturned, asked, ("overturns", "overturn"));
@@ -287,17 +296,25 @@ impl Answer {
             (_, count) => format!(" in {count} of {motions}"),
         };
         // After what overturns it, or after its kind.
-        let begin = if self.kind == AnswerKind::Rolls { ": " } else { "; it rolls " };
+        let is_kind = matches!(self.kind, AnswerKind::Rolls | AnswerKind::Slides);
+        let begin = match (is_kind, self.counts.slides) {
+            (true, _) => ": ",
+            (false, true) => "; it slides ",
+            (false, false) => "; it rolls ",
+        };
         let share = if motions == 1 { "" } else { " in 84 % of them" };
         let first = match &self.earthquake {
             Told::Motions => share.to_owned(),
-            earthquake if self.kind == AnswerKind::Rolls && motions > 1 => {
+            earthquake if is_kind && motions > 1 => {
                 format!(" in 84 % of {motions} {}", earthquake.noun())
             }
             _ => share.to_owned(),
         };
         let mut told = format!("{begin}by up to {}{first}", millimetres(rolled.travel_m_p84));
         match (rolled.clearance_m, (rolled.stop_share * f64::from(motions)).round() as u32) {
+            (None, _) if self.counts.has_wall => {
+                told.push_str("; it may run into what stands beside it, which is not calculated");
+            }
             (None, _) => told.push_str(", and nothing that was named stops it"),
             (Some(clearance_m), 0) => {
                 told.push_str(&format!(", less than its clearance of {}", millimetres(clearance_m)));
@@ -573,6 +590,10 @@ mod tests {
         let of_kind = [
             (counts(40, 0, 0), "does not rock: none"),
             (Counts { rolled: Some(ROLLED), ..counts(40, 0, 0) }, "rolls and stays standing: by up to 310 mm"),
+            (
+                Counts { rolled: Some(ROLLED), slides: true, ..counts(40, 0, 0) },
+                "slides and stays standing: by up to 310 mm",
+            ),
             (counts(40, 1, 0), "stays standing: 1"),
             (counts(40, 9, 2), "will probably stay standing: 2"),
             (counts(40, 30, 12), "may fall over: 12"),

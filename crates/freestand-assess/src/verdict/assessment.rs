@@ -140,8 +140,10 @@ pub(super) fn assessment(
     note_failures(trial, &mut assessed.notes);
     assessed.rolled = rolled(trial);
     if let Some(rolled) = &assessed.rolled {
+        let around = &member.item.surroundings;
+        let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
         let verb = if matches!(trial.subject.way, Way::Slides(_)) { "slides" } else { "rolls" };
-        assessed.why = format!("{} {}", roll_words(verb, rolled), assessed.why);
+        assessed.why = format!("{} {}", roll_words(verb, rolled, has_wall), assessed.why);
     }
     assessed.slipped = slipped(trial);
     if let Some(slipped) = &assessed.slipped {
@@ -343,9 +345,12 @@ fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems
 }
 
 /// How far it rolls or slides, and what a stop does.
-fn roll_words(verb: &str, rolled: &Rolled) -> String {
+fn roll_words(verb: &str, rolled: &Rolled, has_wall: bool) -> String {
     let travel = format!("It {verb}: up to {} mm in 84 % of worlds", number((1e3 * rolled.travel_m_p84).ceil(), 6));
     let Some(clearance_m) = rolled.clearance_m else {
+        if has_wall {
+            return format!("{travel}; it may run into what stands beside it, which is not calculated.");
+        }
         return format!("{travel}; nothing in the list stops it, and nothing overturns it without a stop.");
     };
     let trip = number(rolled.trip_speed_m_s, 3);

@@ -232,7 +232,9 @@ fn notes(item: &Item) -> Vec<String> {
     notes.extend(item.doubts.iter().map(|doubt| format!("Check the input: {} ({}).", doubt.words(), doubt.name())));
     if item.surroundings.upper.is_some() {
         let note = match item.surroundings.casters {
-            Some(Casters::Free) => "What stands on it is not followed: the object rolls.",
+            Some(Casters::Free) => {
+                "Another object stands on it: both are followed on pads, as if its casters were held, which is the harder case."
+            }
             _ => "Another object stands on it: both are followed on pads, which takes mass, stiffness and upper_mass.",
         };
         notes.push(note.to_owned());

@@ -339,8 +339,9 @@ impl Subject {
         // A wall ends a rotation, and what rolls or slides does not rotate.
         let rolls = Gliding::on_casters(&item.surroundings, &axes).map(Way::Rolls);
         let (way, flat) = match (rolls, item.surroundings.upper) {
-            (Some(rolls), _) => (rolls, None),
-            (None, Some(_)) => (Way::Stack(upper(item)?), Some(Flat::Stack)),
+            // What stands on it decides, also where the casters would let it roll.
+            (_, Some(_)) => (Way::Stack(upper(item)?), Some(Flat::Stack)),
+            (Some(rolls), None) => (rolls, None),
             (None, None) => match (Gliding::on_its_base(item, &axes), flat(item, &axes, beside)) {
                 (Some(slides), _) => (Way::Slides(slides), None),
                 (None, None) if settings.dimensions == Dimensions::Three => {

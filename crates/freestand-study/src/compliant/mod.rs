@@ -334,6 +334,7 @@ pub fn problem(error: CompliantError) -> Problem {
             (ProblemKind::Value, "check the unit of the stiffness: N/m in place of N/mm is a thousand times too soft")
         }
         CompliantError::Duration { .. } => (ProblemKind::Value, "give `motion`, `cg_rise` or `initial_rotation`"),
+        CompliantError::BeyondWall => (ProblemKind::Value, "give a smaller `initial_rotation`, or a wider gap"),
         CompliantError::VerticalMismatch => {
             (ProblemKind::Value, "resample one of them so that both have the same step and length")
         }

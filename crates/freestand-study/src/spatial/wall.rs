@@ -74,18 +74,20 @@ pub(super) fn facts(object: &SpatialObject, rocking: &SpatialRocking) -> Facts<'
     let of = |side: EdgeSide| object.walls.iter().find(|wall| wall.side == side);
     let angle = |side| of(side).and_then(|wall| contact(object, wall)).map(|contact| contact.angle_rad);
     let [thickness_m, _, height_m] = object.shape.sizes_m();
-    // The effective mass where the object strikes; with two walls both have the same height.
-    let mass_kg = object.walls.iter().find_map(|wall| contact(object, wall)).and_then(|contact| {
+    // The effective mass where the object strikes each wall.
+    let shock_g = |(side, force_n): (EdgeSide, f64)| {
         let block = Block::uniform(height_m, thickness_m).ok()?;
-        Some(object.mass_kg * contact.effective_mass_ratio(&block))
-    });
+        let effective_kg = object.mass_kg * contact(object, of(side)?)?.effective_mass_ratio(&block);
+        Some(force_n / (effective_kg * G0_M_S2))
+    };
     let has_struck = rocking.wall_contact_count > 0;
-    let shock_g = mass_kg.map(|mass_kg| rocking.wall_force_max_n / (mass_kg * G0_M_S2));
+    let forces_n = rocking.wall_forces_max_n;
+    let shock_g = EdgeSide::BOTH.into_iter().zip(forces_n).filter_map(shock_g).reduce(f64::max);
     Facts::default()
         .fact("wall_angle_left_rad", "touches the left wall at", angle(EdgeSide::Left))
         .fact("wall_angle_right_rad", "touches the right wall at", angle(EdgeSide::Right))
         .fact("wall_impact_count", "contacts with walls", rocking.wall_contact_count)
         .fact("wall_speed_max_m_s", "  largest speed", has_struck.then_some(rocking.wall_speed_max_m_s))
         .fact("wall_acceleration_g", "  shock at the point of contact", shock_g.filter(|_| has_struck))
-        .key("wall_force_max_n", has_struck.then_some(rocking.wall_force_max_n))
+        .key("wall_force_max_n", has_struck.then_some(forces_n[0].max(forces_n[1])))
 }

@@ -207,6 +207,9 @@ pub enum EdgeSide {
 }
 
 impl EdgeSide {
+    /// Both edges.
+    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
     /// `left`, `right`.
     pub fn name(self) -> &'static str {
         match self {
@@ -379,6 +382,9 @@ pub enum CompliantError {
         /// The duration that was given \[s\].
         duration_s: f64,
     },
+    /// A start at which the object reaches into a wall.
+    #[error("the object starts beyond its wall")]
+    BeyondWall,
     /// Horizontal and vertical motions with different time steps or lengths.
     #[error("the horizontal and the vertical motion differ in time step or length")]
     VerticalMismatch,

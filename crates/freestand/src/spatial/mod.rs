@@ -304,8 +304,8 @@ pub struct SpatialRocking {
     pub landings: BaseLandings,
     /// Largest speed of such a point towards the wall when it touches; 0 without a contact \[m/s\].
     pub wall_speed_max_m_s: f64,
-    /// Largest force of the walls; 0 without a contact \[N\].
-    pub wall_force_max_n: f64,
+    /// Largest force of the wall on the left and of the one on the right; 0 without a contact \[N\].
+    pub wall_forces_max_n: [f64; 2],
     /// The energy balance.
     pub energy: EnergyAudit,
     /// Work done.
@@ -441,6 +441,12 @@ pub fn rock_spatial_observed(
             (world.released(vector::tilted(tilt_rad, toward_rad), omega_rad_s), false)
         }
     };
+    let poses = world.poses(&start);
+    let walls = world.elements.iter().filter(|element| element.role == Role::Wall);
+    // Rounding presses an object that touches by some 1e-16 m.
+    if !is_at_rest && walls.into_iter().any(|wall| world.foot(wall, &poses).compression > 1e-12) {
+        return Err(CompliantError::BeyondWall);
+    }
     let ended = follow(&world, [motion.x, motion.y, motion.vertical], options, (&start, is_at_rest), &mut observe)?;
     let Ended { end_time_s, bodies, track, energy, effort, .. } = ended;
     let Some(&body) = bodies.first() else { return Err(CompliantError::NotFinite { time_s: end_time_s }) };
@@ -461,7 +467,7 @@ pub fn rock_spatial_observed(
         wall_contact_count: track.wall_contacts,
         landings: track.landings.close(end_time_s),
         wall_speed_max_m_s: track.wall_speed,
-        wall_force_max_n: track.wall_force,
+        wall_forces_max_n: track.wall_forces,
         energy,
         effort,
     })

@@ -374,7 +374,7 @@ fn the_force_of_a_wall_is_that_of_the_free_body() {
     let gyration_m2 = (0.2f64.powi(2) + 4.0) / 12.0;
     let free_kg = 20.0 / (1.0 + 1.0 / gyration_m2);
     let force_n = found.wall_speed_max_m_s * (1e6 * free_kg).sqrt();
-    assert!((found.wall_force_max_n / force_n - 1.0).abs() < 0.02, "{found:?} {force_n}");
+    assert!((found.wall_forces_max_n[1] / force_n - 1.0).abs() < 0.02, "{found:?} {force_n}");
 }
 
 #[test]
@@ -607,6 +607,7 @@ proptest! {
         let got = match rock_spatial(&object, motion, &SpatialOptions { start, ..SpatialOptions::default() }) {
             Ok(got) => got,
             Err(CompliantError::Unstable { .. }) => return Ok(()),
+            Err(CompliantError::BeyondWall) => return Err(TestCaseError::reject("it starts beyond its wall")),
             Err(error) => return Err(TestCaseError::fail(format!("{error}: {object:?} {start:?}"))),
         };
         prop_assert!(got.energy.residual_ratio < 1e-4, "{:?} {:?}", got.energy, object);
@@ -638,4 +639,38 @@ proptest! {
         prop_assert_eq!(got.overturned_body.is_some(), got.end_time_s < 0.5 - 1e-12);
         prop_assert!(got.upper.peak_tilt_y_rad == 0.0 && got.lower.yaw_rad == 0.0);
     }
+}
+
+/// Unequal gaps under a motion and mirrored: the same forces on the other walls.
+#[test]
+fn mirrored_walls_have_mirrored_forces() {
+    let push = Motion::new(0.01, (0..200).map(|i| 5.0 * (f64::from(i) * 0.06).sin()).collect()).unwrap();
+    let forces = |left_m: f64, right_m: f64, factor: f64| {
+        let wall = |side, gap_m| Wall { side, gap_m, height_m: f64::INFINITY, cushion: None };
+        let walls = vec![wall(EdgeSide::Left, left_m), wall(EdgeSide::Right, right_m)];
+        let shape = Shape::Plane { thickness_m: 0.4, height_m: 1.8 };
+        let law = ContactLaw::KelvinVoigt { stiffness_n_m: 4e6, damping_n_s_m: 2e3 };
+        let support = Support::new(Cushion::new(law).unwrap());
+        let motion = push.scaled(factor).unwrap();
+        let motion = SpatialMotion { x: Some(&motion), ..SpatialMotion::default() };
+        let object = SpatialObject { shape, mass_kg: 100.0, support, walls };
+        rock_spatial(&object, motion, &SpatialOptions::default()).unwrap().wall_forces_max_n
+    };
+    let [left, right] = forces(0.03, 0.06, 1.0);
+    assert!(left > 0.0 && right > 0.0 && left != right, "{left} {right}");
+    assert_eq!(forces(0.06, 0.03, -1.0), [right, left]);
+}
+
+#[test]
+fn a_start_beyond_a_wall_is_refused() {
+    let walls = vec![Wall { side: EdgeSide::Left, gap_m: 0.005, height_m: f64::INFINITY, cushion: None }];
+    let shape = Shape::Plane { thickness_m: 0.4, height_m: 1.8 };
+    let object = SpatialObject { shape, mass_kg: 100.0, support: Support::new(Cushion::linear(4e6).unwrap()), walls };
+    let from = |tilt_rad: f64| {
+        let start = SpatialStart::Released { tilt_rad, toward_rad: 0.0, omega_rad_s: [0.0; 3] };
+        let options = SpatialOptions { start, duration_s: Some(0.1), ..SpatialOptions::default() };
+        rock_spatial(&object, SpatialMotion::default(), &options)
+    };
+    assert_eq!(from(-0.1).unwrap_err(), CompliantError::BeyondWall);
+    assert!(from(0.1).is_ok());
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Fallen;
-use super::equation::{BODY, Element, Grips, LEN, Line, Pose, Poses, Role, State, TURN, World};
+use super::equation::{BODY, Grips, LEN, Line, Pose, Poses, Role, State, TURN, World};
 use super::landings::Landings;
 use crate::compliant::step::Step;
 use crate::rocking::Outcome;
@@ -175,8 +175,8 @@ pub(super) struct Track {
     pub(super) landings: Landings,
     /// Largest speed towards a wall at the begin of a contact.
     pub(super) wall_speed: f64,
-    /// Largest force of the walls.
-    pub(super) wall_force: f64,
+    /// Largest force of the walls on the left and on the right.
+    pub(super) wall_forces: [f64; 2],
 }
 
 /// The centre of the base: its horizontal displacement squared, and the rate of that.
@@ -200,7 +200,7 @@ impl Track {
             wall_contacts: 0,
             landings: Landings::new(world.elements.len()),
             wall_speed: 0.0,
-            wall_force: 0.0,
+            wall_forces: [0.0; 2],
         }
     }
 
@@ -297,11 +297,17 @@ impl Track {
         let poses = &seen.ends[1];
         let pressed = seen.world.elements.iter().zip(seen.grips.each());
         let pressed = pressed.filter(|(element, grip)| element.role == Role::Wall && grip.carries());
-        let force = |element: &Element<'_>| {
+        let mut forces = [0.0; 2];
+        for (element, _) in pressed {
             let foot = seen.world.foot(element, poses);
-            element.pad.push(foot.compression, foot.compression_rate)
-        };
-        self.wall_force = self.wall_force.max(pressed.map(|(element, _)| force(element)).sum());
+            // The face of a wall on the right looks to the left; that of the object, on which a low wall
+            // presses, looks to the right.
+            let is_right = (element.sign < 0.0) == element.face_of.is_none();
+            forces[usize::from(is_right)] += element.pad.push(foot.compression, foot.compression_rate);
+        }
+        for (largest, force) in self.wall_forces.iter_mut().zip(forces) {
+            *largest = force.max(*largest);
+        }
     }
 
     /// The patterns and the relative rotation of two bodies.
