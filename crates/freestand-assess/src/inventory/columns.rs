@@ -386,6 +386,11 @@ impl Column {
     pub fn name(self) -> &'static str {
         self.spec().name
     }
+
+    /// Whether an empty cell means that there is nothing, and not that a number is not known.
+    pub(super) fn means_nothing_there(self) -> bool {
+        matches!(self, Self::WallGap | Self::NeighbourGap | Self::Clearance | Self::UpperHeight | Self::UpperThickness)
+    }
 }
 
 /// The letters of a column in a spreadsheet, counted from 0: `A`, `B` … `Z`, `AA` …

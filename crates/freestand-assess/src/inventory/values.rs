@@ -13,7 +13,7 @@ use super::headings::dimension;
 use super::numbers::Decimal;
 use super::problems::{Findings, Kind, Place, Severity};
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
-use super::vocabulary::{casters, is_missing, rating};
+use super::vocabulary::{casters, is_missing, is_no_value, rating};
 use super::workbook::Merges;
 use super::{Casters, Rating};
 
@@ -155,6 +155,12 @@ impl<'a> Values<'a> {
         };
         match number_text(cell) {
             Ok(Some(text)) => (!self.is_shifted).then_some((cell, text)),
+            // An empty cell says that nothing is there; a text may say the opposite.
+            Ok(None) if one.column.means_nothing_there() && !is_no_value(&cell.shown()) => {
+                let detail = "is neither a number nor a word for a missing value: write a number with its unit, 0 \
+                              where they touch, or leave the cell empty where nothing is there";
+                self.refused(one, cell, Wrong::because(Kind::Unreadable, detail))
+            }
             Ok(None) => {
                 self.count(one, false);
                 None

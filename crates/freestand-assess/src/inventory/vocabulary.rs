@@ -15,6 +15,12 @@ pub(super) fn is_missing(text: &str) -> bool {
     words.is_empty() || MISSING.contains(&words.as_str())
 }
 
+/// Whether a text says that there is nothing, or that it is not known.
+pub(super) fn is_no_value(text: &str) -> bool {
+    const NOTHING: [&str; 9] = ["no", "nein", "non", "nee", "keine", "kein", "aucun", "ninguno", "free standing"];
+    is_missing(text) || NOTHING.contains(&canonical(text).as_str())
+}
+
 /// In the form of [`canonical`].
 const MISSING: [&str; 54] = [
     "n a",
