@@ -52,7 +52,7 @@ impl Wrong {
         Self::because(Kind::OutOfRange, detail)
     }
 
-    fn because(kind: Kind, detail: &str) -> Self {
+    pub(super) fn because(kind: Kind, detail: &str) -> Self {
         Self { kind, detail: Some(detail.to_owned()) }
     }
 }
