@@ -11,7 +11,7 @@ use freestand::compliant::{CompliantAccuracy, CompliantBase, CompliantOptions, r
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, RockingOptions, Until, rock};
-use freestand::sliding::{Clearance, Friction, SlidingOptions, slide, trip_speed_m_s};
+use freestand::sliding::{Clearance, Friction, Sliding, SlidingOptions, slide, trip_speed_m_s};
 use freestand::wall::{Wall, Walls};
 use freestand_assess::job::{Job, ListRequest, assess_into, inventory_of};
 use freestand_study::resolve::resolve;
@@ -58,6 +58,26 @@ fn assess(folder: &Path, settings: &str, header: &str, rows: &str) {
 fn table(folder: &Path, name: &str) -> Vec<HashMap<String, String>> {
     let mut reader = csv::Reader::from_path(folder.join("out").join(name)).unwrap();
     reader.deserialize().map(|row| row.unwrap()).collect()
+}
+
+/// Every object by its id.
+fn by_id(folder: &Path) -> HashMap<String, HashMap<String, String>> {
+    table(folder, "objects.csv").into_iter().map(|row| (row["id"].clone(), row)).collect()
+}
+
+/// What slides under the pulse with this friction, up to stops at this distance.
+fn slid(friction_ratio: f64, clearance_m: Option<f64>) -> Sliding {
+    let motion = pulse();
+    let clearance = Clearance { left_m: clearance_m, right_m: clearance_m };
+    let until = Until::Settled { at_most_s: 120.0 };
+    let friction = Friction::uniform(friction_ratio).unwrap();
+    let options = SlidingOptions { clearance, until, ..SlidingOptions::new(friction) };
+    slide(Base { horizontal: Some(&motion), vertical: None }, &options).unwrap()
+}
+
+/// Whether a number of a table is that of the solver: the table has at least nine digits.
+fn is(got: f64, expected: f64) -> bool {
+    (got - expected).abs() <= 1e-8 * expected
 }
 
 fn with_wall(block: &Block, walls: Walls) -> (f64, f64) {
@@ -130,8 +150,7 @@ fn bounds_of_a_touching_wall_and_of_one_to_lean_on() {
     let folder = tempfile::tempdir().unwrap();
     let rows = "held,0,1800,900,200,,,,,0,,\nalone,0,1800,900,200,,,,,,,\nleans,0,1800,900,120,,,,,150,0,\n";
     assess(folder.path(), "", HEADER, rows);
-    let found: HashMap<String, HashMap<String, String>> =
-        table(folder.path(), "objects.csv").into_iter().map(|row| (row["id"].clone(), row)).collect();
+    let found = by_id(folder.path());
     let number = |id: &str, name: &str| found[id][name].parse::<f64>().unwrap();
     assert_eq!((number("held", "uplift_share"), number("held", "p_overturn")), (0.0, 0.0));
     assert_eq!(number("alone", "p_overturn"), 1.0);
@@ -155,18 +174,8 @@ fn what_rolls_travels_as_the_sliding_block() {
                 300,80,5,free,0.03,9000,\nsoft,0,1000,950,80,5,free,0.03,100,20\n";
     let folder = tempfile::tempdir().unwrap();
     assess(folder.path(), "", header, rows);
-    let found: HashMap<String, HashMap<String, String>> =
-        table(folder.path(), "objects.csv").into_iter().map(|row| (row["id"].clone(), row)).collect();
+    let found = by_id(folder.path());
     let number = |id: &str, name: &str| found[id][name].parse::<f64>().unwrap();
-    let motion = pulse();
-    let slid = |ratio: f64, clearance_m: Option<f64>| {
-        let clearance = Clearance { left_m: clearance_m, right_m: clearance_m };
-        let until = Until::Settled { at_most_s: 120.0 };
-        let options = SlidingOptions { clearance, until, ..SlidingOptions::new(Friction::uniform(ratio).unwrap()) };
-        slide(Base { horizontal: Some(&motion), vertical: None }, &options).unwrap()
-    };
-    // The table has at least nine digits.
-    let is = |got: f64, expected: f64| (got - expected).abs() <= 1e-8 * expected;
     let free = slid(0.02, None);
     for name in ["slide_m_median", "slide_m_p84"] {
         assert!(is(number("free", name), free.peak_m.abs()), "{name} {}", free.peak_m);
@@ -194,10 +203,6 @@ fn what_rolls_travels_as_the_sliding_block() {
 const WITH_FRICTION: &str =
     "id,level_ratio,height [mm],thickness [mm],mass [kg],stiffness [N/mm],tolerance [g],friction,clearance [mm]\n";
 
-fn by_id(folder: &Path) -> HashMap<String, HashMap<String, String>> {
-    table(folder, "objects.csv").into_iter().map(|row| (row["id"].clone(), row)).collect()
-}
-
 /// Up to t/h an object slides, as far as the solver says, and nothing but a stop overturns it; above
 /// t/h it does not.
 #[test]
@@ -208,15 +213,6 @@ fn what_has_little_friction_slides() {
     assess(folder.path(), "", WITH_FRICTION, rows);
     let found = by_id(folder.path());
     let number = |id: &str, name: &str| found[id][name].parse::<f64>().unwrap();
-    let motion = pulse();
-    let slid = |ratio: f64, clearance_m: Option<f64>| {
-        let clearance = Clearance { left_m: clearance_m, right_m: clearance_m };
-        let until = Until::Settled { at_most_s: 120.0 };
-        let options = SlidingOptions { clearance, until, ..SlidingOptions::new(Friction::uniform(ratio).unwrap()) };
-        slide(Base { horizontal: Some(&motion), vertical: None }, &options).unwrap()
-    };
-    // The table has at least nine digits.
-    let is = |got: f64, expected: f64| (got - expected).abs() <= 1e-8 * expected;
     let free = slid(0.29, None).peak_m.abs();
     assert!(free > 0.01 && is(number("free", "slide_m_median"), free) && is(number("free", "slide_m_p84"), free));
     assert_eq!((number("free", "p_overturn"), found["free"]["p_overturn_compliant"].as_str()), (0.0, ""));

@@ -3,10 +3,8 @@
 //! A row is nested (a contact law with its layers, a tolerance with its source, doubts), so it is
 //! kept as the results of objects are, and not in a table. Numbers keep all their bits.
 
-use freestand::cushion::{ContactLaw, Cushion};
 use freestand::rocking::Restitution;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_study::cushion::EdgeCushion;
 use serde::{Deserialize, Serialize};
 
 use super::Item;
@@ -48,86 +46,6 @@ pub fn items_from_lines(lines: &[u8]) -> Option<Vec<Item>> {
     lines.split_inclusive(|byte| *byte == b'\n').map(|line| serde_json::from_slice(line).ok()).collect()
 }
 
-/// A contact law; its fields are those of [`ContactLaw`].
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "ContactLaw", rename_all = "kebab-case")]
-enum Law {
-    Linear {
-        stiffness_n_m: f64,
-    },
-    Power {
-        coefficient_n_mn: f64,
-        exponent: f64,
-    },
-    KelvinVoigt {
-        stiffness_n_m: f64,
-        damping_n_s_m: f64,
-    },
-    HuntCrossley {
-        coefficient_n_mn: f64,
-        exponent: f64,
-        dissipation_s_m: f64,
-    },
-    Tangent {
-        stiffness_n_m: f64,
-        bottoming_m: f64,
-    },
-    Tabulated {
-        compressions_m: Vec<f64>,
-        forces_n: Vec<f64>,
-    },
-    Series {
-        #[serde(with = "laws")]
-        parts: Vec<ContactLaw>,
-    },
-}
-
-#[derive(Serialize, Deserialize)]
-struct KeptLaw(#[serde(with = "Law")] ContactLaw);
-
-mod laws {
-    use super::{ContactLaw, KeptLaw};
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    pub(super) fn serialize<S: Serializer>(parts: &[ContactLaw], to: S) -> Result<S::Ok, S::Error> {
-        parts.iter().cloned().map(KeptLaw).collect::<Vec<KeptLaw>>().serialize(to)
-    }
-
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<ContactLaw>, D::Error> {
-        Ok(Vec::<KeptLaw>::deserialize(from)?.into_iter().map(|kept| kept.0).collect())
-    }
-}
-
-/// A cushion under an edge; its fields are those of [`EdgeCushion`].
-#[derive(Serialize, Deserialize)]
-struct KeptCushion {
-    law: KeptLaw,
-    pad_thickness_m: Option<f64>,
-    notes: Vec<String>,
-}
-
-/// For the field `cushion` of [`Item`].
-pub(super) mod cushion {
-    use super::{Cushion, EdgeCushion, KeptCushion, KeptLaw};
-    use serde::de::Error;
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    pub(in super::super) fn serialize<S: Serializer>(one: &Option<EdgeCushion>, to: S) -> Result<S::Ok, S::Error> {
-        let kept = |edge: &EdgeCushion| KeptCushion {
-            law: KeptLaw(edge.cushion.law().clone()),
-            pad_thickness_m: edge.pad_thickness_m,
-            notes: edge.notes.clone(),
-        };
-        one.as_ref().map(kept).serialize(to)
-    }
-
-    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<EdgeCushion>, D::Error> {
-        let Some(KeptCushion { law, pad_thickness_m, notes }) = Option::deserialize(from)? else { return Ok(None) };
-        let cushion = Cushion::new(law.0).map_err(D::Error::custom)?;
-        Ok(Some(EdgeCushion { cushion, pad_thickness_m, notes }))
-    }
-}
-
 /// The restitution of a row, for its field of [`Item`].
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Restitution", rename_all = "kebab-case")]
@@ -157,6 +75,9 @@ pub(super) mod questions {
 
 #[cfg(test)]
 mod tests {
+    use freestand::cushion::{ContactLaw, Cushion};
+    use freestand_study::cushion::EdgeCushion;
+
     use super::*;
     use crate::inventory::{ReadOptions, parse_inventory};
     use crate::library::Lookup;
@@ -205,6 +126,15 @@ mod tests {
             let lines = lines_of_items(std::slice::from_ref(&item)).unwrap();
             assert_eq!(items_from_lines(&lines).unwrap(), [item]);
         }
+    }
+
+    /// A cushion is checked when it is read back: a line whose law is not valid is not a row.
+    #[test]
+    fn a_law_that_is_not_valid_is_refused() {
+        let line = String::from_utf8(lines_of_items(&items()[..1]).unwrap()).unwrap();
+        let stiffness = r#""stiffness_n_m":2190000.0"#;
+        assert!(line.contains(stiffness), "{line}");
+        assert_eq!(items_from_lines(line.replace(stiffness, r#""stiffness_n_m":-1.0"#).as_bytes()), None);
     }
 
     /// A number that JSON does not have is refused, and not lost.

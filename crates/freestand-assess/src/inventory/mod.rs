@@ -57,9 +57,7 @@ pub use named::level_of_floor;
 pub use numbers::Decimal;
 pub use problems::{Finding, Kind, Severity, console_lines};
 pub use read::{ColumnRead, ReadOptions, Reading, inspect_inventory, parse_inventory, read_inventory};
-pub use report::{
-    CheckReport, ColumnReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN, check_report,
-};
+pub use report::{CheckReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN, check_report};
 pub use template::{template_csv, template_xlsx};
 
 use crate::library::Tolerance;
@@ -143,7 +141,6 @@ pub struct Item {
     /// Mass \[kg\].
     pub mass_kg: Option<f64>,
     /// The cushion under one edge.
-    #[serde(with = "kept::cushion")]
     pub cushion: Option<EdgeCushion>,
     /// Half of the 16–84 % range of ln k, where a library entry gives a range of stiffness in place
     /// of a value.

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use rayon::prelude::*;
+use serde::Serialize;
 
 use crate::library::Lookup;
 use freestand_input::file::sha256_hex;
@@ -55,10 +56,11 @@ impl<'a> ReadOptions<'a> {
     }
 }
 
-/// A known column, as it was understood.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// A known column, as it was understood; the columns of the document of `freestand inventory check`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ColumnRead {
     /// Its letter in a spreadsheet: `F`.
+    #[serde(rename = "column")]
     pub letter: String,
     /// Its heading in the file.
     pub heading: String,

@@ -5,7 +5,7 @@ use freestand_input::keys::KeyStyle;
 use freestand_study::cushion::cushion_words;
 use serde::Serialize;
 
-use super::{Casters, Finding, Item, Rating, Reading};
+use super::{Casters, ColumnRead, Finding, Item, Rating, Reading};
 
 /// The number of rows that people are shown.
 pub const SHOWN: usize = 10;
@@ -19,7 +19,8 @@ pub struct CheckReport {
     pub sheet: Option<String>,
     pub header_row: u32,
     pub counts: Counts,
-    pub columns: Vec<ColumnReport>,
+    /// The columns that freestand reads.
+    pub columns: Vec<ColumnRead>,
     pub carried: Vec<String>,
     /// The first rows, in SI.
     pub first_rows: Vec<RowReport>,
@@ -42,20 +43,6 @@ pub struct Counts {
     pub with_mass: usize,
     pub with_cushion: usize,
     pub with_tolerance: usize,
-}
-
-/// A column that freestand reads.
-#[derive(Debug, Serialize)]
-#[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
-pub struct ColumnReport {
-    pub column: String,
-    pub heading: String,
-    pub name: &'static str,
-    pub unit: Option<String>,
-    pub unit_source: Option<&'static str>,
-    pub dialect: Option<&'static str>,
-    pub values: usize,
-    pub missing: usize,
 }
 
 /// One of the first rows.
@@ -139,16 +126,6 @@ pub struct ProblemReport {
 /// The report on a list as it was read; messages name keys in this style.
 pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeyStyle) -> CheckReport {
     let inventory = &reading.inventory;
-    let columns = reading.columns.iter().map(|column| ColumnReport {
-        column: column.letter.clone(),
-        heading: column.heading.clone(),
-        name: column.name,
-        unit: column.unit.clone(),
-        unit_source: column.unit_source,
-        dialect: column.dialect,
-        values: column.values,
-        missing: column.missing,
-    });
     let left_out = reading.left_out.iter().map(|left| LeftOutReport {
         row: left.row,
         kind: left.kind.name(),
@@ -160,7 +137,7 @@ pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeySt
         sheet: inventory.sheet.clone(),
         header_row: reading.header_row,
         counts: counts(&inventory.items),
-        columns: columns.collect(),
+        columns: reading.columns.clone(),
         carried: inventory.carried.clone(),
         first_rows: inventory.items.iter().take(SHOWN).map(row).collect(),
         objects: inventory.items.iter().map(object).collect(),

@@ -12,6 +12,7 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si, parse, parse_positive};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
+use serde::{Deserialize, Serialize};
 
 use crate::law::contact_law_stiffness;
 
@@ -24,7 +25,7 @@ pub const HERTZ_EXPONENT: f64 = 1.5;
 pub const BOTTOMED: &str = "the cushion bottoms, so that its law gives no reliable shock";
 
 /// The cushion under one edge.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EdgeCushion {
     /// The cushion itself.
     pub cushion: Cushion,

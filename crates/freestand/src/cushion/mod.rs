@@ -17,7 +17,11 @@ use crate::search::bisect;
 
 /// The force of a cushion as a function of its compression d and the rate ḋ (positive while the
 /// compression grows).
+///
+/// With the feature `serde`, a law is read and written under the names of its fields, in SI:
+/// `{"linear": {"stiffness_n_m": 4.38e6}}`.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum ContactLaw {
     /// F = k d.
     Linear {
@@ -70,10 +74,30 @@ pub enum ContactLaw {
     },
 }
 
-/// A [`ContactLaw`] whose numbers are valid.
+/// A [`ContactLaw`] whose numbers are valid. With the feature `serde`, it is read and written as its
+/// law, and reading refuses numbers that are not valid.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "ContactLaw", into = "ContactLaw")
+)]
 pub struct Cushion {
     law: ContactLaw,
+}
+
+impl TryFrom<ContactLaw> for Cushion {
+    type Error = CushionError;
+
+    fn try_from(law: ContactLaw) -> Result<Self, CushionError> {
+        Self::new(law)
+    }
+}
+
+impl From<Cushion> for ContactLaw {
+    fn from(cushion: Cushion) -> Self {
+        cushion.law
+    }
 }
 
 /// Why a [`Cushion`] cannot be created.

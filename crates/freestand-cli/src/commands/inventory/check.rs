@@ -136,7 +136,7 @@ fn text(report: &CheckReport, inventory: &Inventory) -> String {
             };
             let dialect = one.dialect.unwrap_or_default().to_owned();
             let (values, missing) = (one.values.to_string(), one.missing.to_string());
-            vec![one.column.clone(), one.heading.clone(), one.name.to_owned(), unit, dialect, values, missing]
+            vec![one.letter.clone(), one.heading.clone(), one.name.to_owned(), unit, dialect, values, missing]
         })
         .collect();
     let left_out: Vec<Vec<String>> = report
