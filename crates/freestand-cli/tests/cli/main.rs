@@ -1,0 +1,72 @@
+//! The commands as they are called: exit status, standard output and standard error in snapshots.
+//!
+//! One module for each subject.
+//!
+//! After an intended change: `INSTA_UPDATE=always cargo test -p freestand-cli`, and read the difference.
+
+#![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
+
+#[path = "../cases/mod.rs"]
+mod cases;
+mod code_spectra;
+mod directions;
+mod folders;
+mod processing;
+mod records;
+mod restrain;
+mod shock;
+mod studies;
+mod usage;
+
+use std::path::Path;
+use std::process::Command;
+
+/// Runs freestand in `folder` and shows what came of it.
+fn freestand_in(folder: &Path, args: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder).output().unwrap();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap().trim_end().to_owned();
+    format!(
+        "$ freestand {}\nexit status {}\n--- stdout\n{}\n--- stderr\n{}",
+        args.join(" "),
+        output.status.code().unwrap(),
+        text(&output.stdout),
+        text(&output.stderr)
+    )
+}
+
+fn freestand(args: &[&str]) -> String {
+    freestand_in(Path::new("."), args)
+}
+
+/// A folder with the files of a test.
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
+
+/// A pulse of 0.5 g in 1 s, then quiet.
+const RECORD: &str = "time [s],a [g]\n0,0\n0.25,0.5\n0.5,0\n0.75,-0.5\n1,0\n1.25,0\n";
+
+/// A study of one record, one floor and one object: done in no time.
+const SMALL: &str = "[ground]\nmotions = [\"pulse.csv\"]\n[building]\nstoreys = 4\nperiod = \"0.5 s\"\nlevels = [{ name = \"roof\", level_ratio = 1.0 }]\n[objects]\nheights = \"1 m\"\nthicknesses = \"200 mm\"\n[outputs]\nfigures = false\nreport = false\n";
+
+/// Runs freestand in `folder` and expects an exit status.
+fn expect(folder: &tempfile::TempDir, args: &[&str], status: i32) -> String {
+    let shown = freestand_in(folder.path(), args);
+    assert!(shown.contains(&format!("\nexit status {status}\n")), "{shown}");
+    shown
+}
+
+/// A wave of 2 Hz that comes and goes within 4 s, 0.3 g north and 0.2 g east, on an offset of 0.01
+/// g.
+fn two_components(heading: &str) -> String {
+    let row = |k: u32| {
+        let t = f64::from(k) / 50.0;
+        let wave = (-(t - 2.0) * (t - 2.0)).exp() * (std::f64::consts::TAU * 2.0 * t).sin();
+        format!("{t},{:.6},{:.6}\n", 0.01 + 0.3 * wave, 0.01 + 0.2 * (wave - 0.1 * wave * wave))
+    };
+    format!("{heading}\n{}", (0..=200).map(row).collect::<String>())
+}

@@ -1,0 +1,119 @@
+//! What holds for every command: errors of usage, help, completions, a reader that leaves.
+
+use std::process::Command;
+
+use crate::{cases, freestand};
+
+#[test]
+fn usage_errors_have_an_error_and_a_hint() {
+    let all = [
+        freestand(&[]),
+        freestand(&["shok"]),
+        freestand(&["shock", "--hight", "2 m"]),
+        freestand(&["shock"]),
+        freestand(&["shock", "--scenario", "flying"]),
+        freestand(&["motion", "synth", "--count", "0"]),
+        freestand(&["validate", "--threads", "0"]),
+        freestand(&["validate", "--threads", "-1"]),
+        freestand(&["validate", "--seed", "-1"]),
+        freestand(&["motion", "synth", "--count", "-1"]),
+        freestand(&["validate", "-1"]),
+    ];
+    cases::each("usage_errors_have_an_error_and_a_hint", &all);
+}
+
+#[test]
+fn a_pdf_is_left_to_the_browser() {
+    insta::assert_snapshot!(freestand(&["assess", "--format", "csv,pdf"]), @r"
+    $ freestand assess --format csv,pdf
+    exit status 2
+    --- stdout
+
+    --- stderr
+    error: --format pdf: freestand does not write PDF files
+    hint: leave pdf out, open report.html in a browser and print it, to paper or as a PDF
+    ");
+}
+
+/// A flag that nothing is read with would be ignored in silence.
+#[test]
+fn reading_flags_need_a_record() {
+    let free = ["rock", "--height", "2 m", "--thickness", "0.5 m", "--initial-rotation", "1 deg", "--duration", "1 s"];
+    let all = [
+        freestand(&["run", "--scale", "2", "--unit", "g"]),
+        freestand(&["run", "--dump-study", "--dt", "0.01 s"]),
+        freestand(&[&free[..], &["--component", "1"]].concat()),
+    ];
+    cases::each("reading_flags_need_a_record", &all);
+}
+
+/// Each script names the command and a flag of it; the rest is clap's.
+#[test]
+fn shells_get_their_completions() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = freestand(&["completions", shell]);
+        assert!(script.contains("exit status 0") && script.contains("return-period"), "{shell}");
+    }
+    assert!(freestand(&["completions", "tcsh"]).contains("exit status 2"));
+}
+
+/// Every command, found by walking the help.
+fn commands(of: &[String]) -> Vec<Vec<String>> {
+    let help = freestand(&[of.iter().map(String::as_str).collect::<Vec<_>>(), vec!["--help"]].concat());
+    let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = listed.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next());
+    let below = names.filter(|name| *name != "help").flat_map(|name| commands(&[of, &[name.to_owned()]].concat()));
+    std::iter::once(of.to_vec()).chain(below).collect()
+}
+
+#[test]
+fn help_of_every_command_has_examples() {
+    let commands = commands(&[]);
+    assert_eq!(commands.len(), 50);
+    for command in commands {
+        let words: Vec<&str> = command.iter().map(String::as_str).chain(["--help"]).collect();
+        let shown = freestand(&words);
+        let (_, examples) = shown.split_once("\nExamples:\n").unwrap_or_default();
+        let count = examples.lines().filter(|line| line.starts_with("  ") && line.contains("freestand ")).count();
+        assert!(shown.contains("exit status 0") && count >= 2, "{shown}");
+        // Lines that clap had to wrap cannot be copied.
+        assert!(shown.lines().all(|line| line.chars().count() <= 100), "{shown}");
+    }
+}
+
+/// What a command refuses whatever the file is not among its flags; where it is of use it is.
+#[test]
+fn help_lists_no_flag_that_is_always_refused() {
+    for (command, flag, is_listed) in [
+        ("info", "--azimuth ", false),
+        ("rotate", "--azimuth ", false),
+        ("rotd", "--azimuth ", false),
+        ("rotd", "--scale-to ", false),
+        ("rotd", "--scale-to-sa ", false),
+        ("rotd", "--scale-to-spectrum ", false),
+        ("spectrum", "--azimuth ", true),
+        ("rotate", "--scale-to-sa ", true),
+        ("rotate", "--scale-to-spectrum ", true),
+        ("rotd", "--scale ", true),
+    ] {
+        let run = Command::new(env!("CARGO_BIN_EXE_freestand")).args(["motion", command, "--help"]).output().unwrap();
+        let help = String::from_utf8(run.stdout).unwrap();
+        assert_eq!(help.contains(flag), is_listed, "{command} {flag}: {help}");
+    }
+}
+
+/// `freestand … | head -1`: no message, no panic.
+#[cfg(unix)]
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let binary = env!("CARGO_BIN_EXE_freestand");
+    let script = format!("'{binary}' motion code-spectrum --periods '0 s:5 s:200000' --json | head -c 1");
+    let output = Command::new("sh").args(["-c", &script]).output().unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+}
+
+#[test]
+fn validation_holds() {
+    let shown = freestand(&["validate"]);
+    assert!(shown.contains("exit status 0") && !shown.contains("FAILED"), "{shown}");
+}
