@@ -34,12 +34,17 @@ impl Pulses {
         let (start_s, length_s) = (piece.start_s(), piece.length_s());
         for (index, edge) in EDGES.into_iter().enumerate() {
             let presses = piece.contact(index, 0.5).is_some_and(|(_, up_n, _)| up_n > 0.0);
-            let [before, between, after] =
-                [0.0, 0.5, 1.0].map(|share| piece.acceleration_m_s2(self.edges_m[index], 0.0, share).1);
-            if !presses || (before <= 0.0 && after <= 0.0) {
+            if !presses {
                 self.end(index);
                 continue;
             }
+            let at = |share: f64| piece.acceleration_m_s2(self.edges_m[index], 0.0, share).1;
+            let (before, after) = (at(0.0), at(1.0));
+            if before <= 0.0 && after <= 0.0 {
+                self.end(index);
+                continue;
+            }
+            let between = at(0.5);
             // The straight line between the ends tells where a pulse begins or ends.
             let turn_s = start_s + length_s * (before / (before - after)).clamp(0.0, 1.0);
             let (from_s, to_s) = match (before > 0.0, after > 0.0) {

@@ -80,6 +80,23 @@ pub(super) struct Foot {
     pub(super) sliding: f64,
 }
 
+/// The functions of the rotation that the place of every contact needs: they take longer to calculate
+/// than everything else about a contact, so they are calculated once for each state.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turn {
+    sin: f64,
+    cos: f64,
+    /// 1 − cos θ without cancellation.
+    versine: f64,
+}
+
+impl Turn {
+    pub(super) fn of(y: &State) -> Self {
+        let (sin, cos) = y[THETA].sin_cos();
+        Self { sin, cos, versine: 2.0 * (0.5 * y[THETA]).sin().powi(2) }
+    }
+}
+
 /// Forces of one contact on the block, upward and to the right.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Load {
@@ -96,10 +113,12 @@ impl Body<'_> {
     }
 
     pub(super) fn foot(&self, index: usize, y: &State) -> Foot {
+        self.foot_turned(index, y, &Turn::of(y))
+    }
+
+    /// [`Body::foot`] in a state whose turn is known.
+    pub(super) fn foot_turned(&self, index: usize, y: &State, &Turn { sin, cos, versine }: &Turn) -> Foot {
         let xi = self.contacts[index];
-        let (sin, cos) = y[THETA].sin_cos();
-        // 1 − cos θ without cancellation.
-        let versine = 2.0 * (0.5 * y[THETA]).sin().powi(2);
         let arm_x = xi * cos - self.cg_height * sin;
         let arm_z = -xi * sin - self.cg_height * cos;
         Foot {
@@ -132,10 +151,19 @@ impl Body<'_> {
     /// The time derivative of the state.
     pub(super) fn rates(&self, grips: &[Grip], line: &Line, time_s: f64, y: &State) -> State {
         let mut rates = [0.0; LEN];
+        self.write_rates(grips, line, (time_s, y), &mut rates);
+        rates
+    }
+
+    /// [`Body::rates`], written where a step needs them: a state is longer than most objects use, and
+    /// moving it takes a noticeable share of a step.
+    pub(super) fn write_rates(&self, grips: &[Grip], line: &Line, (time_s, y): (f64, &State), rates: &mut State) {
+        rates[..self.len()].fill(0.0);
         let [horizontal, vertical] = line.at(time_s);
         let (mut right, mut up, mut turning) = (0.0, 0.0, 0.0);
+        let turn = Turn::of(y);
         for (index, &grip) in grips.iter().enumerate().filter(|(_, grip)| grip.carries()) {
-            let foot = self.foot(index, y);
+            let foot = self.foot_turned(index, y, &turn);
             let load = self.load(grip, &foot, y[STRETCH + index]);
             right += load.tangential;
             up += load.normal;
@@ -152,7 +180,6 @@ impl Body<'_> {
         rates[V_Z] = up / self.mass - self.gravity - vertical;
         rates[OMEGA] = turning / self.inertia;
         rates[WORK] = -self.mass * (horizontal * y[V_X] + vertical * y[V_Z]);
-        rates
     }
 
     /// The velocity for the work of slip: that of the sliding part of the foot or, where the
@@ -164,8 +191,13 @@ impl Body<'_> {
 
     /// Vertical and horizontal acceleration, relative to the base, of the point of the block that
     /// is `(right, up)` of the centre of gravity when the block is upright: (horizontal, vertical).
-    pub(super) fn acceleration_of(&self, right: f64, up: f64, y: &State, rates: &State) -> (f64, f64) {
-        let (sin, cos) = y[THETA].sin_cos();
+    pub(super) fn acceleration_of(
+        &self,
+        (right, up): (f64, f64),
+        y: &State,
+        rates: &State,
+        &Turn { sin, cos, .. }: &Turn,
+    ) -> (f64, f64) {
         let (arm_x, arm_z) = (right * cos + up * sin, up * cos - right * sin);
         let (alpha, square) = (rates[OMEGA], y[OMEGA] * y[OMEGA]);
         (rates[V_X] + alpha * arm_z - square * arm_x, rates[V_Z] - alpha * arm_x - square * arm_z)
@@ -188,8 +220,9 @@ impl Body<'_> {
     /// Energy in cushions and tangential springs; without a dashpot, the energy of a slipping
     /// spring is counted with the slip.
     fn stored_j(&self, grips: &[Grip], y: &State) -> f64 {
+        let turn = Turn::of(y);
         let of = |(index, &grip): (usize, &Grip)| {
-            let pressed = self.pad.pressed_j(self.foot(index, y).compression);
+            let pressed = self.pad.pressed_j(self.foot_turned(index, y, &turn).compression);
             let sheared = 0.5 * self.tangential_stiffness * y[STRETCH + index].powi(2);
             match grip {
                 Grip::Open { .. } => 0.0,

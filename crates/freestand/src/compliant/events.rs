@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::CompliantRocking;
-use super::equation::{Grip, Line, Load, OMEGA, SLIP, STRETCH, State, THETA, V_Z, X};
+use super::equation::{Grip, Line, Load, OMEGA, SLIP, STRETCH, State, THETA, Turn, V_Z, X};
 use super::pad::between_kinks;
 use super::solve::{Piece, Solver};
 
@@ -12,8 +12,8 @@ pub(crate) const TOUCHING: f64 = 1e-9;
 
 impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
     /// How far each contact is from its next event, of the order of 1; negative past it.
-    pub(super) fn margin(&self, index: usize, line: &Line, time_s: f64, y: &State) -> f64 {
-        let (body, foot) = (self.body, self.body.foot(index, y));
+    pub(super) fn margin(&self, index: usize, line: &Line, time_s: f64, y: &State, turn: &Turn) -> f64 {
+        let (body, foot) = (self.body, self.body.foot_turned(index, y, turn));
         let d = foot.compression / self.unit_m;
         if let Grip::Open { since_s, compression_m } = self.grips[index] {
             return body.pad.surface(since_s, compression_m, time_s) / self.unit_m - d;
@@ -43,7 +43,8 @@ impl<F: FnMut(&Piece<'_, '_>)> Solver<'_, '_, F> {
 
     /// The smallest of all margins; overturning counts as one of them.
     pub(super) fn least_margin(&self, line: &Line, time_s: f64, y: &State) -> f64 {
-        let contacts = (0..self.grips.len()).map(|index| self.margin(index, line, time_s, y));
+        let turn = Turn::of(y);
+        let contacts = (0..self.grips.len()).map(|index| self.margin(index, line, time_s, y, &turn));
         contacts.fold(FRAC_PI_2 - y[THETA].abs(), f64::min)
     }
 

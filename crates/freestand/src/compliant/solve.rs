@@ -3,7 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::audit::Ledger;
-use super::equation::{Body, DASHPOT, DRAG, Grip, LEN, Line, OMEGA, SLIP, STRETCH, State, THETA, V_X, V_Z, WORK, X, Z};
+use super::equation::{
+    Body, DASHPOT, DRAG, Grip, LEN, Line, OMEGA, SLIP, STRETCH, State, THETA, Turn, V_X, V_Z, WORK, X, Z,
+};
 use super::equilibrium::body;
 use super::step::{Scales, Step};
 use super::stepper::{accurate, first_event, shortened};
@@ -60,10 +62,11 @@ impl Piece<'_, '_> {
     /// right \[N\], upward \[N\], m).
     pub fn contact(&self, index: usize, share_ratio: f64) -> Option<(f64, f64, f64)> {
         let grip = *self.seen.grips.get(index)?;
-        let y = self.seen.step.state(share_ratio);
-        let foot = self.seen.body.foot(index, &y);
-        let load = self.seen.body.load(grip, &foot, y[STRETCH + index]);
-        Some((load.tangential, load.normal.max(0.0), foot.compression))
+        Some(self.seen.with_state(share_ratio, |y, turn| {
+            let foot = self.seen.body.foot_turned(index, y, turn);
+            let load = self.seen.body.load(grip, &foot, y[STRETCH + index]);
+            (load.tangential, load.normal.max(0.0), foot.compression)
+        }))
     }
 }
 
@@ -298,7 +301,9 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
     /// The step of this length from the present state.
     fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
         let scales = Scales { len: self.body.len(), sizes: &self.sizes, tolerance: self.tolerance };
-        let rates = |time_s: f64, y: &State, rates: &mut State| *rates = self.body.rates(&self.grips, line, time_s, y);
+        let rates = |time_s: f64, y: &State, rates: &mut State| {
+            self.body.write_rates(&self.grips, line, (time_s, y), rates);
+        };
         Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
@@ -318,8 +323,8 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
 
     fn accept(&mut self, line: &Line, step: Step<LEN>, result: &mut CompliantRocking) {
         self.effort.steps += 1;
-        let grips = self.grips.clone();
-        let seen = Seen { body: self.body, grips: &grips, line, step: &step };
+        let ends = [Turn::of(&step.start), Turn::of(&step.end)];
+        let seen = Seen { body: self.body, grips: &self.grips, line, step: &step, ends };
         self.track.read(&seen, result);
         (self.observe)(&Piece { seen, cg_from_left_m: self.cg_from_left_m });
         (self.y, self.rates) = (step.end, step.end_rates);
@@ -328,8 +333,9 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             self.settle_stretches();
         }
         let mut changed = false;
+        // Changes of contacts do not turn the block.
         for index in 0..self.grips.len() {
-            if self.margin(index, line, self.time_s, &self.y) < 0.0 {
+            if self.margin(index, line, self.time_s, &self.y, &ends[1]) < 0.0 {
                 self.change(index, result);
                 changed = true;
             }

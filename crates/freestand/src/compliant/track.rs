@@ -1,6 +1,6 @@
 //! The quantities that a history reports, collected step by step.
 
-use super::equation::{Body, Grip, LEN, Line, OMEGA, STRETCH, State, THETA};
+use super::equation::{Body, Foot, Grip, LEN, Line, OMEGA, STRETCH, State, THETA, Turn};
 use super::step::Step;
 use super::{CompliantRocking, EdgeSide, PointPeaks, Swing, Touch};
 use crate::block::{Block, Pivot};
@@ -19,6 +19,8 @@ pub(super) struct Seen<'a, 'b> {
     pub(super) grips: &'a [Grip],
     pub(super) line: &'a Line,
     pub(super) step: &'a Step<LEN>,
+    /// The turns of its start and of its end.
+    pub(super) ends: [Turn; 2],
 }
 
 impl Seen<'_, '_> {
@@ -26,30 +28,50 @@ impl Seen<'_, '_> {
         self.step.start_s + share * self.step.length_s
     }
 
-    /// State and rates at a share of the step.
-    pub(super) fn at(&self, share: f64) -> (State, State) {
+    /// Reads the state at a share of the step.
+    pub(super) fn with_state<T>(&self, share: f64, read: impl Fn(&State, &Turn) -> T) -> T {
         if share == 0.0 {
-            return (self.step.start, self.step.start_rates);
+            return read(&self.step.start, &self.ends[0]);
         }
         if share == 1.0 {
-            return (self.step.end, self.step.end_rates);
+            return read(&self.step.end, &self.ends[1]);
         }
         let y = self.step.state(share);
-        (y, self.body.rates(self.grips, self.line, self.time_s(share), &y))
+        read(&y, &Turn::of(&y))
+    }
+
+    fn foot(&self, contact: usize, share: f64) -> Foot {
+        self.with_state(share, |y, turn| self.body.foot_turned(contact, y, turn))
     }
 
     /// Acceleration of a point of the block in the inertial frame: (horizontal, vertical).
     pub(super) fn acceleration(&self, right: f64, up: f64, share: f64) -> (f64, f64) {
-        let (y, rates) = self.at(share);
         let [right_m_s2, up_m_s2] = self.line.at(self.time_s(share));
-        let (horizontal, vertical) = self.body.acceleration_of(right, up, &y, &rates);
+        let (horizontal, vertical) = self.with_state(share, |y, turn| {
+            let of = |rates: &State| self.body.acceleration_of((right, up), y, rates, turn);
+            match share {
+                0.0 => of(&self.step.start_rates),
+                1.0 => of(&self.step.end_rates),
+                _ => of(&self.body.rates(self.grips, self.line, self.time_s(share), y)),
+            }
+        });
         (horizontal + right_m_s2, vertical + up_m_s2)
     }
 
-    /// The share of the step at which a value that is positive at its start falls through zero.
-    fn falls(&self, value: impl Fn(&State) -> f64) -> Option<f64> {
-        let falling = value(&self.step.start) > 0.0 && value(&self.step.end) <= 0.0;
-        falling.then(|| bisect(0.0, 1.0, |share| value(&self.step.state(share)) <= 0.0))
+    /// The share of the step at which a value of its shares that is positive at its start falls through
+    /// zero.
+    fn falls(&self, value: impl Fn(f64) -> f64) -> Option<f64> {
+        let falling = value(0.0) > 0.0 && value(1.0) <= 0.0;
+        falling.then(|| bisect(0.0, 1.0, |share| value(share) <= 0.0))
+    }
+
+    /// A value of the state at a share of the step.
+    fn value(&self, share: f64, of: impl Fn(&State) -> f64) -> f64 {
+        match share {
+            0.0 => of(&self.step.start),
+            1.0 => of(&self.step.end),
+            _ => of(&self.step.state(share)),
+        }
     }
 }
 
@@ -134,11 +156,12 @@ impl Track {
             }
             let up = |share: f64| seen.acceleration(seen.body.contacts[edge.contact], -seen.body.cg_height, share).1;
             let push = |share: f64| {
-                let (y, _) = seen.at(share);
-                let foot = seen.body.foot(edge.contact, &y);
-                seen.body.load(seen.grips[edge.contact], &foot, y[STRETCH + edge.contact]).normal
+                seen.with_state(share, |y, turn| {
+                    let foot = seen.body.foot_turned(edge.contact, y, turn);
+                    seen.body.load(seen.grips[edge.contact], &foot, y[STRETCH + edge.contact]).normal
+                })
             };
-            let press = |share: f64| seen.body.foot(edge.contact, &seen.at(share).0).compression;
+            let press = |share: f64| seen.foot(edge.contact, share).compression;
             raise(&mut result.peak_compression_m, press);
             if let Some(touch) = edge.open.and_then(|open| result.touches.get_mut(open)) {
                 raise(&mut touch.peak_acceleration_m_s2, up);
@@ -160,10 +183,9 @@ impl Track {
     fn rotations(&mut self, seen: &Seen, result: &mut CompliantRocking) {
         let (from, to) = (seen.step.start[THETA], seen.step.end[THETA]);
         let side = if from + to < 0.0 { -1.0 } else { 1.0 };
-        let top = seen.falls(|y| side * y[OMEGA]);
-        let mut extremes = vec![(0.0, from), (1.0, to)];
-        extremes.extend(top.map(|share| (share, seen.step.state(share)[THETA])));
-        for (share, theta) in extremes {
+        let top = seen.falls(|share| side * seen.value(share, |y| y[OMEGA]));
+        let top = top.map(|share| (share, seen.step.state(share)[THETA]));
+        for (share, theta) in [(0.0, from), (1.0, to)].into_iter().chain(top) {
             if theta.abs() > result.peak_rotation_rad {
                 (result.peak_rotation_rad, result.peak_rotation_time_s) = (theta.abs(), seen.time_s(share));
             }
@@ -196,21 +218,24 @@ impl Track {
 
     fn uplifts(&mut self, seen: &Seen, result: &mut CompliantRocking) {
         for edge in &self.edges {
-            let height = |y: &State| -seen.body.foot(edge.contact, y).compression;
-            let rising = |y: &State| -seen.body.foot(edge.contact, y).compression_rate;
-            let top = seen.falls(rising).map(|share| height(&seen.step.state(share)));
-            let most = height(&seen.step.start).max(height(&seen.step.end)).max(top.unwrap_or(0.0));
+            let height = |share: f64| -seen.foot(edge.contact, share).compression;
+            let rising = |share: f64| -seen.foot(edge.contact, share).compression_rate;
+            let top = seen.falls(rising).map(height);
+            let most = height(0.0).max(height(1.0)).max(top.unwrap_or(0.0));
             result.uplift_m = result.uplift_m.max(most);
             if most > 0.0 {
                 self.swing.2 = true;
                 if result.first_uplift_time_s.is_none() {
-                    let is_up = |share: f64| height(&seen.step.state(share)) > 0.0;
+                    let is_up = |share: f64| height(share) > 0.0;
                     let share = if is_up(0.0) { 0.0 } else { bisect(0.0, 1.0, is_up) };
                     result.first_uplift_time_s = Some(seen.time_s(share));
                 }
                 let theta = seen.step.start[THETA].abs().max(seen.step.end[THETA].abs());
-                let theta =
-                    if seen.falls(|y| y[OMEGA] * y[THETA]).is_some() { theta.max(self.swing.1.abs()) } else { theta };
+                let theta = if seen.falls(|share| seen.value(share, |y| y[OMEGA] * y[THETA])).is_some() {
+                    theta.max(self.swing.1.abs())
+                } else {
+                    theta
+                };
                 result.peak_uplifted_rotation_rad = result.peak_uplifted_rotation_rad.max(theta);
             }
         }
@@ -219,7 +244,8 @@ impl Track {
     fn friction(&self, seen: &Seen, result: &mut CompliantRocking) {
         let y = &seen.step.end;
         for (index, &grip) in seen.grips.iter().enumerate().filter(|(_, grip)| grip.carries()) {
-            let load = seen.body.load(grip, &seen.body.foot(index, y), y[STRETCH + index]);
+            let foot = seen.body.foot_turned(index, y, &seen.ends[1]);
+            let load = seen.body.load(grip, &foot, y[STRETCH + index]);
             if load.normal > CARRYING_RATIO * seen.body.mass * seen.body.gravity {
                 result.friction_used_ratio = result.friction_used_ratio.max(load.tangential.abs() / load.normal);
             }
