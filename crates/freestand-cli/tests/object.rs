@@ -78,8 +78,26 @@ fn bad_input_is_refused() {
                 "0.02",
             ]),
             with(&["--pga", "0.3g", "--wall-gap", "0 mm", "--wall-restitution", "1", "--neighbor-gap", "0 mm"]),
+            with(&["--pga", "0.3g", "--upper-height", "1m", "--upper-thickness", "0.2m", "--mass", "30kg"]),
         ],
     );
+}
+
+/// A value that changes nothing is told; a wall that touches needs no unit.
+#[test]
+fn what_has_no_effect_is_said() {
+    let size = ["object", "--height", "2m", "--thickness", "0.3m", "--motion", RECORD];
+    let warned = |flags: &[&str]| {
+        let output = freestand(&[&size[..], flags].concat());
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success(), "{said}");
+        ["--clearance has no effect", "--wall-stiffness has no effect without --mass"].map(|text| said.contains(text))
+    };
+    let soft_wall = ["--wall-gap", "0", "--wall-stiffness", "1000 N/mm"];
+    assert_eq!(warned(&["--clearance", "100mm"]), [true, false]);
+    assert_eq!(warned(&["--clearance", "100mm", "--casters", "free"]), [false, false]);
+    assert_eq!(warned(&soft_wall), [false, true]);
+    assert_eq!(warned(&[&soft_wall[..], &["--mass", "80kg"]].concat()), [false, false]);
 }
 
 /// US and SI units give the same answer; the document has the keys that programs rely on, and

@@ -179,9 +179,10 @@ pub fn one_object_shown(
 ) -> Result<(ObjectReport, Option<Shown>), Problems> {
     check(request)?;
     let shaken = shaking::shaken(request)?;
-    let row = row::row(request, &shaken.study)?;
+    let mut row = row::row(request, &shaken.study)?;
     let subject = Subject::new(&row.item, &shaken.study.assessment)
         .map_err(|missing| Problem::new(ProblemKind::Missing, format!("its {} is missing", listed(&missing))))?;
+    row.warnings.extend(unused(&request.object, &subject));
     let member = Member::new(&row.item, subject, &shaken.study.assessment);
     let go_on = || if wants_to_stop() { Err(Problem::stopped().into()) } else { Ok(()) };
     let worlds = Worlds::new(&shaken.study, go_on)?.remembering(memory);
@@ -216,6 +217,14 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         );
     }
     surroundings_agree(surroundings, *width_m, &mut note);
+    if let Some(upper) = &surroundings.upper
+        && (mass_kg.is_none() || rests_on.is_none() || upper.mass_kg.is_none())
+    {
+        note(
+            "an object with another one on it needs `mass`, `upper_mass` and `on`: the two are followed on pads",
+            "add what is missing, such as `on = \"rubber-foot\"`, or leave out what stands on it",
+        );
+    }
     if rests_on.is_some() && mass_kg.is_none() {
         note("`on` needs `mass`: pads move with the mass on them", "add `mass`, or leave `on` out");
     }
@@ -288,6 +297,22 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         note(&format!("`level_ratio` must be from 0 (the ground) to 1 (the roof), not {ratio}"), "50 % is 0.5");
     }
     problems.finish(Some(()))
+}
+
+/// What was given and changes nothing, because of how this object moves or what is not known of it.
+fn unused(object: &Object, subject: &Subject) -> Vec<String> {
+    let around = &object.surroundings;
+    let mut warnings = Vec::new();
+    if around.clearance_m.is_some() && subject.rocks() {
+        warnings.push(
+            "`clearance` has no effect: this object neither slides nor rolls to a stop; a wall beside it is `wall_gap`"
+                .to_owned(),
+        );
+    }
+    if around.wall_stiffness_n_m.is_some() && object.mass_kg.is_none() {
+        warnings.push("`wall_stiffness` has no effect without `mass`: the shock at a wall needs both".to_owned());
+    }
+    warnings
 }
 
 /// What is said of a wall, a neighbour or casters that the object does not have.

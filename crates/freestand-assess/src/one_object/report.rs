@@ -82,6 +82,7 @@ fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
         floor_g_max: found.floor.as_ref().map_or(0.0, |floor| floor.pfa_g_max),
         lift_g: tally.lift_g,
         leaning: leaning(found, tally),
+        upper_falls: found.stacked.map(|stacked| stacked.upper_falls),
         rolled: found.rolled,
         slides: found.model == Some(ObjectModel::Slide),
         has_wall: names_wall(around),

@@ -148,6 +148,8 @@ pub(super) struct Counts {
     pub(super) lift_g: f64,
     /// Those that leave it leaning on a wall, past its balance point: they count as overturning it.
     pub(super) leaning: u32,
+    /// Those in which what stands on it falls first; `None`: nothing stands on it.
+    pub(super) upper_falls: Option<u32>,
     /// How it rolls or slides; `None`: it does neither.
     pub(super) rolled: Option<Rolled>,
     /// Whether it slides on its base.
@@ -186,9 +188,9 @@ impl Answer {
             text if text.is_empty() => text,
             text => format!(": {text}"),
         };
-        let (under, kind, leaning) = (self.under(), self.kind.words(), self.leaning());
+        let (under, kind, leaning, first) = (self.under(), self.kind.words(), self.leaning(), self.falls_first());
         let rest = if self.counts.rolled.is_some() { self.rolling() } else { self.landings() };
-        format!("{under}{comma} this object {kind}{evidence}{leaning}{rest}.")
+        format!("{under}{comma} this object {kind}{evidence}{leaning}{first}{rest}.")
     }
 
     /// `In Melbourne (AS 1170.4, 500 years, site De) on the ground`.
@@ -283,6 +285,21 @@ impl Answer {
             _ if leaning == overturned && overturned == 1 => "; it then leans on its wall".to_owned(),
             _ if leaning == overturned => "; in all of these it ends leaning on its wall".to_owned(),
             _ => format!("; in {leaning} of these it ends leaning on its wall"),
+        }
+    }
+
+    /// Which of two bodies on top of each other falls first.
+    fn falls_first(&self) -> String {
+        let Counts { upper_falls, overturned, .. } = self.counts;
+        let Some(upper) = upper_falls.filter(|_| overturned > 0) else { return String::new() };
+        let which = match upper {
+            0 => "the object itself",
+            _ => "what stands on it",
+        };
+        match upper {
+            _ if overturned == 1 => format!("; {which} falls first"),
+            _ if upper == 0 || upper == overturned => format!("; in all of these {which} falls first"),
+            _ => format!("; in {upper} of these {which} falls first, in the others the object itself"),
         }
     }
 
@@ -490,6 +507,20 @@ mod tests {
         assert!(tell(1, counts(20, 18, 1)).ends_with("overturns it; it then leans on its wall."));
         let one = answer(Told::Motions, Counts { leaning: 1, ..counts(1, 1, 1) }).sentence();
         assert_eq!(one, "Under this motion this object falls over; it ends leaning on its wall.");
+    }
+
+    #[test]
+    fn the_body_of_a_stack_that_falls_first_is_told() {
+        let tell = |upper: u32, counts: Counts| {
+            answer(Told::GroundAcceleration { peak_g: 0.5 }, Counts { upper_falls: Some(upper), ..counts }).sentence()
+        };
+        let mixed = "; in 3 of these what stands on it falls first, in the others the object itself.";
+        assert!(tell(3, counts(20, 18, 9)).ends_with(mixed));
+        assert!(tell(9, counts(20, 18, 9)).ends_with("; in all of these what stands on it falls first."));
+        assert!(tell(0, counts(20, 18, 9)).ends_with("; in all of these the object itself falls first."));
+        assert!(!tell(0, counts(20, 18, 0)).contains("first"));
+        let one = answer(Told::Motions, Counts { upper_falls: Some(1), ..counts(1, 1, 1) }).sentence();
+        assert_eq!(one, "Under this motion this object falls over; what stands on it falls first.");
     }
 
     const TEN_G: Option<Withstands> = Some(Withstands { peak_g: 10.0, duration_s: None });

@@ -292,6 +292,11 @@ impl Gliding {
 }
 
 impl Subject {
+    /// Whether it rocks: it neither rolls nor slides to a stop.
+    pub(crate) fn rocks(&self) -> bool {
+        self.way.rocks()
+    }
+
     /// The ends of the range in which a world draws the coefficient; `None`: nothing depends on it.
     pub(super) fn drawn_friction_ratio(&self, settings: &Settings) -> Option<(f64, f64)> {
         match &self.way {
