@@ -93,7 +93,7 @@ fn what_has_no_effect_is_said() {
         assert!(output.status.success(), "{said}");
         ["--clearance has no effect", "--wall-stiffness has no effect without --mass"].map(|text| said.contains(text))
     };
-    let soft_wall = ["--wall-gap", "0", "--wall-stiffness", "1000 N/mm"];
+    let soft_wall = ["--wall-gap", "0 mm", "--wall-stiffness", "1000 N/mm"];
     assert_eq!(warned(&["--clearance", "100mm"]), [true, false]);
     assert_eq!(warned(&["--clearance", "100mm", "--casters", "free"]), [false, false]);
     assert_eq!(warned(&soft_wall), [false, true]);

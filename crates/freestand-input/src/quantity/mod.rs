@@ -144,21 +144,12 @@ pub fn parse_positive(text: &str, dimension: Dimension, name: &str) -> Result<f6
     }
 }
 
-/// As [`parse`], and zero or more; `name` is what the message calls it ("the cg rise"). A bare `0` is
-/// accepted here: it is the same in every unit.
+/// As [`parse`], and zero or more; `name` is what the message calls it ("the cg rise").
 ///
 /// # Errors
 /// As [`parse`], or a negative value.
-///
-/// # Example
-/// ```
-/// use freestand_input::quantity::{Dimension, parse_non_negative};
-/// assert_eq!(parse_non_negative("0", Dimension::Length, "the gap")?, 0.0);
-/// assert!(parse_non_negative("1", Dimension::Length, "the gap").is_err());
-/// # Ok::<(), freestand_input::problem::Problem>(())
-/// ```
 pub fn parse_non_negative(text: &str, dimension: Dimension, name: &str) -> Result<f64, Problem> {
-    let value = if text.trim() == "0" { 0.0 } else { parse(text, dimension)? };
+    let value = parse(text, dimension)?;
     if value >= 0.0 {
         Ok(value)
     } else {
