@@ -97,7 +97,8 @@ def _count(name: str, value: Any, least: int) -> int | None:
         return None
     is_whole = hasattr(value, "__index__") and not isinstance(value, bool)
     if not is_whole or value.__index__() < least:
-        raise bad(f"{name} must be a whole number from {least}, not {value!r}", f"give {name} as an int, or leave it out")
+        hint = f"give {name} as an int, or leave it out"
+        raise bad(f"{name} must be a whole number from {least}, not {value!r}", hint)
     return int(value.__index__())
 
 
