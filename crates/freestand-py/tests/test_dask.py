@@ -1,8 +1,10 @@
 """Assessments on Dask: the bytes of one process, whatever the shards, the workers and what is killed."""
 
 import contextlib
+import io
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -12,7 +14,7 @@ from pathlib import Path
 
 import freestand as fs
 import pytest
-from conftest import program
+from conftest import ROOT, program
 
 distributed = pytest.importorskip("distributed", reason="distributed is not installed: pip install 'freestand[dask]'")
 from dask import config as dask_config  # noqa: E402
@@ -169,7 +171,8 @@ def test_what_is_killed_is_calculated_again(city, clients, tmp_path, victim):
 def test_a_shard_that_always_fails_is_named(city, clients, tmp_path, caplog):
     folder, _ = city
     out, plan = tmp_path / "out", tmp_path / "out-plan"
-    arguments = ["shard", "plan", folder / "city.toml", "--inventory", folder / "city.csv", "--shards", "4", "--out", plan]
+    city_files = [folder / "city.toml", "--inventory", folder / "city.csv"]
+    arguments = ["shard", "plan", *city_files, "--shards", "4", "--out", plan]
     subprocess.run([program(), *map(str, arguments)], check=True, capture_output=True)
     rows = plan / "in" / "00002.jsonl"
     kept = rows.read_bytes()
@@ -260,7 +263,8 @@ def test_a_wrong_argument_is_named_and_nothing_is_written(clients, tmp_path, mon
 def test_without_dask_the_error_says_what_to_install():
     code = "import sys; sys.modules['distributed'] = None\nimport freestand\nimport freestand.dask"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
-    assert done.returncode == 1 and 'ImportError: freestand.dask needs Dask: pip install "freestand[dask]"' in done.stderr
+    expected = 'ImportError: freestand.dask needs Dask: pip install "freestand[dask]"'
+    assert done.returncode == 1 and expected in done.stderr
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
@@ -276,3 +280,17 @@ def test_a_shard_that_nobody_waits_for_stops(clients, tmp_path):
         assert is_running(pid)
         future.cancel()
         assert waited(lambda: not is_running(pid))
+
+
+def test_the_job_script_is_the_one_of_the_page():
+    pytest.importorskip("dask_jobqueue", reason="dask-jobqueue is not installed")
+    page = (ROOT / "docs" / "dask.md").read_text(encoding="utf-8")
+    (code,) = re.findall(r"```python slurm\n(.*?)```", page, re.S)
+    (expected,) = re.findall(r"```text slurm\n(.*?)```", page, re.S)
+    names, output = {}, io.StringIO()
+    with dask_config.set({"distributed.scheduler.dashboard.status": {}}), contextlib.redirect_stdout(output):
+        exec(code, names)
+    names["cluster"].close()
+    script = output.getvalue().splitlines()
+    assert [line for line in script if line.startswith("#SBATCH")] == expected.splitlines()
+    assert any("--nthreads 8" in line and "--lifetime 230m" in line for line in script)

@@ -121,7 +121,7 @@ def _client(client: Any) -> Iterator[Any]:
             client = distributed.default_client()
     if client is None:
         threads = os.cpu_count() or 1
-        local = distributed.Client(processes=False, n_workers=1, threads_per_worker=threads, dashboard_address=None)
+        local = distributed.Client(processes=False, n_workers=1, threads_per_worker=threads, dashboard_address=":0")
         with local:
             yield local
         return
@@ -177,7 +177,7 @@ def _plan(
     with contextlib.suppress(OSError, ValueError, KeyError):
         earlier = json.loads((plan / "plan.json").read_text(encoding="utf-8"))
         return int(planned(int(earlier["shards"]))["shards"])
-    wanted = SHARDS_PER_THREAD * max(1, sum(client.nthreads().values()))
+    wanted = SHARDS_PER_THREAD * max(1, int(sum(client.nthreads().values())))
     made = planned(wanted)
     most = max(1, int(made["rows"]) // OBJECTS_PER_SHARD)
     if wanted <= most:
