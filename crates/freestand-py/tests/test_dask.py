@@ -124,6 +124,8 @@ def test_tables_and_dictionaries_without_a_cluster(city, tmp_path, monkeypatch):
     result = fsd.assess(STUDY, frame, out="out", seed=11, shards=2, threads=2)
     for name in SAME:
         assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes(), name
+    # Neither the built-in study nor the name of a temporary file.
+    assert b'"Study":"given as text"' in (tmp_path / "out" / "objects.parquet").read_bytes()
     assert result.warnings == expected.warnings
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "whole"], "a file is left"
 
