@@ -47,6 +47,8 @@ OBJECTS_PER_SHARD = 200
 LISTED = 20
 #: Seconds between two looks at whether a shard is still wanted.
 LOOK_S = 0.5
+#: Seconds that a shard has to stop when it is asked to.
+PATIENCE_S = 10
 
 _log = logging.getLogger("freestand.dask")
 
@@ -248,7 +250,7 @@ def _run_all(client: Any, plan: Path, shards: int, threads: int, retries: int) -
         raise SolveError([(text, None, None, _KEPT.format(plan=plan)) for text in problems])
 
 
-_KEPT = "finished shards are kept in {plan}: remove the cause and call assess again with the same arguments"
+_KEPT = "finished shards are kept in {plan}: call assess again with the same arguments to continue"
 
 
 def _message(future: Any) -> str:
@@ -319,15 +321,20 @@ def _call(arguments: list[str], is_wanted: Any = None) -> subprocess.CompletedPr
     with subprocess.Popen(
         command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8"
     ) as child:
+        looks_since_stop = 0
         while True:
             try:
                 stdout, stderr = child.communicate(timeout=LOOK_S)
                 return subprocess.CompletedProcess(arguments, child.returncode, stdout, stderr)
             except subprocess.TimeoutExpired:
-                # SIGTERM: a shard keeps its finished parts.
-                if is_wanted is not None and not is_wanted():
+                if is_wanted is None or (looks_since_stop == 0 and is_wanted()):
+                    continue
+                # SIGTERM first: the program stops at its next look and removes temporary files.
+                if looks_since_stop == 0:
                     child.terminate()
-                    is_wanted = None
+                elif looks_since_stop * LOOK_S >= PATIENCE_S:
+                    child.kill()
+                looks_since_stop += 1
             except BaseException:
                 child.terminate()
                 raise
