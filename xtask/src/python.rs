@@ -15,6 +15,9 @@ const BUILD: [&str; 1] = ["maturin>=1.16,<2"];
 const TEST: [&str; 7] =
     ["numpy>=1.26", "pytest>=8", "mypy>=1.15,<3", "pandas>=2.1", "pyarrow>=15", "xarray>=2024.1", "matplotlib>=3.8"];
 
+/// What the tests of Dask and the notebooks use too. Where it cannot be installed, they are left out.
+const MORE: [&str; 5] = ["distributed>=2026.8", "dask-jobqueue>=0.9", "markdown>=3.5", "obspy>=1.4", "scipy>=1.11"];
+
 /// How the program and the extension are compiled.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Profile {
@@ -61,6 +64,7 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
 /// Builds the wheel, installs it, and runs its tests and the checks of its types.
 pub fn test(root: &Path) -> Result<(), Trouble> {
     install(root, &[&BUILD[..], &TEST[..]].concat())?;
+    let more = install(root, &MORE);
     let wheel = wheel(root, &root.join("target/wheels-dev"), Profile::Dev)?;
     let wheel = wheel.to_string_lossy();
     let python = python(root);
@@ -69,7 +73,7 @@ pub fn test(root: &Path) -> Result<(), Trouble> {
     let package = root.join(CRATE);
     let mut wrong = Vec::new();
     let checks: [&[&str]; 3] = [
-        &["-m", "pytest", "--quiet"],
+        &["-m", "pytest", "--quiet", "-rs"],
         &["-m", "mypy", "python/freestand", "tests/typed.py"],
         &["-m", "mypy.stubtest", "freestand._freestand", "--concise"],
     ];
@@ -77,6 +81,16 @@ pub fn test(root: &Path) -> Result<(), Trouble> {
         match run(&package, &python, arguments) {
             Ok(()) => {}
             Err(Trouble::Wrong(problem) | Trouble::NotHere(problem)) => wrong.push(problem),
+        }
+    }
+    match more {
+        // Their pages are made as docs/python.md says.
+        Ok(()) => match run(root, &python, &["examples/notebooks/run.py"]) {
+            Ok(()) => {}
+            Err(Trouble::Wrong(problem) | Trouble::NotHere(problem)) => wrong.push(problem),
+        },
+        Err(Trouble::NotHere(why) | Trouble::Wrong(why)) => {
+            println!("skipped: Dask and the notebooks, which need {}: {why}", MORE.join(", "));
         }
     }
     if wrong.is_empty() { Ok(()) } else { Err(Trouble::Wrong(wrong.join("\n"))) }

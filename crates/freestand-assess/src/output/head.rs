@@ -1,5 +1,8 @@
 //! The head of every output: the inputs in words, and all assumptions.
 
+use std::ffi::OsStr;
+use std::path::Path;
+
 use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
@@ -34,13 +37,26 @@ pub(crate) struct Head {
     pub total: usize,
 }
 
+/// How the names of files begin through which a study in memory reaches this program; the rest is random.
+/// The Python package uses it (`freestand/dask.py`).
+const IN_MEMORY: &str = ".freestand-study-";
+
+/// The name of the file of the study, or where it comes from.
+fn study_name(study: &Study) -> String {
+    let file = study.source.as_deref().and_then(Path::file_name).map(OsStr::to_string_lossy);
+    match file {
+        Some(name) if !name.starts_with(IN_MEMORY) => name.into_owned(),
+        None if study.is_builtin => "the built-in study".to_owned(),
+        _ => "given as text".to_owned(),
+    }
+}
+
 /// The head of an assessment of `inventory` on the floors of `study`.
 pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
     let mut facts: Vec<(String, String)> = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     fact("SHA-256 of the list", inventory.sha256.clone());
-    let source = study.source.as_deref().and_then(|path| path.file_name());
-    fact("Study", source.map_or_else(|| "the built-in study".to_owned(), |name| name.to_string_lossy().into_owned()));
+    fact("Study", study_name(study));
     if let Some(building) = &study.building {
         let period = number(building.along.period_s(), 3);
         fact("Period of the building", format!("T₁ = {period} s: {}", building.period_note));
