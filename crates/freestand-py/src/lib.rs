@@ -29,7 +29,7 @@ mod _freestand {
     #[pymodule_export]
     use crate::requests::{code_spectrum, drop_test, floor, shock, shock_spectrum, static_test, synth, validate};
     #[pymodule_export]
-    use crate::risk::{fragility, risk};
+    use crate::risk::{fragility, lognormal, risk};
     #[pymodule_export]
     use crate::rock::rock;
     #[pymodule_export]

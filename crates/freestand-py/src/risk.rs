@@ -1,18 +1,21 @@
 //! Fragilities, and how often objects fail.
 
+use std::path::PathBuf;
+
+use freestand::fragility::{CurveKind, FitKind};
 use freestand_assess::fragility::{
     At, FITS, FRAGILITY_SCHEMA, FragilityRequest, Measure, ShockLimits, fragility as fitted,
 };
 use freestand_assess::risk::{
     HAZARD_CODES, HazardGiven, RISK_SCHEMA, RiskCurves, RiskRequest, amount, risk as calculated,
 };
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::Choices;
 use freestand_study::study::DEFAULT_SEED;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict};
 
-use crate::arguments::{Given, told};
+use crate::arguments::{Given, bytes, doubles, told};
 use crate::errors::{raised, raised_all};
 use crate::work::watched;
 
@@ -22,7 +25,7 @@ const PLACES: Choices<At> =
 /// The fit of outcomes, as far as it is given.
 struct Fitting {
     at: Option<At>,
-    fit: freestand::fragility::FitKind,
+    fit: FitKind,
     shock: Option<ShockLimits>,
     replicates: Option<u32>,
     seed: u64,
@@ -36,22 +39,34 @@ impl Fitting {
         }
         Self {
             at: given.choice("at", PLACES),
-            fit: given.choice("fit", FITS).unwrap_or(freestand::fragility::FitKind::Ordered),
+            fit: given.choice("fit", FITS).unwrap_or(FitKind::Ordered),
             shock: tolerance_g.zip(ceiling_g).map(|(tolerance_g, ceiling_g)| ShockLimits { tolerance_g, ceiling_g }),
             replicates: given.whole("bootstrap", 0).map(|count| u32::try_from(count).unwrap_or(u32::MAX)),
             seed: given.whole("seed", 0).unwrap_or(DEFAULT_SEED),
         }
     }
 
-    fn request(self, outcomes: std::path::PathBuf) -> FragilityRequest {
+    fn request(self, outcomes: PathBuf) -> FragilityRequest {
         let Self { at, fit, shock, replicates, seed } = self;
         FragilityRequest { outcomes, at, fit, shock, replicates, seed }
     }
 }
 
-/// Fragilities of the objects of a table of outcomes.
+/// The probabilities of a lognormal fragility at these intensities.
 #[pyfunction]
-pub(crate) fn fragility(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<usize>) -> PyResult<String> {
+pub(crate) fn lognormal<'py>(py: Python<'py>, median: f64, beta: f64, intensities: &[u8]) -> Bound<'py, PyBytes> {
+    let curve = CurveKind::Lognormal { median, beta };
+    let probability = |intensity| curve.probability(intensity).unwrap_or(f64::NAN);
+    PyBytes::new(py, &bytes(doubles(intensities).into_iter().map(probability)))
+}
+
+/// Fragilities of the objects of a table of outcomes: the document, and what was seen, as CSV.
+#[pyfunction]
+pub(crate) fn fragility(
+    py: Python<'_>,
+    values: &Bound<'_, PyDict>,
+    threads: Option<usize>,
+) -> PyResult<(String, String)> {
     let mut given = Given::new(values);
     let fitting = Fitting::of(&mut given);
     let outcomes = given.path("outcomes");
@@ -61,7 +76,8 @@ pub(crate) fn fragility(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Opt
     };
     let request = fitting.request(outcomes);
     let report = watched(py, threads, |_| fitted(request))?.map_err(raised_all)?;
-    told(FRAGILITY_SCHEMA, &report.facts(), &report.warnings)
+    let seen = report.empirical_table().map_err(raised)?.to_string();
+    Ok((told(FRAGILITY_SCHEMA, &report.facts(), &report.warnings)?, seen))
 }
 
 /// How often objects fail, and what that costs.
@@ -95,7 +111,7 @@ pub(crate) fn risk(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<u
     let (accepted_rate, years) = (given.positive("accepted_rate"), given.positive("years"));
     given.finish()?;
     let (Some(hazard), Some(curves)) = (hazard, curves) else {
-        return Err(raised_all(freestand_input::problem::Problems::default()));
+        return Err(raised_all(Problems::default()));
     };
     let request = RiskRequest {
         curves,
