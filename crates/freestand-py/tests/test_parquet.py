@@ -80,7 +80,7 @@ def test_history_alone(tmp_path):
 
 
 STUDY = {
-    "ground": {"code": "eurocode8", "spectrum_type": 1, "site": "C", "ground_acceleration": "0.5 g", "count": 3},
+    "ground": {"code": "eurocode8", "spectrum_type": 1, "site": "C", "ground_acceleration": "0.2 g", "count": 3},
     "building": {"storeys": 5},
     "objects": {"heights": "1 m, 2 m", "thicknesses": "0.2 m, 0.6 m"},
     "outputs": {"figures": False, "report": False},
