@@ -28,7 +28,7 @@ fn study(keys: &str) -> Study {
 fn tables(keys: &str) -> (Study, StudyResult, Vec<Vec<u8>>) {
     let study = study(keys);
     let result = run(&study, &no_progress).unwrap();
-    let tables = [urs_table(&study, &result), srs_table(&study, &result)].map(|table| table.unwrap().into()).into();
+    let tables = vec![urs_table(&study, &result).unwrap().into(), srs_table(&study, &result).unwrap().into()];
     (study, result, tables)
 }
 
