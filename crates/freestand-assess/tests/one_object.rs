@@ -9,7 +9,8 @@ use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
 use freestand_assess::inventory::{Casters, Surroundings};
 use freestand_assess::job::{Job, ListRequest, assess_into, inventory_of};
 use freestand_assess::one_object::{
-    AnswerKind, Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, Withstood, one_object,
+    AnswerKind, Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, StudySource, Withstood,
+    one_object,
 };
 use freestand_input::keys::Words;
 use freestand_input::words::shortest;
@@ -74,7 +75,7 @@ fn a_list_with_this_row_has_the_same_numbers() {
         tolerance: Some(Withstood { peak_m_s2: 10.0 * freestand::G0_M_S2, duration_s: None }),
         ..bare(1.8, 40.0 * 0.0254)
     };
-    let earthquake = Earthquake::Study { path: study.clone(), hazard: Words::default() };
+    let earthquake = Earthquake::Study { source: StudySource::File(study.clone()), hazard: Words::default() };
     let floor = Floor { place: FloorPlace::Name("3".to_owned()), ..GROUND };
     let report = answer(&ObjectRequest { worlds: None, ..request(object, earthquake, floor) });
 
@@ -168,7 +169,7 @@ fn a_list_with_these_surroundings_has_the_same_numbers() {
                     most = 6\nshares = false\n";
         std::fs::write(&study, text).unwrap();
         std::fs::write(&list, row).unwrap();
-        let earthquake = Earthquake::Study { path: study.clone(), hazard: Words::default() };
+        let earthquake = Earthquake::Study { source: StudySource::File(study.clone()), hazard: Words::default() };
         let floor = Floor { place: FloorPlace::Share(0.5), ..GROUND };
         let report = answer(&ObjectRequest { worlds: None, ..request(object, earthquake, floor) });
 

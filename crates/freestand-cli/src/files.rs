@@ -1,11 +1,16 @@
 //! The output folder of commands that write a few files and a manifest.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use clap::Args;
+use freestand_input::Problem;
+use freestand_input::file::{load, sha256_hex};
 use freestand_output::figure::{Figure, FigureError};
-use freestand_output::folder::{MANIFEST, OutputFolder};
+use freestand_output::folder::{MANIFEST, OutputFolder, write_file};
 use freestand_output::json::document;
+use freestand_output::parquet::provenance;
 use freestand_output::streamed::StreamedFile;
+use freestand_output::table::Table;
 use serde::Serialize;
 
 use crate::args::GlobalArgs;
@@ -18,6 +23,27 @@ use crate::reading::path_text;
 pub(crate) struct Files {
     folder: Option<(PathBuf, OutputFolder)>,
     printer: Printer,
+    /// Schema and further metadata of Parquet tables; `None`: tables are CSV only.
+    parquet: Option<(&'static str, Vec<(String, String)>)>,
+}
+
+/// How tables are written.
+#[derive(Debug, Args)]
+pub(crate) struct TableArgs {
+    /// Write each table of --out as Parquet too, with the units in its metadata
+    #[arg(long)]
+    pub(crate) parquet: bool,
+}
+
+impl TableArgs {
+    /// Refuses the flag where no folder is named.
+    fn check(&self, global: &GlobalArgs) -> Result<(), Failure> {
+        if self.parquet && global.out.is_none() {
+            let hint = "add --out DIR";
+            return Err(Failure::usage("--parquet writes tables to a folder, and --out is not given", hint));
+        }
+        Ok(())
+    }
 }
 
 impl Files {
@@ -28,7 +54,22 @@ impl Files {
             Some(target) => Some((target.clone(), OutputFolder::stage(target, global.force, inputs)?)),
             None => None,
         };
-        Ok(Self { folder, printer: Printer::new(global) })
+        Ok(Self { folder, printer: Printer::new(global), parquet: None })
+    }
+
+    /// The same, of a command that writes tables; `schema` names its document, and `seed` is that of
+    /// its random numbers, if it draws any.
+    pub(crate) fn with_tables(
+        global: &GlobalArgs,
+        inputs: &[PathBuf],
+        tables: &TableArgs,
+        schema: &'static str,
+        seed: Option<u64>,
+    ) -> Result<Self, Failure> {
+        tables.check(global)?;
+        let facts = tables.parquet.then(|| fingerprints(inputs)).transpose()?;
+        let parquet = facts.map(|inputs| (schema, provenance(seed, inputs)));
+        Ok(Self { parquet, ..Self::begin(global, inputs)? })
     }
 
     /// Whether there is a folder to write to.
@@ -45,6 +86,20 @@ impl Files {
         let Some((target, folder)) = &self.folder else { return Ok(None) };
         folder.write(name, bytes().as_ref())?;
         Ok(Some(path_text(&target.join(name))))
+    }
+
+    /// Writes a table as `NAME.csv`, and as `NAME.parquet` if wanted; does nothing without `--out`.
+    pub(crate) fn table(&self, name: &str, table: impl FnOnce() -> Result<Table, Problem>) -> Result<(), Failure> {
+        if !self.wanted() {
+            return Ok(());
+        }
+        let table = table()?;
+        if let Some((schema, facts)) = &self.parquet {
+            let bytes = table.parquet(schema, facts.clone())?;
+            self.write(&format!("{name}.parquet"), || bytes)?;
+        }
+        self.write(&format!("{name}.csv"), || table)?;
+        Ok(())
     }
 
     /// Draws a figure and writes it as SVG and PNG; does nothing without `--out`.
@@ -109,6 +164,24 @@ impl Files {
         }
         Ok(())
     }
+}
+
+/// Writes a table to a file that the user named: as Parquet if the name ends in `.parquet`, otherwise
+/// as CSV.
+pub(crate) fn write_table(path: &Path, table: Table, schema: &str, inputs: &[PathBuf]) -> Result<(), Problem> {
+    let is_parquet = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("parquet"));
+    let bytes = if is_parquet { table.parquet(schema, provenance(None, fingerprints(inputs)?))? } else { table.into() };
+    write_file(path, &bytes, inputs)
+}
+
+/// The names and SHA-256 of the files that a command reads.
+pub(crate) fn fingerprints(inputs: &[PathBuf]) -> Result<Vec<(String, Option<String>)>, Problem> {
+    let one = |path: &PathBuf| {
+        // A pipe cannot be read again.
+        let sha256 = if path.is_file() { Some(sha256_hex(&load(path)?)) } else { None };
+        Ok((path.file_name().unwrap_or_default().to_string_lossy().into_owned(), sha256))
+    };
+    inputs.iter().map(one).collect()
 }
 
 /// The file in the output folder with the document that `--json` prints.

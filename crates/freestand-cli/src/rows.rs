@@ -3,16 +3,14 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand_input::file::{load, sha256_hex};
 use freestand_output::facts::{csv_header, csv_rows, json_rows, parquet_columns, parquet_values};
-use freestand_output::parquet::ParquetFile;
+use freestand_output::parquet::{ParquetFile, provenance};
 use freestand_output::streamed::{StreamedFile, rows_head, rows_tail};
 use freestand_study::spectrum::{SpectrumChunk, column_type};
 use serde::Serialize;
-use serde_json::json;
 
 use crate::failure::Failure;
-use crate::files::{Files, RESULT};
+use crate::files::{Files, RESULT, fingerprints};
 use crate::printer::Printer;
 
 /// Name of the table in the output folder.
@@ -44,7 +42,7 @@ impl Parquet {
             Self::Waiting(file, _) if chunk.objects() == 0 => return Ok(Self::Waiting(file, Vec::new())),
             Self::Waiting(file, inputs) => {
                 let columns = parquet_columns(&chunk.row(0), column_type);
-                let facts = [("freestand.inputs".to_owned(), fingerprints(&inputs)?)];
+                let facts = provenance(None, fingerprints(&inputs)?);
                 Box::new(ParquetFile::begin(file, schema, &columns, facts)?)
             }
         };
@@ -53,17 +51,6 @@ impl Parquet {
         }
         Ok(Self::Begun(file))
     }
-}
-
-/// The files that a command reads, by name and SHA-256, as JSON.
-fn fingerprints(inputs: &[PathBuf]) -> Result<String, Failure> {
-    let mut all = Vec::new();
-    for path in inputs {
-        // A pipe cannot be read again.
-        let sha256 = if path.is_file() { Some(sha256_hex(&load(path)?)) } else { None };
-        all.push(json!({"name": path.file_name().map(|name| name.to_string_lossy()), "sha256": sha256}));
-    }
-    Ok(serde_json::Value::from(all).to_string())
 }
 
 impl Rows {

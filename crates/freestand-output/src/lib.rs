@@ -10,3 +10,5 @@ pub mod parquet;
 pub mod paths;
 pub mod rows;
 pub mod streamed;
+pub mod table;
+mod units;

@@ -69,6 +69,17 @@ pub enum ParquetValue<'a> {
     Text(Cow<'a, str>),
 }
 
+/// The metadata of a table of results: its seed, and the files that were read, each with its name and
+/// its SHA-256, as JSON.
+pub fn provenance(
+    seed: Option<u64>,
+    inputs: impl IntoIterator<Item = (String, Option<String>)>,
+) -> Vec<(String, String)> {
+    let inputs: Vec<_> = inputs.into_iter().map(|(name, sha256)| json!({"name": name, "sha256": sha256})).collect();
+    let seed = seed.map(|seed| ("freestand.seed".to_owned(), seed.to_string()));
+    seed.into_iter().chain([("freestand.inputs".to_owned(), serde_json::Value::from(inputs).to_string())]).collect()
+}
+
 /// A file as it is written.
 pub struct ParquetFile<W: Write + Send> {
     file: SerializedFileWriter<W>,

@@ -5,6 +5,9 @@ use freestand_input::words::{push_shortest, shortest};
 use freestand_input::{Problem, ProblemKind};
 use serde_json::Value;
 
+pub use crate::table::broken;
+use crate::table::{Holds, Table};
+
 /// Rows of text as CSV.
 ///
 /// # Errors
@@ -23,12 +26,7 @@ pub fn csv_writer() -> csv::Writer<Vec<u8>> {
     csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new())
 }
 
-/// The problem of a table that cannot be written.
-pub fn broken(error: csv::Error) -> Problem {
-    Problem::new(ProblemKind::Io, format!("a table cannot be written: {error}"))
-}
-
-/// Records of a serializable type as CSV: field names as the header, `None` as an empty field.
+/// Records of a serializable type as a table: field names as the header, `None` as an empty field.
 ///
 /// # Errors
 /// None in practice: records consist of numbers and texts, and writing to memory does not fail.
@@ -41,11 +39,11 @@ pub fn broken(error: csv::Error) -> Problem {
 ///     uplift_m: Option<f64>,
 /// }
 /// let rows = [Row { count: 1, uplift_m: Some(0.0) }, Row { count: 2, uplift_m: None }];
-/// assert_eq!(freestand_output::rows::records_csv(&rows)?, b"count,uplift_m\n1,0\n2,\n");
+/// assert_eq!(freestand_output::rows::table_of_records(&rows)?.as_ref(), b"count,uplift_m\n1,0\n2,\n");
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
-pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Problem> {
-    let mut header = Vec::new();
+pub fn table_of_records<T: serde::Serialize>(records: &[T]) -> Result<Table, Problem> {
+    let mut columns: Vec<(String, Holds)> = Vec::new();
     let mut rows = Vec::with_capacity(records.len());
     for record in records {
         // By default, the csv crate writes numbers as `0.0` and `1e16`.
@@ -53,15 +51,36 @@ pub fn records_csv<T: serde::Serialize>(records: &[T]) -> Result<Vec<u8>, Proble
             return Err(Problem::new(ProblemKind::Io, "a table cannot be written: its records have no fields"));
         };
         if rows.is_empty() {
-            header = fields.keys().cloned().collect();
+            columns = fields.keys().map(|name| (name.clone(), Holds::Nothing)).collect();
+        }
+        for ((_, holds), value) in columns.iter_mut().zip(fields.values()) {
+            *holds = holds.and(held(value));
         }
         rows.push(fields.values().map(cell).collect());
     }
     if rows.is_empty() {
-        return Ok(Vec::new());
+        return Ok(Table::default());
     }
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    csv(&header, rows.into_iter())
+    let header: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+    let text = csv(&header, rows.into_iter())?;
+    Ok(Table::new(text, columns))
+}
+
+/// What the value of a record is.
+fn held(value: &Value) -> Holds {
+    match value {
+        Value::Null => Holds::Nothing,
+        Value::Bool(_) => Holds::Flag,
+        Value::Number(number) if number.is_u64() => Holds::Count,
+        Value::Number(_) => Holds::Number,
+        Value::String(_) | Value::Array(_) | Value::Object(_) => Holds::Text,
+    }
+}
+
+/// Rows of numbers as a table whose first line is `header`, names with commas between them.
+pub fn table_of_numbers<R: AsRef<[f64]>>(header: &str, rows: impl IntoIterator<Item = R>) -> Table {
+    let columns = header.split(',').map(|name| (name.to_owned(), Holds::Number)).collect();
+    Table::new(numbers_csv(header, rows).into_bytes(), columns)
 }
 
 /// Rows of numbers as CSV, after `head`, which ends with the header.
@@ -79,14 +98,15 @@ pub fn numbers_csv<R: AsRef<[f64]>>(head: &str, rows: impl IntoIterator<Item = R
     text
 }
 
-/// Named columns of numbers, all of the same length, as CSV.
+/// Named columns of numbers, all of the same length, as a table.
 ///
 /// # Errors
 /// None in practice: writing to memory does not fail.
-pub fn columns_csv(columns: &[(&str, &[f64])]) -> Result<Vec<u8>, Problem> {
+pub fn table_of_columns(columns: &[(&str, &[f64])]) -> Result<Table, Problem> {
     let header: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
     let length = columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0);
-    csv(&header, (0..length).map(|i| columns.iter().map(|(_, values)| shortest(values[i])).collect()))
+    let text = csv(&header, (0..length).map(|i| columns.iter().map(|(_, values)| shortest(values[i])).collect()))?;
+    Ok(Table::new(text, header.iter().map(|name| ((*name).to_owned(), Holds::Number)).collect()))
 }
 
 fn cell(value: &Value) -> String {

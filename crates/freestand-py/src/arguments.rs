@@ -268,8 +268,9 @@ fn object<'py>(py: Python<'py>, value: &Value<'_>) -> PyResult<Bound<'py, PyAny>
         Value::Missing => py.None().into_bound(py),
         Value::Text(text) => PyString::new(py, text).into_any(),
         // As in a document, where a number that is not finite is null.
-        Value::Number(number) if !number.is_finite() => py.None().into_bound(py),
-        Value::Number(number) => number.into_pyobject(py)?.into_any(),
+        Value::Number(number) | Value::NumberOr(Some(number), _) if !number.is_finite() => py.None().into_bound(py),
+        Value::Number(number) | Value::NumberOr(Some(number), _) => number.into_pyobject(py)?.into_any(),
+        Value::NumberOr(None, word) => PyString::new(py, word).into_any(),
         Value::Count(count) => count.into_pyobject(py)?.into_any(),
         Value::Flag(flag) => PyBool::new(py, *flag).to_owned().into_any(),
         Value::List(values) => {

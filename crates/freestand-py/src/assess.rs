@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use freestand_assess::inventory::{Floors, Mapping, ReadOptions, check_report, inspect_inventory};
+use freestand_assess::inventory::{Floors, Mapping, ReadOptions, check_report, inspect_inventory, marked_copy};
 use freestand_assess::job::{Job, ListRequest, SCHEMA, assess_into, floors_of, inventory_of};
 use freestand_assess::library::Libraries;
 use freestand_assess::output::object_rows;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
-use freestand_output::folder::OutputFolder;
+use freestand_output::folder::{OutputFolder, write_file};
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::resolve::{Overrides, builtin, builtin_toml, load, motion_paths, resolve_with};
@@ -128,6 +128,7 @@ pub(crate) fn assess(
 #[pyfunction]
 pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, PyDict>) -> PyResult<String> {
     let mut given = Given::new(values);
+    let marked = given.path("marked_copy");
     let (sheet, columns) = (given.text("sheet"), given.path("columns"));
     let storeys = given.count("storeys");
     let is_strict = given.flag("strict");
@@ -144,11 +145,18 @@ pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, 
         let mapping = columns.as_deref().map(Mapping::load).transpose()?;
         libraries.looked_up(|lookup| {
             let sheet = sheet.as_deref();
-            inspect_inventory(&path, &ReadOptions { sheet, mapping: mapping.as_ref(), floors, is_strict, lookup })
+            let options = ReadOptions { sheet, mapping: mapping.as_ref(), floors, is_strict, lookup };
+            let reading = inspect_inventory(&path, &options)?;
+            if let Some(place) = &marked {
+                let copy = marked_copy(&path, &options, &reading.inventory.findings)?;
+                write_file(place, &copy, std::slice::from_ref(&path))?;
+            }
+            Ok(reading)
         })
     };
     let reading = py.detach(work).map_err(|problems: Problems| raised_all(problems))?;
-    let report = check_report(&reading, None, KeyStyle::Argument);
+    let marked = marked.as_ref().map(|place| place.to_string_lossy().into_owned());
+    let report = check_report(&reading, marked, KeyStyle::Argument);
     told("freestand.inventory/1", &report, &reading.inventory.warnings)
 }
 
@@ -165,8 +173,10 @@ pub(crate) fn run(
     let overrides = overrides(&mut given);
     let force = given.flag("force");
     let source = given.path("study");
+    let parquet = given.flag("parquet");
     given.finish()?;
-    let study = study_of(values, &overrides)?;
+    let mut study = study_of(values, &overrides)?;
+    study.outputs.parquet |= parquet;
     let schema = freestand_study::summary::SCHEMA;
     let told_step = Told::default();
     let work = |stop: &AtomicBool| {

@@ -9,6 +9,7 @@ mod errors;
 mod motion;
 mod objects;
 mod requests;
+mod risk;
 mod rock;
 mod spectrum;
 mod table;
@@ -28,7 +29,9 @@ mod _freestand {
     #[pymodule_export]
     use crate::requests::{code_spectrum, drop_test, floor, shock, shock_spectrum, static_test, synth, validate};
     #[pymodule_export]
-    use crate::rock::{rock, slide};
+    use crate::risk::{fragility, lognormal, risk};
+    #[pymodule_export]
+    use crate::rock::rock;
     #[pymodule_export]
     use crate::spectrum::spectrum;
     #[pymodule_export]

@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use freestand::G0_M_S2;
 use freestand_assess::inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_assess::one_object::{
-    Earthquake, Floor, FloorPlace, Object, ObjectRequest, RestsOn, SCHEMA, Withstood, one_object,
+    Earthquake, Floor, FloorPlace, Object, ObjectRequest, RestsOn, SCHEMA, StudySource, Withstood, one_object,
 };
 use freestand_assess::restrain::{
     DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain as restrained,
@@ -82,7 +82,8 @@ pub(crate) fn check_object(
     let mut given = Given::new(values);
     let hazard: Words = given.words("hazard");
     let has_place = hazard.get("place").is_some();
-    let (peak_g, study) = (given.positive("pga_g"), given.path("study"));
+    let file = given.path("study").map(StudySource::File);
+    let (peak_g, study) = (given.positive("pga_g"), file.or(given.text("study_text").map(StudySource::Text)));
     let named = [
         ("place", has_place && study.is_none()),
         ("pga_g", peak_g.is_some()),
@@ -128,7 +129,7 @@ pub(crate) fn check_object(
         return Err(raised(Problem::value("the size of the object is missing", "give height_m and thickness_m")));
     };
     let earthquake = match (study, peak_g) {
-        (Some(path), _) => Earthquake::Study { path, hazard },
+        (Some(source), _) => Earthquake::Study { source, hazard },
         (None, Some(of_g)) => Earthquake::GroundAcceleration(of_g * G0_M_S2),
         (None, None) if motions.is_empty() => Earthquake::Place(hazard),
         (None, None) => Earthquake::Motions {

@@ -13,7 +13,7 @@ use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_records::formats::ReadOptions;
 use freestand_study::building;
 use freestand_study::floor::{DEFAULT_LEVELS, FloorReport, FloorRequest, every_floor, floors};
-use freestand_study::laboratory::drop_test::{DropRequest, LAWS, cushion_toml, drop_tests, loop_csv};
+use freestand_study::laboratory::drop_test::{DropRequest, LAWS, cushion_toml, drop_tests, loop_table};
 use freestand_study::laboratory::static_curve::{StaticRequest, static_tests};
 use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
@@ -128,7 +128,7 @@ pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<
     given.finish()?;
     let report = watched(py, None, |_| drop_tests(&request))?.map_err(raised_all)?;
     let text = told("freestand.cushion-drop/1", &report.facts(), &report.warnings)?;
-    let loops = report.tests.iter().map(|test| loop_csv(&test.test)).collect();
+    let loops = report.tests.iter().map(|test| loop_table(&test.test).to_string()).collect();
     Ok((text, cushion_toml(&report.pooled), loops))
 }
 

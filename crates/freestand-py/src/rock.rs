@@ -3,6 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::{CompliantBase, CompliantOptions, Start};
+use freestand::motion::Motion;
 use freestand::rocking::{Restitution, RockingModel, RockingOptions, Until};
 use freestand::sliding::Clearance;
 use freestand_input::problem::Problem;
@@ -21,6 +22,7 @@ use crate::arguments::{Given, bytes, dictionary};
 use crate::block::Body;
 use crate::errors::raised;
 use crate::motion::Record;
+use crate::work::abandoned_on_signal;
 
 /// Facts, warnings, impacts, impacts on walls, names and columns of the history.
 type Answer<'py> =
@@ -132,7 +134,49 @@ fn nothing_moves() -> Problem {
     Problem::value("nothing moves the object", hint)
 }
 
-/// The response of an object on a rigid base, or on its cushions.
+/// An object and what shakes it.
+#[derive(Clone, Copy)]
+struct Shaken<'a> {
+    body: &'a Body,
+    motion: Option<&'a Record>,
+    vertical: Option<&'a Record>,
+    /// Whether its history is recorded.
+    history: bool,
+}
+
+/// Samples of a motion above which a history is calculated beside the thread that looks for Ctrl-C:
+/// shorter ones take a few milliseconds, and starting a thread costs more than the history of a
+/// small object.
+const MANY_SAMPLES: usize = 50_000;
+
+impl Shaken<'_> {
+    fn is_still(&self) -> bool {
+        self.motion.or(self.vertical).is_none()
+    }
+
+    fn horizontal(&self) -> Option<Motion> {
+        self.motion.map(|record| record.motion().clone())
+    }
+
+    fn upward(&self) -> Option<Motion> {
+        self.vertical.map(|record| record.motion().clone())
+    }
+
+    /// Calculates a history without the interpreter's lock.
+    fn follow<T: Send + 'static>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce() -> Result<T, Problem> + Send + 'static,
+    ) -> PyResult<T> {
+        let samples = self.motion.into_iter().chain(self.vertical).map(|record| record.motion().accel_m_s2().len());
+        let done =
+            if samples.max().unwrap_or(0) > MANY_SAMPLES { abandoned_on_signal(py, work)? } else { py.detach(work) };
+        done.map_err(raised)
+    }
+}
+
+/// The response of an object: `base` is rigid, compliant or sliding. `None`: it should slide, but is
+/// on braked casters that hold.
 #[pyfunction]
 pub(crate) fn rock<'py>(
     py: Python<'py>,
@@ -141,8 +185,12 @@ pub(crate) fn rock<'py>(
     vertical: Option<&Record>,
     values: &Bound<'py, PyDict>,
     history: bool,
-) -> PyResult<Answer<'py>> {
+) -> PyResult<Option<Answer<'py>>> {
+    let shaken = Shaken { body, motion, vertical, history };
     let mut given = Given::new(values);
+    if given.flag("sliding") {
+        return slide(py, shaken, given);
+    }
     let on_cushions = match given.text("base").as_deref() {
         None | Some("rigid") => false,
         Some("compliant") => true,
@@ -151,21 +199,12 @@ pub(crate) fn rock<'py>(
             false
         }
     };
-    if on_cushions {
-        compliant(py, body, motion, vertical, given, history)
-    } else {
-        rigid(py, body, motion, vertical, given, history)
-    }
+    let follow = if on_cushions { compliant } else { rigid };
+    follow(py, shaken, given).map(Some)
 }
 
-fn rigid<'py>(
-    py: Python<'py>,
-    body: &Body,
-    motion: Option<&Record>,
-    vertical: Option<&Record>,
-    mut given: Given<'_, 'py>,
-    history: bool,
-) -> PyResult<Answer<'py>> {
+fn rigid<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) -> PyResult<Answer<'py>> {
+    let Shaken { body, history, .. } = shaken;
     let block = body.block;
     if body.edge.is_some() && body.mass_kg.is_none() {
         let message = "the cushion is used for the shock, which also needs the mass of the object";
@@ -189,7 +228,7 @@ fn rigid<'py>(
         walls,
     };
     let friction = given.positive("friction");
-    if motion.or(vertical).is_none() {
+    if shaken.is_still() {
         if options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
             given.push(nothing_moves());
         } else if duration_s.is_none() {
@@ -200,26 +239,20 @@ fn rigid<'py>(
     given.finish()?;
     let request = RockRequest {
         block,
-        horizontal: motion.map(|record| record.motion().clone()),
-        vertical: vertical.map(|record| record.motion().clone()),
+        horizontal: shaken.horizontal(),
+        vertical: shaken.upward(),
         options,
         cushion: body.mass_kg.zip(body.edge.clone()),
         wall,
         friction,
     };
-    let report = py.detach(|| calculated(&request, history)).map_err(raised)?;
+    let report = shaken.follow(py, move || calculated(&request, history))?;
     let rows: Vec<[f64; 5]> = report.history.iter().map(|point| history_row(&block, point)).collect();
     answer(py, &report.facts, report.warnings, history.then(|| columns(HISTORY, &rows)))
 }
 
-fn compliant<'py>(
-    py: Python<'py>,
-    body: &Body,
-    motion: Option<&Record>,
-    vertical: Option<&Record>,
-    mut given: Given<'_, 'py>,
-    history: bool,
-) -> PyResult<Answer<'py>> {
+fn compliant<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) -> PyResult<Answer<'py>> {
+    let Shaken { body, history, .. } = shaken;
     let of_rigid_base = ["restitution", "restitution_factor", "left_m", "right_m", "wall_height_m"];
     for name in of_rigid_base {
         if given.number(name).is_some() {
@@ -244,7 +277,7 @@ fn compliant<'py>(
         let hint = "give the block mass_kg and the stiffness_n_m of the whole cushion under one edge";
         given.push(Problem::value("a compliant base needs a mass and a stiffness", hint));
     }
-    if motion.or(vertical).is_none() && start == Start::Rest {
+    if shaken.is_still() && start == Start::Rest {
         given.push(nothing_moves());
     }
     given.finish()?;
@@ -261,27 +294,19 @@ fn compliant<'py>(
         base,
         pad_thickness_m: edge.pad_thickness_m,
         notes: edge.notes,
-        horizontal: motion.map(|record| record.motion().clone()),
-        vertical: vertical.map(|record| record.motion().clone()),
+        horizontal: shaken.horizontal(),
+        vertical: shaken.upward(),
         options,
     };
-    let report = crate::work::watched(py, None, |_| rock_on_cushions(&request, history))?.map_err(raised)?;
+    let report = abandoned_on_signal(py, move || rock_on_cushions(&request, history))?.map_err(raised)?;
     let rows: Vec<_> = report.history.iter().map(on_cushions::history_row).collect();
     let head = on_cushions::history_head(&report.history);
     answer(py, &report.facts, report.warnings, history.then(|| columns(&head, &rows)))
 }
 
 /// The travel of an object that slides or rolls; `None` if it is on braked casters that hold.
-#[pyfunction]
-pub(crate) fn slide<'py>(
-    py: Python<'py>,
-    body: &Body,
-    motion: Option<&Record>,
-    vertical: Option<&Record>,
-    values: &Bound<'py, PyDict>,
-    history: bool,
-) -> PyResult<Option<Answer<'py>>> {
-    let mut given = Given::new(values);
+fn slide<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) -> PyResult<Option<Answer<'py>>> {
+    let Shaken { body, history, .. } = shaken;
     let surface = surface(&mut given);
     let carried = surface.and_then(|surface| given.keep(surface.carries(&body.block)));
     let stop = surface.and_then(|surface| {
@@ -290,7 +315,7 @@ pub(crate) fn slide<'py>(
     });
     let gravity_m_s2 = given.positive("gravity_m_s2").unwrap_or(G0_M_S2);
     let until = until(given.positive("duration_s"));
-    if motion.or(vertical).is_none() {
+    if shaken.is_still() {
         given.push(Problem::value("nothing moves the object", "give a motion"));
     }
     given.finish()?;
@@ -299,12 +324,12 @@ pub(crate) fn slide<'py>(
         block: body.block,
         surface,
         stop,
-        horizontal: motion.map(|record| record.motion().clone()),
-        vertical: vertical.map(|record| record.motion().clone()),
+        horizontal: shaken.horizontal(),
+        vertical: shaken.upward(),
         gravity_m_s2,
         until,
     };
-    let report = py.detach(|| slid(&request, history)).map_err(raised)?;
+    let report = shaken.follow(py, move || slid(&request, history))?;
     let rows: Vec<_> = report.history.iter().map(sliding::history_row).collect();
     answer(py, &report.facts, report.warnings, history.then(|| columns(sliding::HISTORY, &rows))).map(Some)
 }

@@ -75,7 +75,7 @@ pub(crate) fn watched_with<T: Send>(
     let pool = pool(threads)?;
     let stop = AtomicBool::new(false);
     let (done, ended) = channel::<()>();
-    let mut raised = None;
+    let mut signalled = None;
     let result = thread::scope(|scope| {
         let (pool, stop) = (&pool, &stop);
         let worker = scope.spawn(move || {
@@ -87,21 +87,45 @@ pub(crate) fn watched_with<T: Send>(
         let ended = Mutex::new(ended);
         while py.detach(|| wait(&ended)) {
             if let Err(error) = py.check_signals().and_then(|()| look(py)) {
-                raised.get_or_insert(error);
+                signalled.get_or_insert(error);
                 stop.store(true, Ordering::Relaxed);
             }
         }
         worker.join()
     });
-    if let Some(error) = raised {
+    if let Some(error) = signalled {
         return Err(interrupted(py, error));
     }
-    result.map_err(|_| {
-        let message = "the calculation ended in a way that it should never end";
-        crate::errors::raised(
-            Problem::new(ProblemKind::Computation, message).hint("this is a defect of freestand; please report it"),
-        )
-    })
+    result.map_err(|_| defect())
+}
+
+/// Does work that cannot be stopped, beside this thread, which looks for signals: Ctrl-C raises at
+/// once, and what the work still finds is thrown away.
+pub(crate) fn abandoned_on_signal<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    let (done, ended) = channel();
+    thread::spawn(move || {
+        // Nobody listens where a signal came first.
+        let _ = done.send(work());
+    });
+    let ended = Mutex::new(ended);
+    loop {
+        let look = || ended.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(LOOK);
+        match py.detach(look) {
+            Ok(result) => return Ok(result),
+            Err(RecvTimeoutError::Timeout) => py.check_signals().map_err(|error| interrupted(py, error))?,
+            Err(RecvTimeoutError::Disconnected) => return Err(defect()),
+        }
+    }
+}
+
+/// A calculation that ended by a panic.
+fn defect() -> PyErr {
+    let message = "the calculation ended in a way that it should never end";
+    let hint = "this is a defect of freestand; please report it";
+    raised(Problem::new(ProblemKind::Computation, message).hint(hint))
 }
 
 /// Waits for a moment; whether the work goes on.

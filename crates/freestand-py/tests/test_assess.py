@@ -35,6 +35,23 @@ def test_a_doubtful_cell_is_a_problem_with_its_cell(tmp_path):
     assert not found.ok and any("D2" in problem["cells"] for problem in found.problems)
 
 
+def test_the_marked_copy_is_that_of_the_command(tmp_path):
+    import zipfile
+
+    (tmp_path / "list.csv").write_text(LIST.replace("2000", "-2000"))
+    told("inventory", "check", tmp_path / "list.csv", "--out", tmp_path / "theirs")
+    found = fs.check_inventory(tmp_path / "list.csv", marked_copy=tmp_path / "ours.xlsx")
+    assert found.marked_copy == str(tmp_path / "ours.xlsx")
+
+    def sheet(path):
+        with zipfile.ZipFile(path) as book:
+            return book.read("xl/worksheets/sheet1.xml"), book.read("xl/comments1.xml")
+
+    assert sheet(tmp_path / "ours.xlsx") == sheet(tmp_path / "theirs" / "checked.xlsx")
+    with pytest.raises(fs.FreestandError, match="list.csv"):
+        fs.check_inventory(tmp_path / "list.csv", marked_copy=tmp_path / "list.csv")
+
+
 @pytest.fixture(scope="module")
 def assessed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("assessed")

@@ -74,6 +74,32 @@ def test_ctrl_c_stops_a_spectrum():
     assert time.perf_counter() - begun < 20
 
 
+ROCK = """
+import sys, time
+import freestand as fs, numpy as np
+motion = fs.Motion(1.5 * np.sin(np.arange(3_000_000) * 0.03), 0.005)
+block = fs.Block(0.6, 0.3, mass_kg=10, stiffness_n_m=1e5)
+print("ready", flush=True)
+try:
+    while True:
+        block.rock(motion)
+except KeyboardInterrupt as error:
+    assert isinstance(error, fs.Interrupted), type(error)
+    print("interrupted", flush=True)
+    sys.exit(3)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+def test_ctrl_c_stops_one_long_history():
+    child = subprocess.Popen([sys.executable, "-W", "ignore", "-c", ROCK], stdout=subprocess.PIPE, text=True)
+    assert child.stdout.readline() == "ready\n"
+    time.sleep(0.3)
+    child.send_signal(signal.SIGINT)
+    output, _ = child.communicate(timeout=60)
+    assert (child.returncode, output) == (3, "interrupted\n")
+
+
 def _in_child(queue, expected):
     queue.put(list(fs.spectrum(LONG, [1.0, 2.0], [0.2, 0.3], threads=2).rows()) == expected)
 

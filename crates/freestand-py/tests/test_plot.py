@@ -39,6 +39,21 @@ def test_spectra_of_uplift_and_shock():
         plot.urs(fs.spectrum(motions, [1], [0.3], pairs=True))
 
 
+def test_fragility():
+    result = fs.fragility(ROOT / "examples/risk/outcomes.csv", bootstrap=0)
+    ax = result.plot("cabinet")
+    drawn = {line.get_label(): line for line in ax.get_lines() if not line.get_label().startswith("_")}
+    curve = result.curve("cabinet", "overturns")
+    x, y = drawn["overturns"].get_data()
+    # Φ(0) is one half.
+    assert np.interp(curve["median"], x, y) == pytest.approx(0.5, abs=2e-3)  # 200 straight pieces
+    assert result.probability("cabinet", "overturns", curve["median"])[0] == pytest.approx(0.5, abs=1e-12)
+    assert ax.get_xlabel() == "pgv [m/s] of the ground" and ax.get_title() == "cabinet"
+    assert plot.fragility(result).get_title() == result.objects[0]["id"]
+    with pytest.raises(fs.BadValue, match="no object"):
+        plot.fragility(result, "none")
+
+
 def test_loop_and_response_spectra(floor_motion):
     pad = fs.drop_test([ROOT / "validation/cushion/drop-001.csv"])
     assert "N/mm" in pad.plot().get_legend().get_texts()[-1].get_text()

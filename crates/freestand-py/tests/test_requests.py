@@ -146,6 +146,56 @@ def test_restrain(tmp_path):
     same(fs.restrain(360, 1.8, 0.6, width_m=0.9, code="asce7", edition=2022, sds_g=1, level_ratio=0.5).to_dict(), theirs)
 
 
+def test_check_object_with_a_study():
+    """A path, its text and its tables are one study."""
+    tables = {"ground": {"code": "eurocode8", "spectrum_type": 1, "site": "B", "ground_acceleration": "0.3 g", "count": 4}}
+    text = '[ground]\ncode = "eurocode8"\nspectrum_type = 1\nsite = "B"\nground_acceleration = "0.3 g"\ncount = 4\n'
+    by_text = fs.check_object(2, 0.3, study=text, worlds=40).to_dict()
+    assert fs.check_object(2, 0.3, study=tables, worlds=40).to_dict() == by_text
+    assert "the study" in by_text["answer"] or "the study" in by_text["earthquake"]
+    with pytest.raises(fs.FreestandError, match="sitee"):
+        fs.check_object(2, 0.3, study=text.replace("site =", "sitee ="))
+
+
+def test_check_object_with_the_file_of_a_study(tmp_path):
+    path = tmp_path / "s.toml"
+    path.write_text('[ground]\ncount = 4\n')
+    theirs = told("object", "--height", "2 m", "--thickness", "300 mm", "--study", path, "--worlds", 40)
+    same(fs.check_object(2, 0.3, study=path, worlds=40).to_dict(), theirs)
+
+
+RISK = ROOT / "examples" / "risk"
+
+
+def test_fragility_and_risk():
+    import pandas
+
+    theirs = told("fragility", "--outcomes", RISK / "outcomes.csv", "--bootstrap", 50, "--seed", 3)
+    ours = fs.fragility(RISK / "outcomes.csv", bootstrap=50, seed=3)
+    same(ours.to_dict(), theirs)
+    by_table = fs.fragility(pandas.read_csv(RISK / "outcomes.csv"), bootstrap=50, seed=3)
+    assert by_table.objects == ours.objects
+    assert set(ours.empirical.column("limit_state")) >= {"rocks", "overturns"}
+    flags = ["--fragility", RISK / "curves.csv", "--hazard", RISK / "hazard.csv", "--inventory", RISK / "costs.csv"]
+    theirs = told("risk", *flags, "--options", RISK / "options.csv", "--budget", "2000 AUD", "--horizon", "40 yr",
+                  "--discount", "3 %")  # fmt: skip
+    ours = fs.risk(RISK / "curves.csv", hazard=RISK / "hazard.csv", inventory=RISK / "costs.csv",
+                   options=RISK / "options.csv", budget="2000 AUD", horizon_years=40, discount_ratio=0.03)  # fmt: skip
+    same(ours.to_dict(), theirs)
+    for wrong, said in (
+        ({}, "nothing says how often"), ({"hazard_power": "k0=1e-4 /yr, k=2.5, reference=1 m/s"}, "hazard_im"),
+        ({"hazard_code": "as1170.4", "hazard_im": "pgx"}, "pgx"),
+    ):  # fmt: skip
+        with pytest.raises(fs.BadValue, match=said) as raised:
+            fs.risk(RISK / "curves.csv", **wrong)
+        assert "--" not in str(raised.value)
+
+
+def test_arguments_of_a_target_are_those_of_the_codes():
+    with pytest.raises(TypeError, match="hazard_faktor"):
+        fs.code_spectrum(hazard_faktor=0.1)
+
+
 def test_validate():
     ours = fs.validate()
     same(ours.to_dict(), told("validate"))
@@ -162,6 +212,8 @@ def test_validate():
         ("RestrainResult", lambda m: fs.restrain(360, 1.8, 0.6, place="Wellington", level_ratio=1)),
         ("ShockResult", lambda m: fs.Block(2.3, 0.6, 140, stiffness_n_m=4.38e6).shock(cg_rise_m=0.016)),
         ("DropTestResult", lambda m: fs.drop_test(DROPS)),
+        ("FragilityResult", lambda m: fs.fragility(RISK / "outcomes.csv", bootstrap=0)),
+        ("RiskResult", lambda m: fs.risk(RISK / "curves.csv", hazard=RISK / "hazard.csv")),
     ],
 )
 def test_documented_attributes_are_those_of_the_document(result, make, floor_motion):

@@ -91,6 +91,7 @@ pub(crate) fn study() -> Study {
         assessment: crate::study::assessment::Settings::default(),
         outputs: Outputs {
             figures: true,
+            parquet: false,
             report: true,
             history: Some(HistoryChoice { level: "roof".into(), motion: None, height_m: 1.5, thickness_m: 0.3 }),
         },

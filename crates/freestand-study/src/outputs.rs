@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use serde_json::Value;
 
 use crate::figures::figures;
-use crate::report::{provenance, report};
+use crate::report::{Provenance, provenance, report};
 use crate::rerun::{
     LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions, with_seed, with_spectrum,
     with_value,
@@ -14,12 +14,14 @@ use crate::rerun::{
 use crate::result::{LevelResult, StudyResult};
 use crate::study::{Ground, Level, Study};
 use crate::summary::{SCHEMA, summary};
-use crate::tables::{profile_csv, srs_csv, statistics_csv, urs_csv};
+use crate::tables::{profile_table, srs_table, statistics_table, urs_table};
 use freestand::code_spectrum::PeriodCode;
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{Committed, OutputFolder};
 use freestand_output::json::document;
-use freestand_output::rows::records_csv;
+use freestand_output::parquet;
+use freestand_output::rows::table_of_records;
+use freestand_output::table::Table;
 use freestand_records::write::write_csv;
 
 /// What was written.
@@ -38,10 +40,13 @@ pub struct Written {
 /// The names of the files that a run of `study` will write, with variations or without. The figures
 /// are missing, because they depend on the result.
 pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
-    let mut names: Vec<String> =
-        ["study.toml", "urs.csv", "srs.csv", "statistics.csv", "summary.json"].map(str::to_owned).into();
-    names.extend(study.building.is_some().then(|| "floor_profile.csv".to_owned()));
-    names.extend(is_varied.then(|| "vary.csv".to_owned()));
+    let mut names: Vec<String> = vec!["study.toml".to_owned(), "summary.json".to_owned()];
+    let tables = ["urs", "srs", "statistics"].into_iter();
+    let tables = tables.chain(study.building.is_some().then_some("floor_profile")).chain(is_varied.then_some("vary"));
+    for name in tables {
+        names.push(format!("{name}.csv"));
+        names.extend(study.outputs.parquet.then(|| format!("{name}.parquet")));
+    }
     names.extend(study.outputs.report.then(|| "report.html".to_owned()));
     for motion in study.ground.names(&study.levels) {
         if !matches!(study.ground, Ground::OnFloors) {
@@ -93,6 +98,23 @@ pub fn write_outputs(folder: OutputFolder, study: &Study, result: &StudyResult) 
 }
 
 type File = (String, Vec<u8>);
+
+/// The tables of results, by name without ending. Motions, and the tables that the study itself
+/// reads, are inputs of the next run and remain CSV.
+fn results(study: &Study, result: &StudyResult) -> Result<Vec<(&'static str, Table)>, Problem> {
+    let mut tables = vec![
+        ("urs", urs_table(study, result)?),
+        ("srs", srs_table(study, result)?),
+        ("statistics", statistics_table(study, result)?),
+    ];
+    if let Some(profile) = &result.profile {
+        tables.push(("floor_profile", profile_table(study, profile)?));
+    }
+    if let Some(sensitivity) = &result.sensitivity {
+        tables.push(("vary", table_of_records(&sensitivity.rows)?));
+    }
+    Ok(tables)
+}
 
 /// The building's tables in the output folder: of the second axis, key, name, text.
 fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
@@ -160,17 +182,16 @@ fn rotation_step_deg(study: &Study) -> f64 {
 
 /// The study, the tables and the motions.
 fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
-    let mut files: Vec<File> = vec![
-        ("study.toml".to_owned(), rerun_toml(study)?.into_bytes()),
-        ("urs.csv".to_owned(), urs_csv(study, result)?),
-        ("srs.csv".to_owned(), srs_csv(study, result)?),
-        ("statistics.csv".to_owned(), statistics_csv(study, result)?),
-    ];
-    if let Some(profile) = &result.profile {
-        files.push(("floor_profile.csv".to_owned(), profile_csv(study, profile)?));
-    }
-    if let Some(sensitivity) = &result.sensitivity {
-        files.push(("vary.csv".to_owned(), records_csv(&sensitivity.rows)?));
+    let mut files: Vec<File> = vec![("study.toml".to_owned(), rerun_toml(study)?.into_bytes())];
+    for (name, table) in results(study, result)? {
+        if study.outputs.parquet {
+            let Provenance { seed, inputs, study_sha256, .. } = provenance(study);
+            let inputs = inputs.into_iter().map(|(name, sha256)| (name, Some(sha256)));
+            let mut facts = parquet::provenance(seed, inputs);
+            facts.push(("freestand.study_sha256".to_owned(), study_sha256));
+            files.push((format!("{name}.parquet"), table.parquet(SCHEMA, facts)?));
+        }
+        files.push((format!("{name}.csv"), table.into()));
     }
     files.extend(building_tables(study).into_iter().map(|(_, _, name, text)| (name, text.to_vec())));
     if let Ground::Synthetic(synthetic) = &study.ground

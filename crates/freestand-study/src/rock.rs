@@ -20,7 +20,8 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{Choices, name_of};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
-use freestand_output::rows::numbers_csv;
+use freestand_output::rows::table_of_numbers;
+use freestand_output::table::Table;
 
 /// Sampling of a history without a motion \[s\].
 const FREE_HISTORY_DT_S: f64 = 0.005;
@@ -269,6 +270,6 @@ pub fn history_row(block: &Block, point: &HistoryPoint) -> [f64; 5] {
 }
 
 /// A history as CSV. Its rows are at the steps of the motion and just before and after every impact.
-pub fn history_csv(block: &Block, history: &[HistoryPoint]) -> String {
-    numbers_csv(HISTORY, history.iter().map(|point| history_row(block, point)))
+pub fn history_table(block: &Block, history: &[HistoryPoint]) -> Table {
+    table_of_numbers(HISTORY, history.iter().map(|point| history_row(block, point)))
 }

@@ -16,7 +16,8 @@ use freestand_input::problem::Problem;
 use freestand_input::words::significant;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
-use freestand_output::rows::numbers_csv;
+use freestand_output::rows::table_of_numbers;
+use freestand_output::table::Table;
 
 /// Rolling resistance of casters on a usual floor: 0.01 on a hard floor, 0.05 on carpet. From
 /// memory; it decreases with the diameter of the wheel and depends on the floor covering (Gille and
@@ -338,6 +339,6 @@ pub fn history_row(point: &SlidePoint) -> [f64; 4] {
 
 /// A history as CSV: time, slide, velocity, base acceleration. Its rows are at the samples of the
 /// motion and at every onset and stop.
-pub fn history_csv(history: &[SlidePoint]) -> String {
-    numbers_csv(HISTORY, history.iter().map(history_row))
+pub fn history_table(history: &[SlidePoint]) -> Table {
+    table_of_numbers(HISTORY, history.iter().map(history_row))
 }

@@ -89,8 +89,8 @@ impl From<Ranked> for Value<'_> {
     /// The number, `overturned`, or nothing.
     fn from(ranked: Ranked) -> Self {
         match ranked {
-            Ranked::Value(value) => Self::Number(value),
-            Ranked::Overturned => Outcome::Overturned.name().into(),
+            Ranked::Value(value) => Self::NumberOr(Some(value), Outcome::Overturned.name()),
+            Ranked::Overturned => Self::NumberOr(None, Outcome::Overturned.name()),
             Ranked::NoData => Self::Missing,
         }
     }

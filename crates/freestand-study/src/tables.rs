@@ -1,7 +1,8 @@
 //! The result as tables: CSV with a header, commas, LF and the shortest numbers that read back the
 //! same. A missing value is an empty field.
 
-use freestand_output::facts::{Facts, table_csv};
+use freestand_output::facts::{Facts, table};
+use freestand_output::table::Table;
 
 use crate::result::{FloorProfile, ObjectResponse, Ranked, StudyResult};
 use crate::statistics::{QUANTILES, ranked_quantile};
@@ -16,7 +17,7 @@ fn by_object(
     study: &Study,
     result: &StudyResult,
     extra: impl Fn(Option<(&UpliftCell, &ShockCell)>) -> Facts<'static>,
-) -> Result<Vec<u8>, Problem> {
+) -> Result<Table, Problem> {
     let rows = result.motions.iter().enumerate().flat_map(|(motion, name)| {
         let extra = &extra;
         result.levels.iter().flat_map(move |level| {
@@ -46,7 +47,7 @@ fn by_object(
             })
         })
     });
-    table_csv(rows)
+    table(rows)
 }
 
 /// `urs.csv`: the uplift spectra, one row for each motion, level and object; for motions
@@ -54,7 +55,7 @@ fn by_object(
 ///
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
-pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
+pub fn urs_table(study: &Study, result: &StudyResult) -> Result<Table, Problem> {
     by_object(study, result, |done| {
         let uplift = done.map(|(uplift, _)| uplift);
         Facts::default()
@@ -68,7 +69,7 @@ pub fn urs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> 
 ///
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
-pub fn srs_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
+pub fn srs_table(study: &Study, result: &StudyResult) -> Result<Table, Problem> {
     by_object(study, result, |done| {
         let shock_g = done.and_then(|(_, shock)| shock.edge_acceleration_impact_velocity_g);
         Facts::default().key("edge_acceleration_impact_velocity_g", shock_g)
@@ -85,7 +86,7 @@ fn quantiles<'a>(row: Facts<'a>, names: [&'static str; 3], values: Option<[Ranke
 ///
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
-pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Problem> {
+pub fn statistics_table(study: &Study, result: &StudyResult) -> Result<Table, Problem> {
     let rows = result.levels.iter().flat_map(|level| {
         study.objects.blocks.iter().zip(&level.statistics).map(|(block, statistics)| {
             let s = statistics.as_ref();
@@ -111,7 +112,7 @@ pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Pr
                 .key("ceiling_g", s.map(|s| s.ceiling_g))
         })
     });
-    table_csv(rows)
+    table(rows)
 }
 
 /// `floor_profile.csv`: peak floor accelerations and velocities over the height, quantiles over the
@@ -119,7 +120,7 @@ pub fn statistics_csv(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Pr
 ///
 /// # Errors
 /// None in practice: rows are of one length and memory does not fail.
-pub fn profile_csv(study: &Study, profile: &FloorProfile) -> Result<Vec<u8>, Problem> {
+pub fn profile_table(study: &Study, profile: &FloorProfile) -> Result<Table, Problem> {
     let height_m = study.building.as_ref().map(|building| building.height_m);
     let rows = profile.levels_ratio.iter().enumerate().map(|(level, &ratio)| {
         let of_level = |peaks: &[Vec<f64>]| {
@@ -131,13 +132,13 @@ pub fn profile_csv(study: &Study, profile: &FloorProfile) -> Result<Vec<u8>, Pro
         let row = quantiles(row, ["pfv_m_s_p16", "pfv_m_s_median", "pfv_m_s_p84"], of_level(&profile.pfv_m_s));
         row.key("code_part_g", profile.code.as_ref().and_then(|code| code.accel_g.get(level)).copied())
     });
-    table_csv(rows)
+    table(rows)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use freestand_output::rows::{columns_csv, records_csv};
+    use freestand_output::rows::{table_of_columns, table_of_records};
 
     /// 1e-300 in full has 300 digits; a whole number needs no `.0`.
     #[test]
@@ -148,9 +149,9 @@ mod tests {
         }
         let values = [0.0, 1.0, -1e-300, 0.1, 1e22];
         let expected = b"x\n0\n1\n-1e-300\n0.1\n1e22\n";
-        assert_eq!(records_csv(&values.map(|x| Row { x })).unwrap(), expected);
-        assert_eq!(columns_csv(&[("x", &values)]).unwrap(), expected);
-        assert_eq!(table_csv([Facts::default().key("x", Ranked::Value(1e-300))]).unwrap(), b"x\n1e-300\n");
+        assert_eq!(table_of_records(&values.map(|x| Row { x })).unwrap().as_ref(), expected);
+        assert_eq!(table_of_columns(&[("x", &values)]).unwrap().as_ref(), expected);
+        assert_eq!(table([Facts::default().key("x", Ranked::Value(1e-300))]).unwrap().as_ref(), b"x\n1e-300\n");
         let study = crate::fixture::study();
         let mut result = crate::fixture::result(&study);
         for response in result.levels.iter_mut().flat_map(|level| level.responses.iter_mut().flatten()) {
@@ -162,8 +163,8 @@ mod tests {
                 shock.ceiling_g = 1e-300;
             }
         }
-        for table in [urs_csv(&study, &result).unwrap(), srs_csv(&study, &result).unwrap()] {
-            let text = String::from_utf8(table).unwrap();
+        for table in [urs_table(&study, &result).unwrap(), srs_table(&study, &result).unwrap()] {
+            let text = table.to_string();
             assert!(text.contains(",1e-300,1e-300,1e-300,") && !text.contains(&"0".repeat(20)), "{text:.300}");
         }
     }

@@ -9,7 +9,7 @@ use freestand_records::formats::{write_csv, write_pair_csv};
 use freestand_study::resolve::resolve;
 use freestand_study::result::{ObjectResponse, StudyResult};
 use freestand_study::run::{no_progress, run};
-use freestand_study::tables::srs_csv;
+use freestand_study::tables::srs_table;
 
 const OBJECTS: &str = "[objects]\nheights = \"1 m, 1.5 m, 2 m\"\nthicknesses = \"300 mm, 500 mm\"\n";
 
@@ -25,8 +25,8 @@ fn swing(factor: f64) -> Motion {
 fn result_of(folder: &Path, text: &str) -> (StudyResult, Vec<u8>) {
     let study = resolve(text, None, folder).unwrap();
     let result = run(&study, &no_progress).unwrap();
-    let table = srs_csv(&study, &result).unwrap();
-    (result, table)
+    let table = srs_table(&study, &result).unwrap();
+    (result, table.into())
 }
 
 /// Rotation, and the direction that governs, of every object on the first level under the first motion.

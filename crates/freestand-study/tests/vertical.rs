@@ -13,7 +13,7 @@ use freestand_study::resolve::{Overrides, load, resolve};
 use freestand_study::result::{ObjectResponse, StudyResult};
 use freestand_study::run::{LONGEST_TAIL_S, no_progress, run};
 use freestand_study::study::Study;
-use freestand_study::tables::{srs_csv, urs_csv};
+use freestand_study::tables::{srs_table, urs_table};
 
 const REST: &str = "[building]\nstoreys = 8\nlevels = [0.0, 1.0]\nvertical_amplification = 1.5\n[objects]\nheights = \
                     \"1.5 m, 2 m\"\nthicknesses = \"0.3 m, 0.5 m\"\n[outputs]\nfigures = false\nreport = false\n";
@@ -28,7 +28,7 @@ fn study(keys: &str) -> Study {
 fn tables(keys: &str) -> (Study, StudyResult, Vec<Vec<u8>>) {
     let study = study(keys);
     let result = run(&study, &no_progress).unwrap();
-    let tables = vec![urs_csv(&study, &result).unwrap(), srs_csv(&study, &result).unwrap()];
+    let tables = vec![urs_table(&study, &result).unwrap().into(), srs_table(&study, &result).unwrap().into()];
     (study, result, tables)
 }
 
@@ -134,7 +134,7 @@ fn vertical_records_are_scaled_used_and_written() {
     assert!(written.files.contains(&"vertical/h.csv".to_owned()), "{:?}", written.files);
     let again = load(&out.join("study.toml"), &Overrides::default()).unwrap();
     let second = run(&again, &no_progress).unwrap();
-    assert_eq!(urs_csv(&again, &second).unwrap(), urs_csv(&study, &result).unwrap());
+    assert_eq!(urs_table(&again, &second).unwrap(), urs_table(&study, &result).unwrap());
     assert_eq!(written.body["inputs"]["vertical"], "the vertical components of the records");
 }
 
@@ -147,7 +147,7 @@ fn a_floor_that_falls_away_ends_the_history() {
     let ground = "[ground]\nmotions = [\"h.csv\"]\nvertical = [\"v.csv\"]\n";
     let study = resolve(&format!("{ground}{REST}"), None, folder.path()).unwrap();
     let result = run(&study, &no_progress).unwrap();
-    let table = String::from_utf8(urs_csv(&study, &result).unwrap()).unwrap();
+    let table = urs_table(&study, &result).unwrap().to_string();
     let outcomes: Vec<&str> = table.lines().skip(1).map(|line| line.split(',').nth(4).unwrap()).collect();
     assert_eq!(outcomes.len(), 8);
     assert!(outcomes[..4].iter().all(|outcome| *outcome != "free-flight"), "{table}");

@@ -17,8 +17,9 @@ use freestand::fragility::{
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, name_of, significant};
-use freestand_output::facts::{Facts, Value, table_csv};
+use freestand_output::facts::{Facts, Value, table};
 use freestand_output::figure::{Figure, FigureError};
+use freestand_output::table::Table;
 use rayon::prelude::*;
 
 pub use curves::{ObjectCurves, load_curves};
@@ -418,9 +419,9 @@ impl FragilityReport {
     /// `fragility.csv`: one row for each curve.
     ///
     /// # Errors
-    /// None in practice: see [`table_csv`].
-    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
-        table_csv(self.objects.iter().flat_map(|object| {
+    /// None in practice: see [`table`].
+    pub fn table(&self) -> Result<Table, Problem> {
+        table(self.objects.iter().flat_map(|object| {
             object.fit.curves.iter().map(move |curve| {
                 let interval = object.interval(curve.limit_state);
                 let (median, beta) = interval.unzip();
@@ -450,8 +451,8 @@ impl FragilityReport {
     /// `empirical.csv`: what was seen at each level, or the capacities of the motions.
     ///
     /// # Errors
-    /// None in practice: see [`table_csv`].
-    pub fn empirical_csv(&self) -> Result<Vec<u8>, Problem> {
+    /// None in practice: see [`table`].
+    pub fn empirical_table(&self) -> Result<Table, Problem> {
         let rows: Vec<Facts> = self
             .objects
             .par_iter()
@@ -473,7 +474,7 @@ impl FragilityReport {
                 })
             })
             .collect();
-        table_csv(rows)
+        table(rows)
     }
 
     /// The curves with what was seen, of the first six objects.

@@ -101,8 +101,8 @@ pub enum Earthquake {
     GroundAcceleration(f64),
     /// The ground motions and the building of a study, perhaps with the hazard of a place.
     Study {
-        /// Its file.
-        path: PathBuf,
+        /// The study.
+        source: StudySource,
         /// Keys that replace its hazard.
         hazard: Words,
     },
@@ -113,6 +113,15 @@ pub enum Earthquake {
         /// Factors on them; empty: none.
         scales: Vec<f64>,
     },
+}
+
+/// A study as it was given.
+#[derive(Debug, Clone, PartialEq)]
+pub enum StudySource {
+    /// Its file.
+    File(PathBuf),
+    /// Its text (TOML); paths in it are relative to the current folder.
+    Text(String),
 }
 
 /// Where an object is.

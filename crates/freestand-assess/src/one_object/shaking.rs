@@ -16,7 +16,7 @@ use freestand_study::study::{Ground, Level, Study};
 use freestand_study::target::Target;
 
 use super::sentence::Told;
-use super::{Earthquake, Floor, FloorPlace, ObjectRequest};
+use super::{Earthquake, Floor, FloorPlace, ObjectRequest, StudySource};
 
 /// The ground of a peak acceleration: the type of Eurocode 8 whose spectrum is scaled.
 const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B);
@@ -63,10 +63,13 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             let told = Told::GroundAcceleration { peak_g };
             Shaken { warnings: warnings(&study, &request.floor), study, told, words }
         }
-        Earthquake::Study { path, hazard } => {
+        Earthquake::Study { source: StudySource::File(path), hazard } => {
             let study = load(path, &overrides(hazard.clone()))?;
             let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
             of_study(study, true, Some(name))
+        }
+        Earthquake::Study { source: StudySource::Text(text), hazard } => {
+            of_study(made(text, hazard.clone())?, true, Some("the study".to_owned()))
         }
         Earthquake::Motions { motions, .. } => {
             let mut study = made("", Default::default())?;

@@ -41,6 +41,59 @@ pub enum HazardSource {
     },
 }
 
+/// What a person gave of the hazard.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct HazardGiven {
+    /// A file.
+    pub file: Option<PathBuf>,
+    /// A power law.
+    pub power_law: Option<String>,
+    /// A code.
+    pub code: Option<HazardCode>,
+    /// The measure of the power law or of the code.
+    pub measure: Option<Measure>,
+    /// Site class of the code.
+    pub site: Option<String>,
+    /// Z of the code.
+    pub hazard_factor: Option<f64>,
+    /// Distance to a major fault \[m\].
+    pub fault_distance_m: Option<f64>,
+}
+
+impl HazardGiven {
+    /// Where the hazard comes from.
+    ///
+    /// # Errors
+    /// No source or several, or a source that needs more.
+    pub fn source(self) -> Result<HazardSource, Problem> {
+        let needed = |key: &'static str, example: &'static str| {
+            move || Problem::value(format!("the hazard needs `{key}`"), format!("give `{key}`, such as {example}"))
+        };
+        match (self.file, self.power_law, self.code) {
+            (Some(path), None, None) => Ok(HazardSource::File(path)),
+            (None, Some(text), None) => {
+                let measure = self.measure.ok_or_else(needed("hazard_im", "pgv"))?;
+                Ok(HazardSource::PowerLaw { text, measure })
+            }
+            (None, None, Some(code)) => Ok(HazardSource::Code {
+                code,
+                site: self.site.ok_or_else(needed("site", "De"))?,
+                hazard_factor: self.hazard_factor.ok_or_else(needed("hazard_factor", "0.12"))?,
+                fault_distance_km: self.fault_distance_m.map(|distance_m| distance_m / 1e3),
+                measure: self.measure.ok_or_else(needed("hazard_im", "pga"))?,
+            }),
+            (None, None, None) => Err(Problem::value(
+                "nothing says how often the ground shakes",
+                "give one of `hazard`, `hazard_power` and `hazard_code`",
+            )),
+            _ => {
+                let message = "`hazard`, `hazard_power` and `hazard_code` exclude each other";
+                Err(Problem::value(message, "keep one of them"))
+            }
+        }
+    }
+}
+
 /// A code whose return periods are a hazard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HazardCode {

@@ -13,7 +13,8 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number, percent_significant};
-use freestand_output::facts::{Facts, table_csv};
+use freestand_output::facts::{Facts, table};
+use freestand_output::table::Table;
 
 use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
 
@@ -23,7 +24,7 @@ use objects::ObjectRisk;
 use plan::Measures;
 use portfolio::Portfolio;
 
-pub use hazard::{HAZARD_CODES, HazardCode, HazardSource};
+pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
 
 /// The schema of the document.
 pub const RISK_SCHEMA: &str = "freestand.risk/1";
@@ -91,6 +92,24 @@ pub enum RiskCurves {
     File(PathBuf),
     /// A table of outcomes, which is fitted first.
     Outcomes(FragilityRequest),
+}
+
+impl RiskCurves {
+    /// The fragilities of a file, or of outcomes, for which `of_outcomes` makes the fit.
+    ///
+    /// # Errors
+    /// Neither of them; outcomes take the place of a file.
+    pub fn given(
+        file: Option<PathBuf>,
+        outcomes: Option<PathBuf>,
+        of_outcomes: impl FnOnce(PathBuf) -> FragilityRequest,
+    ) -> Result<Self, Problem> {
+        match (file, outcomes) {
+            (_, Some(outcomes)) => Ok(Self::Outcomes(of_outcomes(outcomes))),
+            (Some(path), None) => Ok(Self::File(path)),
+            (None, None) => Err(Problem::value("no fragility is given", "give `fragility` or `outcomes`")),
+        }
+    }
 }
 
 /// A question about risk.
@@ -273,9 +292,9 @@ impl RiskReport {
     /// `risk.csv`: one row for each object and limit state.
     ///
     /// # Errors
-    /// None in practice: see [`table_csv`].
-    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
-        table_csv(self.objects.iter().flat_map(|object| object.rows(self.years)))
+    /// None in practice: see [`table`].
+    pub fn table(&self) -> Result<Table, Problem> {
+        table(self.objects.iter().flat_map(|object| object.rows(self.years)))
     }
 
     /// The answer for people.

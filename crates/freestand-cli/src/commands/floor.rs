@@ -12,14 +12,14 @@ use freestand_records::write::write_csv;
 use freestand_study::building;
 use freestand_study::floor::{
     DEFAULT_LEVELS, FloorReport, FloorRequest, SpectraReport, SpectraRequest, every_floor, floor_response_figure,
-    floors, spectra_csv,
+    floors, spectra_table,
 };
 use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
 
 use super::Done;
 use crate::args::{GlobalArgs, at_least_one};
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use freestand_output::facts::Facts;
 
 use crate::keys::{Key, KeySet, Keys, key};
@@ -88,6 +88,8 @@ pub(crate) struct FloorArgs {
     #[command(flatten)]
     read: ReadArgs,
     /// The code whose accelerations of rigid parts are compared with the floors
+    #[command(flatten)]
+    tables: TableArgs,
     #[command(flatten)]
     target: TargetArgs,
 }
@@ -197,7 +199,7 @@ pub(crate) fn run(args: &FloorArgs, global: &GlobalArgs, printer: &Printer) -> R
     }
     inputs.extend(request.building.tables.iter().map(|(_, table)| table.file.path.clone()));
     inputs.extend(args.target.inputs());
-    let files = Files::begin(global, &inputs)?;
+    let files = Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?;
     let (report, mut warnings) = report(&read, &request, &files)?;
     warnings.extend(target.into_iter().flat_map(|target| target.warnings));
     files.finish(SCHEMA, &report, &warnings)?;
@@ -247,12 +249,10 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
         request.spectra.as_ref().map(|spectra| SpectraReport::new(&request.levels_ratio, spectra, &spectra_g));
     let report = FloorReport::new(request, motions, spectra)
         .ok_or_else(|| Failure::computation("the files were read but contain no motion"))?;
-    let profile = report.profile_csv()?;
-    files.write("profile.csv", || profile)?;
+    files.table("profile", || report.profile_table())?;
     files.figure("profile", || report.profile_figure())?;
     if let Some(spectra) = &report.spectra {
-        let csv = spectra_csv(spectra)?;
-        files.write("spectra.csv", || csv)?;
+        files.table("spectra", || spectra_table(spectra))?;
         let draw = || floor_response_figure(spectra, report.building_height_m, report.motions.len());
         files.figure("spectra", draw)?;
     }

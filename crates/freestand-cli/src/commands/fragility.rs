@@ -17,7 +17,7 @@ use freestand_output::json::document;
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::{Column, Printer, facts_table};
 use crate::values::{Given, Reads, Values, choice, name_of};
 
@@ -55,6 +55,8 @@ pub(crate) struct FragilityArgs {
     /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
     #[arg(long, value_name = "N")]
     bootstrap: Option<u32>,
+    #[command(flatten)]
+    tables: TableArgs,
 
     /// Write a folder for another program into --out; may be given several times
     #[arg(long, value_parser = choice(FORMATS), help_heading = "Other programs")]
@@ -100,7 +102,8 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     if !args.format.is_empty() && global.out.is_none() {
         return Err(Failure::usage("--format writes a folder, and --out is not given", "give --out DIR"));
     }
-    let files = Files::begin(global, std::slice::from_ref(&args.outcomes))?;
+    let inputs = [args.outcomes.clone()];
+    let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
     let report = fragility(FragilityRequest {
         outcomes: args.outcomes.clone(),
         at: args.at,
@@ -111,9 +114,8 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     })?;
     let facts = report.facts();
     if files.wanted() {
-        let (csv, empirical) = (report.csv()?, report.empirical_csv()?);
-        files.write("fragility.csv", || csv)?;
-        files.write("empirical.csv", || empirical)?;
+        files.table("fragility", || report.table())?;
+        files.table("empirical", || report.empirical_table())?;
         let json = document(FRAGILITY_SCHEMA, &facts, &report.warnings)?;
         files.write("fragility.json", || json)?;
         files.figure("fragility", || report.figure())?;

@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand_assess::inventory::{CASTERS, Casters, Surroundings, UpperBody};
 use freestand_assess::one_object::{
-    Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA, Withstood, one_object_shown,
+    Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA, StudySource, Withstood,
+    one_object_shown,
 };
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
@@ -291,7 +292,7 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
         return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
     };
     let earthquake = if let Some(path) = &args.study {
-        Earthquake::Study { path: path.clone(), hazard: args.hazard.words.clone() }
+        Earthquake::Study { source: StudySource::File(path.clone()), hazard: args.hazard.words.clone() }
     } else if let Some(peak_m_s2) = peak_m_s2 {
         Earthquake::GroundAcceleration(peak_m_s2)
     } else if args.motion.is_empty() {

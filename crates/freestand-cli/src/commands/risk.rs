@@ -6,7 +6,7 @@ use clap::Args;
 use freestand::fragility::FitKind;
 use freestand_assess::fragility::{At, FITS, FragilityRequest, Measure};
 use freestand_assess::risk::{
-    HAZARD_CODES, HazardCode, HazardSource, RISK_SCHEMA, RiskCurves, RiskRequest, amount, coordinates, risk,
+    HAZARD_CODES, HazardCode, HazardGiven, RISK_SCHEMA, RiskCurves, RiskRequest, amount, coordinates, risk,
     yearly_rate, years,
 };
 use freestand_input::problem::Problem;
@@ -17,7 +17,7 @@ use super::Done;
 use super::fragility::PLACES;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::Printer;
 use crate::values::{Given, Reads, Values, choice, name_of};
 
@@ -110,6 +110,8 @@ pub(crate) struct RiskArgs {
     /// Years for which the chance of a failure is stated [default: 50]
     #[arg(long, value_name = "YEARS", read = years)]
     years: Option<Given>,
+    #[command(flatten)]
+    tables: TableArgs,
 }
 
 fn measure(text: &str) -> Result<Measure, Problem> {
@@ -129,12 +131,11 @@ pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Re
         .flatten()
         .cloned()
         .collect();
-    let files = Files::begin(global, &inputs)?;
+    let files = Files::with_tables(global, &inputs, &args.tables, RISK_SCHEMA, Some(global.seed()))?;
     let report = risk(&request)?;
     let facts = report.facts();
     if files.wanted() {
-        let csv = report.csv()?;
-        files.write("risk.csv", || csv)?;
+        files.table("risk", || report.table())?;
         let json = document(RISK_SCHEMA, &facts, &report.warnings)?;
         files.write("risk.json", || json)?;
     }
@@ -153,21 +154,24 @@ fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure>
     let (discount_ratio, accepted_rate) = (values.read(&args.discount), values.read(&args.accepted));
     let years = values.read(&args.years);
     values.finish()?;
-    let hazard = hazard(args, measure, hazard_factor, fault_distance_m)?;
-    let curves = match (&args.fragility, &args.outcomes) {
-        (_, Some(outcomes)) => RiskCurves::Outcomes(FragilityRequest {
-            outcomes: outcomes.clone(),
-            at: args.at,
-            fit: args.fit,
-            shock: None,
-            replicates: args.bootstrap,
-            seed: global.seed(),
-        }),
-        (Some(path), None) => RiskCurves::File(path.clone()),
-        (None, None) => {
-            return Err(Failure::usage("no fragility is given", "give --fragility FILE or --outcomes FILE"));
-        }
+    let hazard = HazardGiven {
+        file: args.hazard.clone(),
+        power_law: args.hazard_power.clone(),
+        code: args.hazard_code,
+        measure,
+        site: args.site.clone(),
+        hazard_factor,
+        fault_distance_m,
     };
+    let hazard = hazard.source()?;
+    let curves = RiskCurves::given(args.fragility.clone(), args.outcomes.clone(), |outcomes| FragilityRequest {
+        outcomes,
+        at: args.at,
+        fit: args.fit,
+        shock: None,
+        replicates: args.bootstrap,
+        seed: global.seed(),
+    })?;
     Ok(RiskRequest {
         curves,
         hazard,
@@ -181,34 +185,4 @@ fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure>
         accepted_rate,
         years,
     })
-}
-
-fn hazard(
-    args: &RiskArgs,
-    measure: Option<Measure>,
-    hazard_factor: Option<f64>,
-    fault_distance_m: Option<f64>,
-) -> Result<HazardSource, Failure> {
-    let needed = |flag: &str, example: &str| {
-        Failure::usage(format!("the hazard needs {flag}"), format!("give {flag} {example}"))
-    };
-    match (&args.hazard, &args.hazard_power, args.hazard_code) {
-        (Some(path), None, None) => Ok(HazardSource::File(path.clone())),
-        (None, Some(text), None) => {
-            let measure = measure.ok_or_else(|| needed("--hazard-im", "pgv"))?;
-            Ok(HazardSource::PowerLaw { text: text.clone(), measure })
-        }
-        (None, None, Some(code)) => Ok(HazardSource::Code {
-            code,
-            site: args.site.clone().ok_or_else(|| needed("--site", "De"))?,
-            hazard_factor: hazard_factor.ok_or_else(|| needed("--hazard-factor", "0.12"))?,
-            fault_distance_km: fault_distance_m.map(|distance| distance / 1e3),
-            measure: measure.ok_or_else(|| needed("--hazard-im", "pga"))?,
-        }),
-        (None, None, None) => Err(Failure::usage(
-            "nothing says how often the ground shakes",
-            "give one of --hazard FILE, --hazard-power LAW and --hazard-code CODE",
-        )),
-        _ => Err(Failure::usage("--hazard, --hazard-power and --hazard-code exclude each other", "keep one of them")),
-    }
 }

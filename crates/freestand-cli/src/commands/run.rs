@@ -63,6 +63,9 @@ pub(crate) struct RunArgs {
     /// shear_flexure, seed and site, or the values named, such as "damping = 2 %, 10 %"
     #[arg(long, value_name = "KEY[= VALUE, …]", num_args = 0.., action = ArgAction::Append)]
     vary: Option<Vec<String>>,
+    /// Write each table of results as Parquet too; the same as parquet = true in [outputs]
+    #[arg(long)]
+    parquet: bool,
     /// Print the built-in study as TOML, ready to edit
     #[arg(long, conflicts_with_all = ["study", "motion", "vary"])]
     dump_study: bool,
@@ -104,10 +107,11 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let variations = args.vary.as_ref().map(|texts| variations(texts, &mut values));
     values.finish()?;
     let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), motions, rotation_step_deg };
-    let study = match &args.study {
+    let mut study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,
     };
+    study.outputs.parquet |= args.parquet;
     let out = global.folder(FOLDER);
     let inputs: Vec<PathBuf> = args.study.iter().cloned().chain(motion_paths(&study)).collect();
     let stop = printer.stop();

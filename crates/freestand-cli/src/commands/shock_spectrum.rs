@@ -14,7 +14,7 @@ use freestand_study::shock_spectrum::{
 use super::Done;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values, choice, name_of};
@@ -74,8 +74,12 @@ pub(crate) struct ShockSpectrumArgs {
     #[arg(long, conflicts_with = "pulse")]
     no_upsample: bool,
     #[command(flatten)]
+    tables: TableArgs,
+    #[command(flatten)]
     read: ReadArgs,
 }
+
+const SCHEMA: &str = "freestand.shock-spectrum/1";
 
 pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
@@ -86,17 +90,22 @@ pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Print
     let (report, files) = match pulse {
         Some((pulse, unit)) => {
             args.read.refuse_without_record(|_| "leave it out: --pulse reads no file".to_owned())?;
-            (pulse_shock_spectrum(&pulse, unit, &request)?, Files::begin(global, &[])?)
+            (
+                pulse_shock_spectrum(&pulse, unit, &request)?,
+                Files::with_tables(global, &[], &args.tables, SCHEMA, None)?,
+            )
         }
         None => {
             let motions = args.read.read_shocks(&args.files)?;
-            (recorded_shock_spectra(&motions, &request)?, Files::begin(global, &inputs)?)
+            (
+                recorded_shock_spectra(&motions, &request)?,
+                Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?,
+            )
         }
     };
-    let columns = report.csv()?;
-    files.write("shock_spectrum.csv", || columns)?;
+    files.table("shock_spectrum", || report.table())?;
     files.figure("shock_spectrum", || report.figure())?;
-    files.print(printer, "freestand.shock-spectrum/1", &report, &report.warnings, || text(&report))?;
+    files.print(printer, SCHEMA, &report, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }
 

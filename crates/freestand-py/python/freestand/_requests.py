@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypedDict
 
 from . import _freestand
 from ._block import Block, Cushion, Sliding, Walls, cushion_given
@@ -14,14 +14,15 @@ from ._convert import inventory as as_file
 from ._convert import study as study_given
 from ._motion import Motion
 from ._results import (
-    Answer,
     AssessResult,
     CodeSpectrumResult,
     DropTestResult,
     FloorResult,
+    FragilityResult,
     InventoryCheck,
     ObjectResult,
     RestrainResult,
+    RiskResult,
     RockResult,
     RunResult,
     ShockResult,
@@ -34,6 +35,8 @@ from ._table import Table, _Column
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from typing_extensions import Unpack
 
 Progress: TypeAlias = Callable[[str, int, int], object]
 Files: TypeAlias = "PathLike | Iterable[PathLike]"
@@ -93,39 +96,27 @@ def rock(
                 raise bad(f"{name} applies only to a compliant base", 'add base="compliant", or leave it out')
     if walls is not None:
         values |= walls._given()
-    if sliding is not None:
-        found = _slide(block, record, upward, values, sliding, history, walls)
-        if found is not None:
-            warn(found[1])
-            return RockResult(*found, motion)
-    answer = _freestand.rock(block._body, record, upward, values, history)
-    if answer[1]:
-        warn(answer[1])
-    return RockResult(*answer, motion)
+    found = None if sliding is None else _freestand.rock(block._body, record, upward, values | _slid(sliding, walls), history)
+    if found is None:
+        # An object that does not slide, or stands on braked casters that hold.
+        found = _freestand.rock(block._body, record, upward, values, history)
+    else:
+        for name in _OF_ROCKING:
+            if name in values:
+                raise bad(f"{name} applies only to an object that rocks, and this one slides or rolls", "leave it out")
+    assert found is not None
+    warn(found[1])
+    return RockResult(*found, motion)
 
 
 _COMPLIANT = ("cg_rise_m", "contacts", "at_m", "tangential_stiffness_n_m", "tangential_ratio")
 _OF_ROCKING = ("restitution", "restitution_factor", "model", "base", "initial_rotation_rad", "initial_velocity_rad_s")
 
 
-def _slide(
-    block: Block,
-    record: _freestand.Record | None,
-    vertical: _freestand.Record | None,
-    values: dict[str, Any],
-    sliding: Sliding,
-    history: bool,
-    walls: Walls | None,
-) -> Answer | None:
+def _slid(sliding: Sliding, walls: Walls | None) -> dict[str, Any]:
     if walls is not None:
         raise bad("walls apply only to an object that rocks", "give the room as clearance_left_m and clearance_right_m")
-    found = _freestand.slide(block._body, record, vertical, values | sliding._given(), history)
-    if found is None:
-        return None
-    for name in _OF_ROCKING:
-        if name in values:
-            raise bad(f"{name} applies only to an object that rocks, and this one slides or rolls", "leave it out")
-    return found
+    return sliding._given() | {"sliding": True}
 
 
 def _record(name: str, motion: Motion) -> _freestand.Record:
@@ -191,7 +182,7 @@ def spectrum(
     if walls is not None:
         values |= walls._given()
     if sliding is not None:
-        values |= sliding._given() | {"sliding": True}
+        values |= _slid(sliding, None)
     verticals: Sequence[Motion | None] = upward or [None] * len(named)
     records = [
         (motion.name, motion._record, None if second is None else _record("vertical", second))
@@ -363,56 +354,63 @@ def shock_spectrum(
     return result
 
 
-def _target(
-    code: str | None,
-    edition: int | str | None,
-    site: str | None,
-    place: str | None,
-    city: str | None,
-    hazard_factor: float | None,
-    return_period_years: float | None,
-    options: Mapping[str, Any],
-) -> dict[str, Any] | None:
-    unknown = next((name for name in options if name not in _TARGET), None)
+class TargetArguments(TypedDict, total=False):
+    """The target spectrum of a code, a place or a file: docs/codes.md has the values that each code needs."""
+
+    #: as1170.4 (default), eurocode8, asce7, nzs1170.5.
+    code: str | None
+    edition: int | str | None
+    site: str | None
+    #: Brings its code and its hazard.
+    place: str | None
+    city: str | None
+    hazard_factor: float | None
+    return_period_years: float | None
+    fault_distance_m: float | None
+    spectrum_type: int | None
+    ground_acceleration_g: float | None
+    importance_factor: float | None
+    soil_factor: float | None
+    corner_periods_s: Sequence[float] | None
+    sds_g: float | None
+    sd1_g: float | None
+    ss_g: float | None
+    s1_g: float | None
+    fa: float | None
+    fv: float | None
+    long_period_s: float | None
+    #: A file in place of a code.
+    spectrum: PathLike | None
+    interpolation: str | None
+    beyond: str | None
+
+
+def _target(arguments: Mapping[str, Any]) -> dict[str, Any] | None:
+    known = TargetArguments.__annotations__
+    unknown = next((name for name in arguments if name not in known), None)
     if unknown is not None:
-        raise TypeError(f"unexpected argument {unknown!r}; those of a target are {', '.join(_TARGET)}")
-    return words(
-        code=code, edition=edition, site=site, place=place, city=city, hazard_factor=hazard_factor,
-        return_period_years=return_period_years, **options,
-    )  # fmt: skip
-
-
-_TARGET = (
-    "fault_distance_m", "spectrum_type", "ground_acceleration_g", "importance_factor", "soil_factor", "corner_periods_s",
-    "sds_g", "sd1_g", "ss_g", "s1_g", "fa", "fv", "long_period_s", "spectrum", "interpolation", "beyond",
-)  # fmt: skip
+        raise TypeError(f"unexpected argument {unknown!r}; those of a target are {', '.join(known)}")
+    return words(**arguments)
 
 
 def code_spectrum(
     periods_s: Numbers | None = None,
     *,
-    code: str | None = None,
-    edition: int | str | None = None,
-    site: str | None = None,
-    place: str | None = None,
-    city: str | None = None,
-    hazard_factor: float | None = None,
-    return_period_years: float | None = None,
     parts: bool = False,
     building_height_m: float | None = None,
     building_period_s: float | None = None,
-    **target: Any,
+    **target: Unpack[TargetArguments],
 ) -> CodeSpectrumResult:
     """The elastic response spectrum of a design code for 5 % damping: `periods_s`, `sa_g`.
 
-    `code`: as1170.4 (default), eurocode8, asce7, nzs1170.5; further values of the codes are
-    `fault_distance_m, spectrum_type, ground_acceleration_g, importance_factor, soil_factor,
-    corner_periods_s, sds_g, sd1_g, ss_g, s1_g, fa, fv, long_period_s`, and `spectrum` (a file),
-    `interpolation`, `beyond`: docs/codes.md. With `parts=True` also the accelerations of rigid parts.
+    `code` is as1170.4 (default), eurocode8, asce7 or nzs1170.5, with `edition, site, place, city,
+    hazard_factor, return_period_years` and further values of the codes: `fault_distance_m, spectrum_type,
+    ground_acceleration_g, importance_factor, soil_factor, corner_periods_s, sds_g, sd1_g, ss_g, s1_g, fa, fv,
+    long_period_s`, and `spectrum` (a file), `interpolation`, `beyond`: docs/codes.md. With `parts=True` also
+    the accelerations of rigid parts.
     """
-    keys = _target(code, edition, site, place, city, hazard_factor, return_period_years, target)
     values = given(
-        words=keys, periods_s=data("periods_s", periods_s), parts=parts or None, building_height_m=building_height_m,
+        words=_target(target), periods_s=data("periods_s", periods_s), parts=parts or None, building_height_m=building_height_m,
         building_period_s=building_period_s,
     )  # fmt: skip
     result = CodeSpectrumResult._of(_freestand.code_spectrum(values))
@@ -424,24 +422,16 @@ def synth(
     count: int | None = None,
     *,
     seed: int | None = None,
-    code: str | None = None,
-    edition: int | str | None = None,
-    site: str | None = None,
-    place: str | None = None,
-    city: str | None = None,
-    hazard_factor: float | None = None,
-    return_period_years: float | None = None,
     time_step_s: float | None = None,
     shaking_s: float | None = None,
     envelope_s: float | None = None,
     match_pga: bool = False,
     threads: int | None = None,
-    **target: Any,
+    **target: Unpack[TargetArguments],
 ) -> SynthResult:
     """Synthetic motions that fit the spectrum of a code (see `code_spectrum`): `records` are Motions."""
-    keys = _target(code, edition, site, place, city, hazard_factor, return_period_years, target)
     values = given(
-        words=keys, count=count, seed=seed, time_step_s=time_step_s, shaking_s=shaking_s, envelope_s=envelope_s,
+        words=_target(target), count=count, seed=seed, time_step_s=time_step_s, shaking_s=shaking_s, envelope_s=envelope_s,
         match_pga=match_pga or None,
     )  # fmt: skip
     text, records = _freestand.synth(values, _threads(threads))
@@ -469,14 +459,7 @@ def floor(
     tail_s: float | None = None,
     upsample: int | None = None,
     threads: int | None = None,
-    code: str | None = None,
-    edition: int | str | None = None,
-    site: str | None = None,
-    place: str | None = None,
-    city: str | None = None,
-    hazard_factor: float | None = None,
-    return_period_years: float | None = None,
-    **target: Any,
+    **target: Unpack[TargetArguments],
 ) -> FloorResult:
     """How the floors of a building move: `floors[i][j]` is the motion of level j under motion i.
 
@@ -488,9 +471,8 @@ def floor(
         frame=frame, period_code=period_code, damping_ratio=damping_ratio, shear_flexure=shear_flexure, modes=modes,
         storey_table=storey_table, mode_table=mode_table,
     )  # fmt: skip
-    keys = _target(code, edition, site, place, city, hazard_factor, return_period_years, target)
     values = given(
-        building=building, target=keys, levels=data("levels", levels), every_floor=every_floor or None, tail_s=tail_s,
+        building=building, target=_target(target), levels=data("levels", levels), every_floor=every_floor or None, tail_s=tail_s,
         upsample=upsample,
     )  # fmt: skip
     records = [motion._record for motion in _motions(motions)]
@@ -515,7 +497,7 @@ def check_object(
     site: str | None = None,
     return_period_years: float | None = None,
     pga_g: float | None = None,
-    study: PathLike | None = None,
+    study: Study | None = None,
     motions: Motion | Iterable[Motion] | None = None,
     scales: Numbers | None = None,
     floor: str | int | None = None,
@@ -540,8 +522,8 @@ def check_object(
 ) -> ObjectResult:
     """Whether an earthquake rocks one object and whether it falls over: `answer` is one sentence.
 
-    Name the earthquake in one of four ways: `place`, `pga_g` (of the ground), `study`, or `motions` of
-    its floor. `cushion` is an entry of the cushion library. `friction` is one value or the two ends of a
+    Name the earthquake in one of four ways: `place`, `pga_g` (of the ground), `study` (a path, TOML text or
+    a dictionary), or `motions` of its floor. `cushion` is an entry of the cushion library. `friction` is one value or the two ends of a
     range; `wall_gap_m` is behind the object and `neighbour_gap_m` on both sides of it, 0 where they touch;
     `casters` is "no", "free" or "braked"; `upper_…` describe what stands on the object.
     """
@@ -551,7 +533,7 @@ def check_object(
         height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, mass_kg=mass_kg,
         stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
         tolerance_duration_s=tolerance_duration_s,
-        hazard=words(place=place, site=site, return_period_years=return_period_years), pga_g=pga_g, study=study,
+        hazard=words(place=place, site=site, return_period_years=return_period_years), pga_g=pga_g,
         scales=data("scales", scales), floor=None if floor is None else str(floor), level_ratio=level_ratio,
         storeys=storeys, storey_height_m=storey_height_m, friction=range_of_friction, wall_gap_m=wall_gap_m,
         neighbour_gap_m=neighbour_gap_m, wall_height_m=wall_height_m, wall_stiffness_n_m=wall_stiffness_n_m,
@@ -560,7 +542,7 @@ def check_object(
         upper_mass_kg=upper_mass_kg, worlds=worlds, seed=seed,
     )  # fmt: skip
     records = [motion._record for motion in named]
-    result = ObjectResult._of(_freestand.check_object(records, values, _threads(threads)))
+    result = ObjectResult._of(_freestand.check_object(records, values | study_given(study), _threads(threads)))
     warn(result.warnings)
     return result
 
@@ -572,12 +554,6 @@ def restrain(
     *,
     width_m: float | None = None,
     cg_height_m: float | None = None,
-    place: str | None = None,
-    code: str | None = None,
-    edition: int | str | None = None,
-    site: str | None = None,
-    hazard_factor: float | None = None,
-    return_period_years: float | None = None,
     study: Study | None = None,
     floor_acceleration_g: float | None = None,
     floor: str | int | None = None,
@@ -592,7 +568,7 @@ def restrain(
     building_ductility_ratio: float | None = None,
     anchors_per_edge: int | None = None,
     compare: bool = False,
-    **target: Any,
+    **target: Unpack[TargetArguments],
 ) -> RestrainResult:
     """The force that the code asks of a restraint, and what it asks of the anchors.
 
@@ -601,7 +577,7 @@ def restrain(
     """
     values = given(
         mass_kg=mass_kg, height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m,
-        hazard=_target(code, edition, site, place, None, hazard_factor, return_period_years, target),
+        hazard=_target(target),
         floor_acceleration_g=floor_acceleration_g, floor=None if floor is None else str(floor),
         level_ratio=level_ratio, storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio,
         amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
@@ -624,14 +600,16 @@ def check_inventory(
     study: Study | None = None,
     library: PathLike | None = None,
     cushion_library: PathLike | None = None,
+    marked_copy: PathLike | None = None,
 ) -> InventoryCheck:
     """How a list of objects is understood, with all its problems.
 
-    A path (CSV, XLSX), or a table of pandas, polars or pyarrow with the headings of a file.
+    A path (CSV, XLSX), or a table of pandas, polars or pyarrow with the headings of a file. `marked_copy`
+    is a file (XLSX) to write: the list with a note at each cell that has a problem.
     """
     values = given(
         sheet=sheet, columns=columns, storeys=storeys, strict=strict or None, library=library,
-        cushion_library=cushion_library,
+        cushion_library=cushion_library, marked_copy=marked_copy,
     )  # fmt: skip
     with as_file(inventory) as path:
         if path is None:
@@ -708,20 +686,96 @@ def run(
     place: str | None = None,
     site: str | None = None,
     return_period_years: float | None = None,
+    parquet: bool = False,
     force: bool = False,
 ) -> RunResult:
     """A whole study: motions, building, spectra of a grid of objects, figures and report.
 
     `study`: a path, TOML text or a dictionary; by default the built-in one. `rows` is srs.csv as a table.
+    With `parquet=True` the tables are written as Parquet too.
     """
     values = given(
-        seed=seed, hazard=words(place=place, site=site, return_period_years=return_period_years), force=force or None
-    )
+        seed=seed, hazard=words(place=place, site=site, return_period_years=return_period_years),
+        parquet=parquet or None, force=force or None,
+    )  # fmt: skip
     source = study_given(study)
     folder, own = _folder(out)
     with removed_on_failure(own):
         result = RunResult._of(_freestand.run(folder, values | source, _threads(threads), progress))
     result._in(folder, own)
+    warn(result.warnings)
+    return result
+
+
+def fragility(
+    outcomes: Any,
+    *,
+    at: str | None = None,
+    fit: str | None = None,
+    tolerance_g: float | None = None,
+    ceiling_g: float | None = None,
+    bootstrap: int | None = None,
+    seed: int | None = None,
+    threads: int | None = None,
+) -> FragilityResult:
+    """Fragilities of objects: the probabilities of limit states against the intensity of the motion.
+
+    `outcomes` is a path (CSV; `outcomes.csv` of an assessment) or a table of pandas, polars or pyarrow with its
+    headings. `at`: "ground" or "floor", where a spectral acceleration is taken; `fit`: "ordered" (default) or
+    "separate"; `tolerance_g` with `ceiling_g`: from the shocks; `bootstrap`: samples of motions for the 95 %
+    intervals, 0 for none.
+    """
+    values = given(
+        at=at, fit=fit, tolerance_g=tolerance_g, ceiling_g=ceiling_g, bootstrap=bootstrap, seed=seed,
+    )  # fmt: skip
+    with as_file(outcomes) as path:
+        text, seen = _freestand.fragility(values | given(outcomes=path), _threads(threads))
+    result = FragilityResult(json.loads(text), seen)
+    warn(result.warnings)
+    return result
+
+
+def risk(
+    fragility: PathLike | None = None,
+    *,
+    outcomes: Any = None,
+    hazard: PathLike | None = None,
+    hazard_power: str | None = None,
+    hazard_code: str | None = None,
+    hazard_im: str | None = None,
+    site: str | None = None,
+    hazard_factor: float | None = None,
+    fault_distance_m: float | None = None,
+    site_deg: tuple[float, float] | None = None,
+    at: str | None = None,
+    fit: str | None = None,
+    bootstrap: int | None = None,
+    seed: int | None = None,
+    inventory: Any = None,
+    options: Any = None,
+    budget: str | None = None,
+    horizon_years: float | None = None,
+    discount_ratio: float | None = None,
+    accepted_rate: float | None = None,
+    years: float | None = None,
+    threads: int | None = None,
+) -> RiskResult:
+    """How often objects fail per year, what that costs, and which options are worth their money.
+
+    The fragilities are `fragility` (the file fragility.csv) or are fitted to `outcomes`. The hazard is one of
+    `hazard` (a file), `hazard_power` ("k0=1e-4 /yr, k=2.5, reference=1 m/s") and `hazard_code` (with `site` and
+    `hazard_factor`); the last two need `hazard_im`, such as "pgv". `inventory` holds costs and accepted rates,
+    `options` what can be bought, `budget` is an amount such as "20000 AUD". Tables are accepted as in `fragility`.
+    """
+    values = given(
+        fragility=fragility, hazard=hazard, hazard_power=hazard_power, hazard_code=hazard_code, hazard_im=hazard_im,
+        site=site, hazard_factor=hazard_factor, fault_distance_m=fault_distance_m, site_deg=site_deg, at=at, fit=fit,
+        bootstrap=bootstrap, seed=seed, budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
+        accepted_rate=accepted_rate, years=years,
+    )  # fmt: skip
+    with as_file(outcomes) as runs, as_file(inventory) as costs, as_file(options) as bought:
+        files = given(outcomes=runs, inventory=costs, options=bought)
+        result = RiskResult._of(_freestand.risk(values | files, _threads(threads)))
     warn(result.warnings)
     return result
 

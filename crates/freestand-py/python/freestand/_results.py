@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from . import _freestand
 from ._base import Columns, Result
-from ._convert import Array, PathLike, bad
+from ._convert import Array, Numbers, PathLike, bad, doubles
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -472,6 +472,61 @@ class RestrainResult(Result):
         _write(path, self.sheet_html)
 
 
+class FragilityResult(Result):
+    """Fragilities of objects: `objects`, each with its `curves`."""
+
+    version: str
+    seed: int
+    inputs: list[dict[str, Any]]
+    objects: list[dict[str, Any]]
+
+    def __init__(self, document: dict[str, Any], seen: str) -> None:
+        super().__init__(document)
+        self._seen = seen
+
+    @property
+    def empirical(self) -> Table:
+        """The share of runs that reached each limit state at each intensity, with its 95 % interval."""
+        return Table._from_rows(_csv_rows(self._seen.splitlines()))
+
+    def curve(self, id: str, limit_state: str) -> dict[str, Any]:
+        """The curve of an object: `kind`, `median`, `beta`, their intervals, `lower`, `upper`."""
+        curves = [one for item in self._document["objects"] if item["id"] == id for one in item["curves"]]
+        found = next((one for one in curves if one["limit_state"] == limit_state), None)
+        if found is None:
+            known = sorted({f"{item['id']}: {one['limit_state']}" for item in self._document["objects"] for one in item["curves"]})
+            raise bad(f"there is no curve of {id} for {limit_state}", f"there are {', '.join(known[:12])}")
+        return dict(found)
+
+    def probability(self, id: str, limit_state: str, intensity: Numbers) -> Array:
+        """The probability that an object reaches a limit state at these intensities; NaN where no lognormal curve fits."""
+        curve, at = self.curve(id, limit_state), doubles("intensity", intensity)
+        if curve["kind"] != "lognormal":
+            return np.full(len(at), np.nan)
+        return np.frombuffer(_freestand.lognormal(curve["median"], curve["beta"], at.tobytes()), "f8")
+
+    def plot(self, id: str | None = None, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """The curves of an object with what was seen: `freestand.plot.fragility`."""
+        from . import plot
+
+        return plot.fragility(self, id, ax=ax)
+
+
+class RiskResult(Result):
+    """How often objects fail, and what that costs."""
+
+    version: str
+    inputs: list[dict[str, Any]]
+    years: float
+    currency: str | None
+    hazard: dict[str, Any]
+    objects: list[dict[str, Any]]
+    expected_annual_loss: float | None
+    portfolio: dict[str, Any] | None
+    ranking: Any
+    plan: Any
+
+
 class InventoryCheck(Result):
     """How a list was understood; `problems` are all doubts and errors."""
 
@@ -538,11 +593,14 @@ class _Folder(Result):
         return target
 
     def _read(self, name: str) -> Table:
-        import csv
-
         with open(self._folder / name, newline="", encoding="utf-8") as file:
-            rows = [{key: _cell(text) for key, text in row.items()} for row in csv.DictReader(file)]
-        return Table._from_rows(rows)
+            return Table._from_rows(_csv_rows(file))
+
+
+def _csv_rows(lines: Iterable[str]) -> list[dict[str, Any]]:
+    import csv
+
+    return [{key: _cell(text) for key, text in row.items()} for row in csv.DictReader(lines)]
 
 
 def _cell(text: str) -> str | float | bool | None:

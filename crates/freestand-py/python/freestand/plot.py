@@ -13,7 +13,14 @@ import numpy.typing as npt
 
 from ._convert import bad
 from ._motion import Motion
-from ._results import CodeSpectrumResult, DropTestResult, MotionSpectrumResult, RockResult, ShockSpectrumResult
+from ._results import (
+    CodeSpectrumResult,
+    DropTestResult,
+    FragilityResult,
+    MotionSpectrumResult,
+    RockResult,
+    ShockSpectrumResult,
+)
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -123,6 +130,36 @@ def urs(table: Table, ax: Axes | None = None, *, motion: str | None = None) -> A
 def srs(table: Table, ax: Axes | None = None, *, motion: str | None = None) -> Axes:
     """Shock response spectrum of the paper: as `urs`, with the shock of the landing edge [g]."""
     return _lines(table, "edge_acceleration_g", 1.0, "shock of the edge [g]", ax, motion)
+
+
+def fragility(result: FragilityResult, id: str | None = None, ax: Axes | None = None) -> Axes:
+    """The fragility curves of one object (the first one by default), with the shares of runs that were seen.
+
+    A vertical bar is the 95 % interval of a share.
+    """
+    ax = _axes(ax)
+    known = [one["id"] for one in result.objects]
+    if id is None:
+        id = known[0]
+    item = next((one for one in result.objects if one["id"] == id), None)
+    if item is None:
+        raise bad(f"there is no object {id}", f"the objects are {', '.join(known[:12])}")
+    rows = [row for row in result.empirical.rows() if row["id"] == id]
+    most = max((row["intensity"] for row in rows), default=1.0)
+    grid = np.linspace(0, most, 201)[1:]
+    for index, curve in enumerate(item["curves"]):
+        state, color = curve["limit_state"], f"C{index}"
+        ax.plot(grid, result.probability(id, state, grid), color=color, label=state)
+        seen = [row for row in rows if row["limit_state"] == state]
+        x, share, low, high = (
+            np.array([row[name] for row in seen], "f8") for name in ("intensity", "share", "share_ci95_low", "share_ci95_high")
+        )
+        ends = np.maximum([share - low, high - share], 0)
+        ax.errorbar(x, share, ends, fmt="o", color=color, markersize=4, linewidth=0.8)
+    unit = f" [{item['im_unit']}]" if item["im_unit"] else ""
+    ax.set(title=id, xlabel=f"{item['im']}{unit} of the {item['at']}", ylabel="probability", ylim=(-0.02, 1.02))
+    ax.legend(loc="upper left")
+    return ax
 
 
 def loop(test: DropTestResult, ax: Axes | None = None) -> Axes:

@@ -18,7 +18,8 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::facts;
 use freestand_output::facts::{Facts, Value};
-use freestand_output::rows::numbers_csv;
+use freestand_output::rows::table_of_numbers;
+use freestand_output::table::Table;
 
 /// Samples in each landing pulse of a history: a peak between samples is at most 0.1 % higher.
 const SAMPLES_PER_PULSE: f64 = 40.0;
@@ -383,8 +384,8 @@ pub fn history_row(p: &CompliantPoint) -> Vec<f64> {
 
 /// A history as CSV: position, edge accelerations, acceleration of the requested point, and the
 /// forces of the contact elements on the object from left to right.
-pub fn history_csv(history: &[CompliantPoint]) -> String {
-    numbers_csv(&history_head(history), history.iter().map(history_row))
+pub fn history_table(history: &[CompliantPoint]) -> Table {
+    table_of_numbers(&history_head(history), history.iter().map(history_row))
 }
 
 #[cfg(test)]
@@ -424,7 +425,7 @@ mod tests {
         assert_eq!(report.facts.text("outcome"), Some("rocked"));
         assert!((number(&report, "static_compression_m") - 140.0 * G0_M_S2 / (2.0 * 4.38e6)).abs() < 1e-15);
         assert!(report.rocking.energy.residual_ratio < 1e-7 && report.warnings.is_empty(), "{:?}", report.warnings);
-        let csv = history_csv(&report.history);
+        let csv = history_table(&report.history).to_string();
         let columns = |line: &str| line.split(',').count();
         assert!(csv.lines().all(|line| columns(line) == 13));
         assert_eq!(csv.lines().count(), report.history.len() + 1);

@@ -20,14 +20,15 @@ use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, RecordedMotion};
 use crate::target::{CodeParts, code_parts};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::significant;
-use freestand_output::facts::{Facts, table_csv};
+use freestand_output::facts::{Facts, table};
 use freestand_output::figure::page::draw;
 use freestand_output::figure::{Figure, FigureError};
+use freestand_output::table::Table;
 use freestand_records::horizontal::HorizontalMotion;
 
 mod spectra;
 
-pub use spectra::{LevelSpectra, SpectraReport, SpectraRequest, largest_psa_m_s2, spectra_csv};
+pub use spectra::{LevelSpectra, SpectraReport, SpectraRequest, largest_psa_m_s2, spectra_table};
 
 /// The levels where none are given: half of the height, and the roof.
 pub const DEFAULT_LEVELS: &str = "0.5, 1.0";
@@ -406,9 +407,9 @@ impl FloorReport {
     /// The profile over the height as CSV.
     ///
     /// # Errors
-    /// None in practice: see [`table_csv`].
-    pub fn profile_csv(&self) -> Result<Vec<u8>, Problem> {
-        table_csv(self.levels.iter().map(|level| level.facts.clone()))
+    /// None in practice: see [`table`].
+    pub fn profile_table(&self) -> Result<Table, Problem> {
+        table(self.levels.iter().map(|level| level.facts.clone()))
     }
 }
 

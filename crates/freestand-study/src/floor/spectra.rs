@@ -9,7 +9,8 @@ use serde::Serialize;
 use crate::statistics::{QUANTILES, ranked_quantile};
 use freestand_input::problem::Problem;
 use freestand_output::facts;
-use freestand_output::facts::table_csv;
+use freestand_output::facts::table;
+use freestand_output::table::Table;
 use freestand_records::horizontal::HorizontalMotion;
 
 /// Response spectra to compute for every level.
@@ -113,8 +114,8 @@ impl SpectraReport {
 /// The spectra as CSV, level by level and damping by damping.
 ///
 /// # Errors
-/// None in practice: see [`table_csv`].
-pub fn spectra_csv(report: &SpectraReport) -> Result<Vec<u8>, Problem> {
+/// None in practice: see [`table`].
+pub fn spectra_table(report: &SpectraReport) -> Result<Table, Problem> {
     let mut rows = Vec::new();
     for level in &report.levels {
         for (damping, &damping_ratio) in report.damping_ratios.iter().enumerate() {
@@ -126,5 +127,5 @@ pub fn spectra_csv(report: &SpectraReport) -> Result<Vec<u8>, Problem> {
             }
         }
     }
-    table_csv(rows)
+    table(rows)
 }

@@ -14,8 +14,9 @@ use crate::recorded::{Failed, MotionFiles, name_of, unique};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_output::facts;
-use freestand_output::facts::{Facts, table_csv};
+use freestand_output::facts::{Facts, table};
 use freestand_output::figure::{Figure, FigureError};
+use freestand_output::table::Table;
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
 use freestand_records::processing::{Processed, process};
 
@@ -225,10 +226,10 @@ impl InfoReport {
     /// The measures as CSV, one row for each component; the header states the units.
     ///
     /// # Errors
-    /// None in practice: see [`table_csv`].
-    pub fn measures_csv(&self) -> Result<Vec<u8>, Problem> {
+    /// None in practice: see [`table`].
+    pub fn measures_table(&self) -> Result<Table, Problem> {
         // A table holds names, never paths.
-        table_csv(self.motions.iter().map(|one| {
+        table(self.motions.iter().map(|one| {
             let row = Facts::default().key("motion", one.name.as_str()).and(one.facts.clone());
             row.key("processing", one.processing.join("; "))
         }))

@@ -6,7 +6,8 @@ use serde::{Serialize, Serializer};
 
 use crate::pair::ReadPair;
 use freestand_input::problem::Problem;
-use freestand_output::rows::columns_csv;
+use freestand_output::rows::table_of_columns;
+use freestand_output::table::Table;
 use freestand_records::processing::{not_perpendicular, process_pair, short_period_warning};
 
 /// Spectra over all directions to compute.
@@ -130,8 +131,8 @@ impl RotdReport {
     ///
     /// # Errors
     /// None in practice: see [`columns_csv`].
-    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
+    pub fn table(&self) -> Result<Table, Problem> {
         let columns = self.columns();
-        columns_csv(&columns.iter().map(|(name, values)| (name.as_str(), *values)).collect::<Vec<_>>())
+        table_of_columns(&columns.iter().map(|(name, values)| (name.as_str(), *values)).collect::<Vec<_>>())
     }
 }

@@ -10,7 +10,8 @@ use crate::inspect::{Words, response_spectrum_figure};
 use crate::recorded::ReadMotion;
 use freestand_input::problem::Problem;
 use freestand_output::figure::{Figure, FigureError};
-use freestand_output::rows::columns_csv;
+use freestand_output::rows::table_of_columns;
+use freestand_output::table::Table;
 use freestand_records::processing::{few_steps, samples_needed};
 
 /// A response spectrum to compute.
@@ -142,9 +143,9 @@ impl SpectrumReport {
     ///
     /// # Errors
     /// None in practice: see [`columns_csv`].
-    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
+    pub fn table(&self) -> Result<Table, Problem> {
         let joined = |of: &dyn Fn(&DampedSpectrum) -> Vec<f64>| self.all().flat_map(of).collect::<Vec<f64>>();
-        columns_csv(&[
+        table_of_columns(&[
             ("period_s", &joined(&|_| self.periods_s.clone())),
             ("sd_m", &joined(&|one| one.sd_m.clone())),
             ("psv_m_s", &joined(&|one| one.psv_m_s.clone())),

@@ -85,7 +85,7 @@ fn broken_files_are_listed_beside_what_could_be_read() {
     // The reason does not repeat the path; the message for people has it.
     assert!(report.failed[0].reason.starts_with("line 3: "), "{:?}", report.failed);
     assert!(report.failed[0].problem.to_string().contains("a.csv:3: ") && report.failed[0].problem.hint.is_some());
-    assert_eq!(String::from_utf8(report.measures_csv().unwrap()).unwrap().lines().count(), 3);
+    assert_eq!(report.measures_table().unwrap().to_string().lines().count(), 3);
     // Of broken files only, or of one, there is nothing to report.
     request.files.paths.remove(1);
     let problems = info(&request).unwrap_err();
@@ -111,8 +111,8 @@ fn a_component_that_fails_hides_no_other() {
 #[test]
 fn measures_as_csv_have_a_row_a_component_and_no_lists() {
     let folder = tempfile::tempdir().unwrap();
-    let csv = info(&request(folder.path(), &[("z.csv", TWO)])).unwrap().measures_csv().unwrap();
-    let text = String::from_utf8(csv).unwrap();
+    let csv = info(&request(folder.path(), &[("z.csv", TWO)])).unwrap().measures_table().unwrap();
+    let text = csv.to_string();
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 3);
     assert!(lines[0].starts_with("motion,format,component,station,direction,azimuth_deg,unit,is_raw,dt_s,npts"));
@@ -244,7 +244,7 @@ fn spectra_over_directions_keep_the_order_of_the_percentiles() {
     let others = ["first_g", "second_g", "larger_g", "geometric_mean_g", "processing"];
     assert_eq!(keys[..4], ["paths", "components", "damping_ratio", "periods_s"]);
     assert_eq!((&keys[4..8], &keys[8..]), (&ranked[..], &others[..]));
-    let csv = String::from_utf8(report.csv().unwrap()).unwrap();
+    let csv = report.table().unwrap().to_string();
     let header = "period_s,rotd50_g,rotd100_g,rotd0_g,rotd16.5_g,larger_g,geometric_mean_g,first_g,second_g\n0,";
     assert!(csv.starts_with(header), "{csv}");
     // One sample of 0.3 g and 0.4 g is 0.5 g along its direction, which is at most half a degree

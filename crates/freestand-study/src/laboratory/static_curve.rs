@@ -10,7 +10,8 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::significant;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
-use freestand_output::rows::numbers_csv;
+use freestand_output::rows::table_of_numbers;
+use freestand_output::table::Table;
 use freestand_records::tables::laboratory::load_static;
 
 /// A warning needs a toe below zero by this many standard errors at least.
@@ -171,6 +172,6 @@ fn problem(error: &StaticError) -> Problem {
 }
 
 /// Compression and force of a test, corrected for machine and toe, as CSV.
-pub fn curve_csv(test: &StaticTest) -> String {
-    numbers_csv("compression_m,force_n", test.curve.iter().map(|&(d, f)| [d, f]))
+pub fn curve_table(test: &StaticTest) -> Table {
+    table_of_numbers("compression_m,force_n", test.curve.iter().map(|&(d, f)| [d, f]))
 }

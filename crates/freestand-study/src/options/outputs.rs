@@ -8,6 +8,7 @@ use freestand_input::quantity::Dimension;
 pub(crate) struct OutputsOptions {
     pub(crate) figures: Option<Written<bool>>,
     pub(crate) report: Option<Written<bool>>,
+    pub(crate) parquet: Option<Written<bool>>,
     pub(crate) history: Option<HistoryOptions>,
 }
 
@@ -25,6 +26,7 @@ pub(super) fn outputs(reader: &mut Reader, table: &mut Section) -> OutputsOption
     OutputsOptions {
         figures: table.boolean(reader, "figures"),
         report: table.boolean(reader, "report"),
+        parquet: table.boolean(reader, "parquet"),
         history: table.table(reader, "history").map(|mut entry| {
             let history = HistoryOptions {
                 line: entry.line,

@@ -14,7 +14,8 @@ impl Resolver<'_> {
         motions: Option<&[String]>,
     ) -> Outputs {
         let history = written.history.as_ref().and_then(|history| self.history(history, levels, objects, motions));
-        Outputs { figures: or(&written.figures, true), report: or(&written.report, true), history }
+        let parquet = or(&written.parquet, false);
+        Outputs { figures: or(&written.figures, true), report: or(&written.report, true), parquet, history }
     }
 
     fn history(

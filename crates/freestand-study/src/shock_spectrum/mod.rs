@@ -18,8 +18,9 @@ use crate::recorded::ReadMotion;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, find_unit};
 use freestand_input::words::{Choices, name_of, number};
-use freestand_output::facts::{Facts, table_csv};
+use freestand_output::facts::{Facts, table};
 use freestand_output::figure::{Figure, FigureError};
+use freestand_output::table::Table;
 
 /// A shock response spectrum to compute.
 #[derive(Debug, Clone, PartialEq)]
@@ -306,10 +307,10 @@ impl ShockSpectrumReport {
     /// The spectra as CSV, one below the other: the columns are always the same.
     ///
     /// # Errors
-    /// None in practice: see [`table_csv`].
-    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
+    /// None in practice: see [`table`].
+    pub fn table(&self) -> Result<Table, Problem> {
         let only = |kind: ResponseKind, value: f64| (self.response == kind).then_some(value);
-        table_csv(self.spectra.iter().flat_map(|one| {
+        table(self.spectra.iter().flat_map(|one| {
             one.frequencies_hz.iter().zip(&one.values_si).map(|(&frequency_hz, &value)| {
                 Facts::default()
                     .key("name", one.name.as_str())

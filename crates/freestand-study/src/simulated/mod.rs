@@ -23,7 +23,8 @@ use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
-use freestand_output::rows::columns_csv;
+use freestand_output::rows::table_of_columns;
+use freestand_output::table::Table;
 
 pub use words::{SourceInput, read_source};
 
@@ -448,18 +449,18 @@ impl SimulatedReport<'_> {
     ///
     /// # Errors
     /// The error of the CSV library.
-    pub fn fourier_csv(&self) -> Result<Vec<u8>, Problem> {
+    pub fn fourier_table(&self) -> Result<Table, Problem> {
         let names: Vec<String> = self
             .earthquakes
             .iter()
             .map(|one| &one.found.source)
             .map(|source| format!("amplitude_m{:.1}_{:.0}km_m_s", source.magnitude, source.distance_m / 1000.0))
             .collect();
-        let Some(first) = self.earthquakes.first() else { return Ok(Vec::new()) };
+        let Some(first) = self.earthquakes.first() else { return Ok(Table::default()) };
         let mut columns = vec![("frequency_hz", &first.fourier.0[..first.fourier.1.len()])];
         for (name, one) in names.iter().zip(&self.earthquakes) {
             columns.push((name, &one.fourier.1[..]));
         }
-        columns_csv(&columns)
+        table_of_columns(&columns)
     }
 }

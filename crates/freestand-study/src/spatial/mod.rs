@@ -17,7 +17,8 @@ use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, significant};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
-use freestand_output::rows::numbers_csv;
+use freestand_output::rows::table_of_numbers;
+use freestand_output::table::Table;
 use freestand_records::horizontal::HorizontalMotion;
 
 pub use figure::{spatial_figure, stack_figure};
@@ -409,19 +410,19 @@ fn feet(shape: &Shape) -> Vec<[f64; 2]> {
 }
 
 /// A history in space as CSV.
-pub fn spatial_csv(history: &[SpatialPoint]) -> String {
+pub fn spatial_table(history: &[SpatialPoint]) -> Table {
     let head = "time_s,tilt_x_rad,tilt_y_rad,tilt_rad,yaw_rad,base_x_m,base_y_m,base_z_m";
     let row = |p: &SpatialPoint| {
         let ([x, y, tilt], [base_x, base_y, base_z]) = (p.tilts_rad, p.base_m);
         vec![p.time_s, x, y, tilt, p.yaw_rad, base_x, base_y, base_z]
     };
-    numbers_csv(head, history.iter().map(row))
+    table_of_numbers(head, history.iter().map(row))
 }
 
 /// The history of a stack as CSV.
-pub fn stack_csv(history: &[StackPoint]) -> String {
+pub fn stack_table(history: &[StackPoint]) -> Table {
     let row = |point: &StackPoint| vec![point.time_s, point.rotations_rad[0], point.rotations_rad[1]];
-    numbers_csv("time_s,lower_rotation_rad,upper_rotation_rad", history.iter().map(row))
+    table_of_numbers("time_s,lower_rotation_rad,upper_rotation_rad", history.iter().map(row))
 }
 
 /// A release of an object in space: to the right, about the lower edge.

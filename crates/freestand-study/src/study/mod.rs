@@ -367,6 +367,8 @@ pub struct Outputs {
     pub figures: bool,
     /// `report.html`.
     pub report: bool,
+    /// The tables of results as Parquet too.
+    pub parquet: bool,
     /// The object whose rocking history is drawn; `None`: chosen by the program.
     pub history: Option<HistoryChoice>,
 }

@@ -7,7 +7,8 @@ use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_
 use freestand::synthesis::matched_periods_s;
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::facts::Facts;
-use freestand_output::rows::columns_csv;
+use freestand_output::rows::table_of_columns;
+use freestand_output::table::Table;
 use serde::Serialize;
 
 use super::Target;
@@ -163,9 +164,9 @@ impl CodeSpectrumReport {
     ///
     /// # Errors
     /// The error of the CSV library.
-    pub fn csv(&self) -> Result<Vec<u8>, Problem> {
+    pub fn table(&self) -> Result<Table, Problem> {
         let mut columns: Vec<(&str, &[f64])> = vec![("period_s", &self.periods_s), ("sa_g", &self.sa_g)];
         columns.extend(self.vertical_sa_g.as_deref().map(|vertical| ("vertical_sa_g", vertical)));
-        columns_csv(&columns)
+        table_of_columns(&columns)
     }
 }

@@ -12,7 +12,7 @@ use freestand_records::formats::{ReadOptions, parse_unit};
 use freestand_records::processing::parse_step;
 use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{
-    DropReport, DropRequest, DropsReport, LAWS, cushion_toml, drop_tests, loop_csv,
+    DropReport, DropRequest, DropsReport, LAWS, cushion_toml, drop_tests, loop_table,
 };
 
 use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
@@ -21,7 +21,7 @@ use serde::Serialize;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::{Column, Printer, facts_table, failed_lines, lines};
 use crate::values::{Given, Reads, Values, choice};
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
@@ -91,15 +91,19 @@ pub(crate) struct DropArgs {
     /// Column of accelerations, by name or by number (from 1)
     #[arg(long, value_name = "NAME")]
     component: Option<String>,
+    #[command(flatten)]
+    tables: TableArgs,
 }
+
+const SCHEMA: &str = "freestand.cushion-drop/1";
 
 pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args, global)?;
-    let files = Files::begin(global, &args.files)?;
+    let files = Files::with_tables(global, &args.files, &args.tables, SCHEMA, Some(global.seed()))?;
     let report = drop_tests(&request)?;
     for (i, test) in report.tests.iter().enumerate() {
         if !test.test.points.is_empty() {
-            files.write(&format!("loop-{:03}.csv", i + 1), || loop_csv(&test.test))?;
+            files.table(&format!("loop-{:03}", i + 1), || Ok(loop_table(&test.test)))?;
         }
     }
     if let Some(toml) = cushion_toml(&report.pooled) {
@@ -113,7 +117,7 @@ pub(crate) fn run(args: &DropArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(session) = printer.session().filter(|session| session.wants_history()) {
         session.beside(&Beside { loops: report.tests.iter().map(|test| Loop::of(&test.test)).collect() });
     }
-    files.print(printer, "freestand.cushion-drop/1", &report.facts(), &report.warnings, || text(&report))?;
+    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || text(&report))?;
     printer.failed(&report.failed);
     Ok(Done { criterion_met: report.all_gave() })
 }

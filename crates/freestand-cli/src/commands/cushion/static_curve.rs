@@ -5,13 +5,15 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
-use freestand_study::laboratory::static_curve::{StaticReport, StaticRequest, StaticsReport, curve_csv, static_tests};
+use freestand_study::laboratory::static_curve::{
+    StaticReport, StaticRequest, StaticsReport, curve_table, static_tests,
+};
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS, static_figure};
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::{Column, Printer, facts_table, failed_lines};
 use crate::values::{Choices, Given, Reads, Values, choice};
 
@@ -50,9 +52,13 @@ pub(crate) struct StaticArgs {
     /// Dynamic stiffness from a drop test, to compare with the secant stiffness
     #[arg(long, positive = Dimension::Stiffness)]
     dynamic: Option<Given>,
+    #[command(flatten)]
+    tables: TableArgs,
 }
 
 const TOES: Choices<bool> = &[(true, "cut", "The toe is cut off"), (false, "keep", "The toe is kept")];
+
+const SCHEMA: &str = "freestand.cushion-static/1";
 
 pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
@@ -66,13 +72,13 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
         dynamic_stiffness_n_m: values.read(&args.dynamic),
     };
     values.finish()?;
-    let files = Files::begin(global, &args.files)?;
+    let files = Files::with_tables(global, &args.files, &args.tables, SCHEMA, None)?;
     let report = static_tests(&request)?;
     for (i, test) in report.tests.iter().enumerate() {
-        files.write(&format!("curve-{:03}.csv", i + 1), || curve_csv(&test.test))?;
+        files.table(&format!("curve-{:03}", i + 1), || Ok(curve_table(&test.test)))?;
     }
     files.figure("static", || static_figure(&report))?;
-    files.print(printer, "freestand.cushion-static/1", &report.facts(), &report.warnings, || text(&report))?;
+    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || text(&report))?;
     printer.failed(&report.failed);
     Ok(Done { criterion_met: report.failed.is_empty() })
 }

@@ -8,7 +8,7 @@ use freestand_study::target::{CodeSpectrumReport, code_spectrum, code_spectrum_f
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::{Printer, significant, table};
 use crate::target::TargetArgs;
 use crate::values::{Given, Reads, Values};
@@ -39,7 +39,11 @@ pub(crate) struct CodeSpectrumArgs {
     /// Fundamental period of the building, used by ASCE 7-22 [default: unknown]
     #[arg(long, positive = Dimension::Time, requires = "parts", help_heading = "Parts and components")]
     building_period: Option<Given>,
+    #[command(flatten)]
+    tables: TableArgs,
 }
+
+const SCHEMA: &str = "freestand.code-spectrum/1";
 
 pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let target = args.target.target()?;
@@ -48,11 +52,10 @@ pub(crate) fn run(args: &CodeSpectrumArgs, global: &GlobalArgs, printer: &Printe
     let building = (values.read(&args.building_height), values.read(&args.building_period));
     values.finish()?;
     let report = code_spectrum(&target, periods_s, args.parts.then_some(building))?;
-    let files = Files::begin(global, &args.target.inputs())?;
-    let csv = report.csv()?;
-    files.write("spectrum.csv", || csv)?;
+    let files = Files::with_tables(global, &args.target.inputs(), &args.tables, SCHEMA, None)?;
+    files.table("spectrum", || report.table())?;
     files.figure("spectrum", || code_spectrum_figure(&report))?;
-    files.print(printer, "freestand.code-spectrum/1", &report, &target.warnings, || text(&report))?;
+    files.print(printer, SCHEMA, &report, &target.warnings, || text(&report))?;
     Ok(Done::OK)
 }
 

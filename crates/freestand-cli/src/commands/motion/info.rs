@@ -15,7 +15,7 @@ use super::plot::{PlotArgs, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::{Column, Printer, facts_table, failed_lines, lines};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values};
@@ -47,8 +47,12 @@ pub(crate) struct InfoArgs {
     #[command(flatten)]
     plot: PlotArgs,
     #[command(flatten)]
+    tables: TableArgs,
+    #[command(flatten)]
     read: ReadArgs,
 }
+
+const SCHEMA: &str = "freestand.motion-info/1";
 
 pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
@@ -60,19 +64,16 @@ pub(crate) fn run(args: &InfoArgs, global: &GlobalArgs, printer: &Printer) -> Re
         target.check(args.files.len())?;
     }
     let report = info(&InfoRequest { files, block, keep_motions: target.is_some() })?;
-    let out = Files::begin(global, &args.read.inputs(&args.files))?;
+    let out = Files::with_tables(global, &args.read.inputs(&args.files), &args.tables, SCHEMA, None)?;
     let mut plots = Vec::new();
     if let Some(target) = target {
         target.check(report.motions.len())?;
         plots = place(&target, figures(&report)?, &out, &args.read.inputs(&args.files))?;
     }
-    if out.wanted() {
-        let csv = report.measures_csv()?;
-        out.write("measures.csv", || csv)?;
-    }
+    out.table("measures", || report.measures_table())?;
     // The figures that were written.
     let facts = report.facts().key("plots", plots);
-    out.print(printer, "freestand.motion-info/1", &facts, &report.warnings, || text(&report, block.is_some()))?;
+    out.print(printer, SCHEMA, &facts, &report.warnings, || text(&report, block.is_some()))?;
     printer.failed(&report.failed);
     Ok(Done { criterion_met: report.failed.is_empty() })
 }

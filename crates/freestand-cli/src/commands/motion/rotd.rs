@@ -11,7 +11,7 @@ use super::pair::PairArgs;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::{Printer, significant, table};
 use crate::values::{Given, Reads, Values};
 
@@ -42,7 +42,11 @@ pub(crate) struct RotdArgs {
     /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
     #[arg(long, grid = Dimension::Time)]
     periods: Option<Given<Vec<f64>>>,
+    #[command(flatten)]
+    tables: TableArgs,
 }
+
+const SCHEMA: &str = "freestand.motion-rotd/1";
 
 pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
@@ -53,10 +57,9 @@ pub(crate) fn run(args: &RotdArgs, global: &GlobalArgs, printer: &Printer) -> Re
     values.finish()?;
     let read = read_pair(&pair)?;
     let report = rotd(&read, &RotdRequest { damping_ratio: damping.unwrap_or(DAMPING_RATIO), periods_s, percentiles })?;
-    let files = Files::begin(global, &args.pair.inputs())?;
-    let csv = report.csv()?;
-    files.write("rotd.csv", || csv)?;
-    files.print(printer, "freestand.motion-rotd/1", &report, &report.warnings, || text(&report))?;
+    let files = Files::with_tables(global, &args.pair.inputs(), &args.tables, SCHEMA, None)?;
+    files.table("rotd", || report.table())?;
+    files.print(printer, SCHEMA, &report, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }
 

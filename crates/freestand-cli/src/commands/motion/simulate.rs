@@ -21,7 +21,7 @@ use super::motions;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::keys::{Key, KeySet, Keys, key, switch};
 use crate::printer::{Column, Printer, cells, headings, significant, table};
 
@@ -57,6 +57,8 @@ pub(crate) struct SimulateArgs {
     /// Number of motions of each earthquake
     #[arg(long, value_name = "N", default_value_t = DEFAULT_MOTIONS, value_parser = motions())]
     count: u64,
+    #[command(flatten)]
+    tables: TableArgs,
     #[command(flatten)]
     source: Keys<SourceKeys>,
 }
@@ -123,7 +125,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
     let years = args.return_period.unwrap_or(DEFAULT_YEARS);
     let rock = args.city.as_deref().map(|city| city_rock(city, years)).transpose()?;
     let request = request(args, global, rock.as_ref().and_then(Target::kpz_g))?;
-    let files = Files::begin(global, &[])?;
+    let files = Files::with_tables(global, &[], &args.tables, SCHEMA, Some(global.seed()))?;
     let mut report = simulate(&request)?;
     for earthquake in &mut report.earthquakes {
         for one in &mut earthquake.motions {
@@ -131,8 +133,7 @@ pub(crate) fn run(args: &SimulateArgs, global: &GlobalArgs, printer: &Printer) -
         }
     }
     if files.wanted() {
-        let fourier = report.fourier_csv()?;
-        files.write("fourier_amplitude.csv", || fourier)?;
+        files.table("fourier_amplitude", || report.fourier_table())?;
         draw(&report, &files)?;
     }
     let rock_warnings = rock.map_or_else(Vec::new, |rock| rock.warnings);

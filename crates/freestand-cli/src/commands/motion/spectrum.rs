@@ -14,7 +14,7 @@ use super::plot::{PlotArgs, place};
 use crate::args::{GlobalArgs, at_least_one};
 use crate::commands::Done;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs};
 use crate::printer::{Printer, significant, table};
 use crate::reading::ReadArgs;
 use crate::values::{Given, Reads, Values};
@@ -43,6 +43,8 @@ pub(crate) struct SpectrumArgs {
     #[command(flatten)]
     plot: PlotArgs,
     #[command(flatten)]
+    tables: TableArgs,
+    #[command(flatten)]
     read: ReadArgs,
 }
 
@@ -54,6 +56,8 @@ struct Document<'a> {
     plots: Vec<String>,
 }
 
+const SCHEMA: &str = "freestand.motion-spectrum/1";
+
 pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let damping_ratios = values.read(&args.damping).unwrap_or_else(|| vec![DAMPING_RATIO]);
@@ -63,16 +67,15 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let read = args.read.read_one(&args.file)?;
     let report = spectrum(&read, &SpectrumRequest { damping_ratios, periods_s, upsample: args.upsample.get() })?;
     let inputs = args.read.inputs([&args.file]);
-    let files = Files::begin(global, &inputs)?;
-    let columns = report.csv()?;
-    files.write("spectrum.csv", || columns)?;
+    let files = Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?;
+    files.table("spectrum", || report.table())?;
     let mut plots = Vec::new();
     if let Some(target) = target {
         let figure = report.figure()?;
         plots = place(&target, vec![(figure.name.clone(), figure)], &files, &inputs)?;
     }
     let document = Document { report: &report, plots };
-    files.print(printer, "freestand.motion-spectrum/1", &document, &report.warnings, || text(&report))?;
+    files.print(printer, SCHEMA, &document, &report.warnings, || text(&report))?;
     Ok(Done::OK)
 }
 

@@ -6,11 +6,12 @@ use freestand::compliant::{CompliantBase, CompliantOptions, Start};
 use freestand::rocking::Base;
 use freestand_input::quantity::Dimension;
 use freestand_study::compliant::{
-    CompliantRequest, Release, accuracy, history_csv, rock_on_cushions, start, trace_figure, with_tangential_stiffness,
+    CompliantRequest, Release, accuracy, history_table, rock_on_cushions, start, trace_figure,
+    with_tangential_stiffness,
 };
 use freestand_study::drawn::drawn_on_pads;
 
-use super::{Beside, Reading, RockArgs, spatial, stack};
+use super::{Beside, Reading, RockArgs, SCHEMA, spatial, stack};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
@@ -86,7 +87,7 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         return Err(Failure::usage("several motions and --plot apply only to a rigid base", hint));
     }
     let (request, reading) = request(args)?;
-    let files = Files::begin(global, &reading.inputs)?;
+    let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let report = rock_on_cushions(&request, args.history.is_some() || files.wanted())?;
     if let Some(session) = printer.session().filter(|session| session.wants_history()) {
         let options = CompliantOptions { duration_s: Some(report.rocking.end_time_s), ..request.options.clone() };
@@ -97,7 +98,7 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if !report.rocking.touches.is_empty() {
         files.figure("trace", || trace_figure(&report))?;
     }
-    let history = || history_csv(&report.history);
+    let history = || history_table(&report.history);
     reading.finish(args.history.as_deref(), history, (report.facts, report.warnings), files, printer)
 }
 

@@ -14,11 +14,11 @@ use freestand::rocking::{RockingOptions, Until};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
-use freestand_output::folder::write_file;
+use freestand_output::table::Table;
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::figures::rock_figure;
 use freestand_study::recorded::ReadMotion;
-use freestand_study::rock::{RockRequest, history_csv, rock};
+use freestand_study::rock::{RockRequest, history_table, rock};
 use serde::Serialize;
 
 use self::compliant::CompliantArgs;
@@ -32,7 +32,7 @@ use super::walls::WallArgs;
 use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
-use crate::files::Files;
+use crate::files::{Files, TableArgs, write_table};
 use crate::printer::{Column, Printer, facts_table, lines};
 use crate::reading::{ReadArgs, VerticalArgs};
 use crate::values::{Given, Reads, Values};
@@ -131,12 +131,16 @@ pub(crate) struct RockArgs {
     /// sample]
     #[arg(long, positive = Dimension::Time, help_heading = "The rocking")]
     duration: Option<Given>,
-    /// File to write the history to (CSV)
-    #[arg(long, value_name = "FILE.csv")]
+    /// File to write the history to: CSV, or Parquet if its name ends in .parquet
+    #[arg(long, value_name = "FILE")]
     history: Option<PathBuf>,
+    #[command(flatten)]
+    tables: TableArgs,
     #[command(flatten)]
     plot: PlotArgs,
 }
+
+const SCHEMA: &str = "freestand.rock/1";
 
 pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     if let Some(failure) = args.sliding.refused(args.compliant.is_compliant()) {
@@ -166,7 +170,7 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(target) = &target {
         target.check(reading.horizontal.len().max(1))?;
     }
-    let files = Files::begin(global, &reading.inputs)?;
+    let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let session = printer.session().filter(|session| session.wants_history());
     let is_recorded = args.history.is_some() || files.wanted() || target.is_some() || session.is_some();
     if reading.horizontal.len() > 1 {
@@ -175,7 +179,7 @@ pub(crate) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     let (name, horizontal) = reading.horizontal.pop().map_or((None, None), |(name, motion)| (Some(name), Some(motion)));
     let request = RockRequest { horizontal, ..request };
     let report = rock(&request, is_recorded)?;
-    let history = || history_csv(&request.block, &report.history);
+    let history = || history_table(&request.block, &report.history);
     if let Some(session) = session {
         session.beside(&Beside { history: drawn(&report, request.horizontal.as_ref()) });
     }
@@ -222,7 +226,7 @@ fn several(
         let request = RockRequest { horizontal: Some(motion), ..request.clone() };
         let report = rock(&request, files.wanted() || target.is_some())?;
         let file = format!("history-{:02}-{name}", index + 1);
-        files.write(&format!("{file}.csv"), || history_csv(&request.block, &report.history))?;
+        files.table(&file, || Ok(history_table(&request.block, &report.history)))?;
         if let Some(target) = target
             && let Some(figure) = rock_figure(&name, &request.block, &report)?
         {
@@ -235,7 +239,7 @@ fn several(
     let table = text();
     let facts =
         Facts::default().key("results", results).key("plots", plots).key("processing", reading.processing.clone());
-    files.print(printer, "freestand.rock/1", &facts, &reading.warnings, || table)?;
+    files.print(printer, SCHEMA, &facts, &reading.warnings, || table)?;
     Ok(Done::OK)
 }
 
@@ -287,18 +291,18 @@ impl Reading {
     fn finish(
         self,
         place: Option<&Path>,
-        history: impl Fn() -> String,
+        history: impl Fn() -> Table,
         (facts, warnings): (Facts<'static>, Vec<String>),
         files: Files,
         printer: &Printer,
     ) -> Result<Done, Failure> {
-        files.write("history.csv", &history)?;
+        files.table("history", || Ok(history()))?;
         if let Some(path) = place {
-            write_file(path, history().as_bytes(), &self.inputs)?;
+            write_table(path, history(), SCHEMA, &self.inputs)?;
         }
         let facts = facts.key("processing", self.processing);
         let warnings = [self.warnings, warnings].concat();
-        files.print(printer, "freestand.rock/1", &facts, &warnings, || lines(&facts))?;
+        files.print(printer, SCHEMA, &facts, &warnings, || lines(&facts))?;
         Ok(Done::OK)
     }
 }

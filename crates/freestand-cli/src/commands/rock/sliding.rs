@@ -4,9 +4,9 @@ use freestand::G0_M_S2;
 use freestand::rocking::Until;
 use freestand_output::facts::Facts;
 use freestand_study::figures::slide_figure;
-use freestand_study::sliding::{SlideReport, SlideRequest, StopShock, history_csv, slide};
+use freestand_study::sliding::{SlideReport, SlideRequest, StopShock, history_table, slide};
 
-use super::{Reading, RockArgs, place};
+use super::{Reading, RockArgs, SCHEMA, place};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::failure::Failure;
@@ -33,7 +33,7 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
     if let Some(target) = &target {
         target.check(reading.horizontal.len().max(1))?;
     }
-    let files = Files::begin(global, &reading.inputs)?;
+    let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let recorded = args.history.is_some() || files.wanted() || target.is_some();
     let request = SlideRequest { vertical: reading.vertical.take(), ..request };
     let motions = std::mem::take(&mut reading.horizontal);
@@ -58,7 +58,7 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
             results.push(facts);
             history = points;
         } else {
-            files.write(&format!("{file}.csv"), || history_csv(&points))?;
+            files.table(&file, || Ok(history_table(&points)))?;
             reading.warnings.extend(warnings.iter().map(|warning| format!("{name}: {warning}")));
             results.push(Facts::default().key("motion", name).and(facts));
         }
@@ -67,11 +67,11 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         let facts = results.pop().unwrap_or_default();
         let facts = if target.is_some() { facts.key("plots", plots) } else { facts };
         let finished = (facts, Vec::new());
-        return reading.finish(args.history.as_deref(), || history_csv(&history), finished, files, printer).map(Some);
+        return reading.finish(args.history.as_deref(), || history_table(&history), finished, files, printer).map(Some);
     }
     let table = facts_table(&results, &COLUMNS);
     let facts = Facts::default().key("results", results).key("plots", plots).key("processing", reading.processing);
-    files.print(printer, "freestand.rock/1", &facts, &reading.warnings, || table)?;
+    files.print(printer, SCHEMA, &facts, &reading.warnings, || table)?;
     Ok(Some(Done::OK))
 }
 

@@ -14,10 +14,10 @@ use freestand_study::compliant::{accuracy, with_tangential_stiffness};
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::recorded::{Second, read_all};
 use freestand_study::spatial::{
-    SHAPES, ShapeName, SpatialRequest, release, rock_in_space, shape, spatial_csv, spatial_figure, walls_on_cushions,
+    SHAPES, ShapeName, SpatialRequest, release, rock_in_space, shape, spatial_figure, spatial_table, walls_on_cushions,
 };
 
-use super::{Reading, RockArgs};
+use super::{Reading, RockArgs, SCHEMA};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::commands::motion::plot::place;
@@ -144,7 +144,7 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         orientation_rad: orientation.unwrap_or(0.0),
         options: common.options,
     };
-    let files = Files::begin(global, &reading.inputs)?;
+    let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let report = rock_in_space(&request, args.history.is_some() || files.wanted() || target.is_some())?;
     let figure = || spatial_figure(&name, &report);
     let mut facts = report.facts.clone();
@@ -152,7 +152,7 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         let figures = figure()?.into_iter().map(|figure| ("spatial".to_owned(), figure)).collect();
         facts = facts.key("plots", place(target, figures, &files, &reading.inputs)?);
     }
-    let history = || spatial_csv(&report.history);
+    let history = || spatial_table(&report.history);
     reading.finish(args.history.as_deref(), history, (facts, report.warnings.clone()), files, printer)
 }
 

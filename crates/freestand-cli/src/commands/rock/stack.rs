@@ -3,10 +3,10 @@
 use clap::Args;
 use freestand::spatial::{Stack, StackBody, Support};
 use freestand_input::quantity::Dimension;
-use freestand_study::spatial::{StackRequest, interface, rock_stacked, stack_csv, stack_figure};
+use freestand_study::spatial::{StackRequest, interface, rock_stacked, stack_figure, stack_table};
 
 use super::spatial::Common;
-use super::{Reading, RockArgs};
+use super::{Reading, RockArgs, SCHEMA};
 use crate::args::GlobalArgs;
 use crate::commands::Done;
 use crate::commands::motion::plot::place;
@@ -70,13 +70,13 @@ pub(super) fn run(args: &RockArgs, global: &GlobalArgs, printer: &Printer) -> Re
         reading.horizontal.pop().map_or(("no motion".to_owned(), None), |(name, motion)| (name, Some(motion)));
     let vertical = reading.vertical.take();
     let request = StackRequest { stack, edge: common.edge, horizontal, vertical, options: common.options };
-    let files = Files::begin(global, &reading.inputs)?;
+    let files = Files::with_tables(global, &reading.inputs, &args.tables, SCHEMA, None)?;
     let report = rock_stacked(&request, args.history.is_some() || files.wanted() || target.is_some())?;
     let mut facts = report.facts.clone();
     if let Some(target) = &target {
         let figures = stack_figure(&name, &report)?.into_iter().map(|figure| ("stack".to_owned(), figure)).collect();
         facts = facts.key("plots", place(target, figures, &files, &reading.inputs)?);
     }
-    let history = || stack_csv(&report.history);
+    let history = || stack_table(&report.history);
     reading.finish(args.history.as_deref(), history, (facts, report.warnings.clone()), files, printer)
 }

@@ -20,7 +20,8 @@ use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_input::words::{Choices, counted, significant};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
-use freestand_output::rows::numbers_csv;
+use freestand_output::rows::table_of_numbers;
+use freestand_output::table::Table;
 use freestand_records::formats::{ReadOptions, parse_motions};
 use freestand_records::tables::laboratory::comments;
 
@@ -415,7 +416,7 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
 }
 
 /// The loop of a test as CSV.
-pub fn loop_csv(test: &DropTest) -> String {
+pub fn loop_table(test: &DropTest) -> Table {
     let row = |p: &LoopPoint| [p.time_s, p.acceleration_m_s2 / G0_M_S2, p.force_n, p.compression_m, p.speed_m_s];
-    numbers_csv("time_s,acceleration_g,force_n,compression_m,speed_m_s", test.points.iter().map(row))
+    table_of_numbers("time_s,acceleration_g,force_n,compression_m,speed_m_s", test.points.iter().map(row))
 }
