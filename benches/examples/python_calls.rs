@@ -61,7 +61,7 @@ fn main() {
         };
         let motions = [SpectrumMotion { name: "m".to_owned(), horizontal: motion.clone(), vertical: None }];
         let took = least(20, || {
-            let mut tallies = vec![SpectrumTally::default(); 1];
+            let mut tallies = [SpectrumTally::default()];
             let mut rows = 0;
             spectrum(&request, &motions, chunk_objects, |chunk| {
                 chunk.add_to(&mut tallies[0]);

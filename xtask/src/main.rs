@@ -57,7 +57,7 @@ fn main() -> ExitCode {
 fn wheel(root: &Path, out: &Path) -> Result<bool, String> {
     // The tools run in folders of their own.
     let out = std::path::absolute(out).map_err(|error| format!("{}: {error}", out.display()))?;
-    let wheel = python::wheel(root, &out, python::Profile::Release).map_err(told)?;
+    let wheel = python::wheel(root, &out, python::Profile::Published).map_err(told)?;
     let bytes = std::fs::metadata(&wheel).map_or(0, |data| data.len());
     println!("{}, {:.1} MB", wheel.display(), bytes as f64 / 1e6);
     Ok(true)

@@ -23,8 +23,8 @@ const MORE: [&str; 5] = ["distributed>=2026.8", "dask-jobqueue>=0.9", "markdown>
 pub enum Profile {
     /// As for tests: what computes is optimised.
     Dev,
-    /// As it is published.
-    Release,
+    /// As it is published: small, and what computes is optimised.
+    Published,
 }
 
 /// Why there is no package: it cannot be built here, or it is wrong.
@@ -38,7 +38,7 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
     install(root, &BUILD)?;
     let (folder, flags): (_, &[&str]) = match profile {
         Profile::Dev => ("debug", &[]),
-        Profile::Release => ("release", &["--release"]),
+        Profile::Published => ("wheel", &["--profile", "wheel"]),
     };
     run(root, "cargo", &[&["build", "--locked", "--package", "freestand-cli"], flags].concat())?;
     let name = if cfg!(windows) { "freestand.exe" } else { "freestand" };
@@ -52,7 +52,7 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
     let empty =
         |path: PathBuf| path.extension().is_some_and(|ending| ending == "whl").then(|| std::fs::remove_file(path));
     std::fs::read_dir(out).into_iter().flatten().flatten().for_each(|file| _ = empty(file.path()));
-    let profile = if profile == Profile::Dev { "dev" } else { "release" };
+    let profile = if profile == Profile::Dev { "dev" } else { "wheel" };
     let (manifest, out_text) = (format!("{CRATE}/Cargo.toml"), out.to_string_lossy());
     let arguments = ["build", "--locked", "--profile", profile, "--manifest-path", &manifest, "--out", &out_text];
     run(root, tool(root, "maturin"), &arguments)?;
