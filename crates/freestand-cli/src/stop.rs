@@ -28,6 +28,16 @@ impl Stop {
         Self(wanted)
     }
 
+    /// Also stops when the terminal is closed (SIGHUP), unless whoever started the program asked
+    /// otherwise (`nohup`): for a program that leaves nothing behind.
+    #[cfg(feature = "page")]
+    pub(crate) fn listen_to_hangup(&self) {
+        #[cfg(unix)]
+        if !is_ignored(signal_hook::consts::SIGHUP) {
+            let _ = flag::register(signal_hook::consts::SIGHUP, Arc::clone(&self.0));
+        }
+    }
+
     /// Stops when this flag is set.
     #[cfg(feature = "page")]
     pub(crate) fn on(flag: Arc<AtomicBool>) -> Self {
@@ -37,4 +47,14 @@ impl Stop {
     pub(crate) fn wanted(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
+}
+
+/// Whether this process ignores a signal, as Linux tells it: bit n − 1 of a mask is signal n. Other
+/// systems do not tell it without calls of C; there no signal counts as ignored.
+#[cfg(all(unix, feature = "page"))]
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).map(str::trim);
+    let mask = mask.and_then(|text| u64::from_str_radix(text, 16).ok()).unwrap_or(0);
+    u32::try_from(signal - 1).is_ok_and(|bit| mask.checked_shr(bit).is_some_and(|mask| mask & 1 == 1))
 }

@@ -20,8 +20,13 @@ struct Page {
 
 impl Page {
     fn open() -> Self {
-        let mut child =
-            Command::new(PROGRAM).args(["serve", "--json", "--no-open"]).stdout(Stdio::piped()).spawn().unwrap();
+        Self::open_with(|command| command)
+    }
+
+    fn open_with(prepare: impl FnOnce(&mut Command) -> &mut Command) -> Self {
+        let mut command = Command::new(PROGRAM);
+        command.args(["serve", "--json", "--no-open"]).stdout(Stdio::piped());
+        let mut child = prepare(&mut command).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
         let line: Value = serde_json::from_str(&line).unwrap();
@@ -153,13 +158,150 @@ fn documents_are_those_of_the_command_line() {
     assert_eq!(status, 400, "{answer}");
 }
 
+/// An uploaded file names files of its own request, and none of this machine; it is not told whether
+/// there is one.
+#[test]
+fn uploaded_files_name_uploaded_files() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let secret = folder.path().join("secret.csv");
+    std::fs::write(&secret, "id,item,height,thickness\nsecret-1,cabinet,1 m,0.3 m\n").unwrap();
+    let list = folder.path().join("list.csv");
+    std::fs::write(&list, "id,item,floor,height,thickness\nopen-1,cabinet,1,1.8 m,0.4 m\n").unwrap();
+    let list_id = page.upload(&list);
+    let secret_id = page.upload(&secret);
+    let study = |text: String| {
+        let path = folder.path().join("study.toml");
+        std::fs::write(&path, text).unwrap();
+        page.upload(&path)
+    };
+    let job = |request: &Value| page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+    let refused = |answer: (u16, Value), what: &str| {
+        let error = answer.1["error"].clone();
+        let told = error.to_string();
+        assert_eq!(answer.0, 400, "{what}: {}", answer.1);
+        assert!(told.contains("is not a file of this request"), "{what}: {told}");
+        assert!(error["hint"].as_str().unwrap().contains("upload the file"), "{what}: {told}");
+        assert!(!told.contains("secret-1") && !told.contains("freestand-page-"), "{what}: {told}");
+    };
+    let own = secret.to_str().unwrap();
+    let in_upload = format!("../{}/list.csv", list_id.as_str().unwrap());
+    for named in [own, "/etc/passwd", "/no/such/file", "../../../../../etc/passwd", "gone.csv", &in_upload] {
+        for text in [
+            format!("[assessment]\ninventory = \"{named}\"\n"),
+            format!("[assessment]\nlibrary = \"{named}\"\n"),
+            format!("[assessment]\ncushion_library = \"{named}\"\n"),
+            format!("[ground]\nmotions = [\"{named}\"]\n"),
+            format!("[ground]\ncode = \"table\"\nspectrum = \"{named}\"\n"),
+            format!("[building]\nstorey_table = \"{named}\"\n"),
+            format!("[building]\nmode_table = \"{named}\"\n"),
+            format!("[objects]\ncushion = \"{named}\"\n"),
+            format!("[ground]\nsuite = \"{named}\"\n"),
+        ] {
+            let id = study(text.clone());
+            // Where a list is given too, that of the study is not read: it is refused all the same.
+            for files in [json!({"study": [id]}), json!({"study": [id], "inventory": [list_id]})] {
+                let request = json!({"command": "assess", "files": files});
+                let answer = job(&request);
+                // A key that a study does not have in this place is refused before its value is looked at.
+                assert!(!answer.1.to_string().contains("unknown key"), "{text}: {}", answer.1);
+                refused(answer, &text);
+            }
+            refused(page.run(&json!({"command": "inventory check", "files": {"study": id, "file": [list_id]}})), &text);
+        }
+    }
+    // What was uploaded with it may be named.
+    let id = study("[assessment]\ninventory = \"list.csv\"\n".to_owned());
+    let beside = json!({"command": "inventory check", "files": {"study": id, "file": [list_id], "beside": [secret_id]}});
+    let (status, answer) = page.run(&beside);
+    assert_eq!((status, &answer["objects"][0]["id"]), (200, &json!("open-1")), "{answer}");
+    let (status, answer) = job(&json!({"command": "assess", "files": {"study": id, "beside": [list_id]}}));
+    assert_eq!(status, 202, "{answer}");
+    // Words in place of files, and commands that are not for the page.
+    for request in [
+        json!({"command": "inventory check", "options": {"file": own}}),
+        json!({"command": "assess", "options": {"inventory": own}}),
+        json!({"command": "assess", "options": {"study": own}}),
+        json!({"command": "object", "options": {"motion": own, "height": "1 m", "thickness": "0.3 m"}}),
+        json!({"command": "run", "files": {"study": [id]}}),
+        json!({"command": "check", "files": {"study": [id]}}),
+        json!({"command": "assess", "files": {"study": [own]}}),
+    ] {
+        let (status, answer) = job(&request);
+        assert_eq!(status, 400, "{request}: {answer}");
+        assert!(!answer.to_string().contains("secret-1"), "{answer}");
+    }
+}
+
+/// Edits are the command line's, and the file stays as it is.
+#[test]
+fn edits_are_read_in_place_of_cells() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let list = folder.path().join("list.csv");
+    std::fs::write(&list, "id,item,floor,height,thickness\nA,cabinet,1,60 apples,0.4 m\n").unwrap();
+    let id = page.upload(&list);
+    let ask = |edits: Value| {
+        page.run(&json!({"command": "inventory check", "options": {"cells": true}, "files": {"file": [id]}, "edits": edits}))
+    };
+    let (_, plain) = ask(json!([]));
+    assert_eq!(plain["problems"][0]["cells"], json!(["D2"]));
+    assert_eq!(plain["cells"]["texts"][0], json!(["A", "cabinet", "1", "60 apples", "0.4 m"]));
+    let (status, mended) = ask(json!([{"cell": "D2", "value": "600 mm"}]));
+    assert_eq!((status, &mended["objects"][0]["height_m"], &mended["problems"]), (200, &json!(0.6), &json!([])));
+    assert_eq!(mended["sha256"], plain["sha256"]);
+    let line = ["inventory", "check", list.to_str().unwrap(), "--edit", "D2=600 mm", "--cells", "--json", "--quiet"];
+    let printed: Value = serde_json::from_slice(&Command::new(PROGRAM).args(line).output().unwrap().stdout).unwrap();
+    assert_eq!(comparable(mended), comparable(printed));
+    let (status, refused) = ask(json!([{"cell": "D1", "value": "x"}]));
+    assert_eq!(status, 400);
+    assert!(refused["error"]["message"].as_str().unwrap().contains("D1 cannot be changed"), "{refused}");
+    let (status, refused) = page.run(&json!({"command": "validate", "edits": [{"cell": "D1", "value": "x"}]}));
+    assert_eq!((status, &refused["error"]["message"]), (400, &json!("validate has no option --edit")));
+}
+
+#[cfg(unix)]
+fn killed(page: &mut Page, signal: &str) {
+    let status = Command::new("kill").args([signal, &page.child.id().to_string()]).status().unwrap();
+    assert!(status.success());
+    assert_eq!(page.child.wait().unwrap().code(), Some(0), "{signal}");
+}
+
+/// Whatever ends it, its files do not stay.
 #[cfg(unix)]
 #[test]
-fn sigterm_ends_it_with_success() {
-    let mut page = Page::open();
-    let status = Command::new("kill").arg(page.child.id().to_string()).status().unwrap();
-    assert!(status.success());
-    assert_eq!(page.child.wait().unwrap().code(), Some(0));
+fn signals_end_it_with_success_and_leave_nothing() {
+    for signal in ["-TERM", "-INT", "-HUP"] {
+        let temporary = tempfile::tempdir().unwrap();
+        let mut page = Page::open_with(|command| command.env("TMPDIR", temporary.path()));
+        let file = temporary.path().join("list.csv");
+        std::fs::write(&file, "a,b\n1,2\n").unwrap();
+        page.upload(&file);
+        std::fs::remove_file(&file).unwrap();
+        assert_eq!(std::fs::read_dir(temporary.path()).unwrap().count(), 1);
+        killed(&mut page, signal);
+        assert_eq!(std::fs::read_dir(temporary.path()).unwrap().count(), 0, "{signal}");
+    }
+}
+
+/// Where hanging up is ignored it goes on: `nohup freestand serve`.
+#[cfg(target_os = "linux")]
+#[test]
+fn nohup_keeps_it() {
+    let mut child = Command::new("nohup")
+        .args([PROGRAM, "serve", "--json", "--no-open"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    let line: Value = serde_json::from_str(&line).unwrap();
+    let (port, token) = (line["port"].as_u64().unwrap(), line["token"].as_str().unwrap().to_owned());
+    let mut page = Page { child, port, token };
+    assert!(Command::new("kill").args(["-HUP", &page.child.id().to_string()]).status().unwrap().success());
+    assert_eq!(page.run(&json!({"command": "tolerance search", "options": {"word": ["cabinet"]}})).0, 200);
+    killed(&mut page, "-TERM");
 }
 
 impl Drop for Page {

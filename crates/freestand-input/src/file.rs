@@ -3,7 +3,8 @@
 use std::fmt::Write;
 use std::fs::File;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
+use std::sync::OnceLock;
 
 use sha2::{Digest, Sha256};
 
@@ -40,6 +41,39 @@ pub fn sha256_hex(bytes: &[u8]) -> String {
     })
 }
 
+/// The only folder from which this process reads input files, where there is one.
+static ONLY_FOLDER: OnceLock<PathBuf> = OnceLock::new();
+
+/// From now on this process reads input files from this folder alone, whoever names them: a flag, a
+/// study, or a file that a study names. A program that answers others calls it before it answers.
+///
+/// The first folder counts; a process has one.
+pub fn read_only_from(folder: &Path) {
+    let _ = ONLY_FOLDER.set(folder.to_path_buf());
+}
+
+/// Refuses a path outside of the only folder from which this process reads, and one in it at which
+/// there is nothing. It says the same in both cases, and so does not tell what else there is on the
+/// machine. Everything that opens an input file calls it.
+///
+/// # Errors
+/// Such a path.
+pub fn check_allowed(path: &Path) -> Result<(), Problem> {
+    ONLY_FOLDER.get().map_or(Ok(()), |folder| check_in(folder, path))
+}
+
+fn check_in(folder: &Path, path: &Path) -> Result<(), Problem> {
+    // Only this process writes into the folder, and no links: a path without `..` stays in it.
+    let climbs = path.components().any(|part| part == Component::ParentDir);
+    if path.starts_with(folder) && !climbs && path.exists() {
+        return Ok(());
+    }
+    // The name as it was written, as far as that is known: the folder itself concerns nobody.
+    let named = path.strip_prefix(folder).ok().and_then(Path::file_name).map_or(path, Path::new);
+    Err(Problem::new(ProblemKind::Io, format!("{} is not a file of this request", named.display()))
+        .hint("upload the file with the request, and name it without a folder"))
+}
+
 /// The largest file that is read into memory \[bytes\]: about a hundred million samples, more than
 /// any record has.
 const MAX_BYTES: u64 = 2 << 30;
@@ -56,6 +90,7 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
             .in_file(path)
             .hint("check the path and its permissions")
     };
+    check_allowed(path)?;
     let file = File::open(path).map_err(|error| io("cannot open the file", &error))?;
     // On Unix, opening a folder succeeds; only reading it fails, with an unhelpful message.
     if file.metadata().is_ok_and(|data| data.is_dir()) {
@@ -69,4 +104,35 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
         return Err(Problem::new(ProblemKind::Format, too_long).in_file(path).hint(remedy));
     }
     Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_not_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let (inside, outside) = (folder.path().join("r1"), folder.path().join("r2"));
+        for folder in [&inside, &outside] {
+            std::fs::create_dir(folder).unwrap();
+            std::fs::write(folder.join("list.csv"), "id").unwrap();
+        }
+        assert!(check_in(&inside, &inside.join("list.csv")).is_ok());
+        assert!(check_in(&inside, &inside).is_ok());
+        let missing = check_in(&inside, &inside.join("gone.csv")).unwrap_err();
+        assert_eq!(missing.message, "gone.csv is not a file of this request");
+        for path in ["../r2/list.csv", "/etc/passwd", "/no/such/file", "../r1/list.csv"] {
+            let problem = check_in(&inside, &inside.join(path)).unwrap_err();
+            // A file that is there is refused in the same words as one that is not.
+            assert!(problem.message.ends_with("is not a file of this request"), "{problem}");
+            assert!(!problem.message.contains(&*inside.to_string_lossy()), "{problem}");
+        }
+        // The beginning of a name is not a folder.
+        let longer = folder.path().join("r11");
+        std::fs::write(&longer, "x").unwrap();
+        assert!(check_in(&inside, &longer).is_err());
+        // Without such a folder everything is read.
+        assert!(check_allowed(&outside.join("list.csv")).is_ok());
+    }
 }

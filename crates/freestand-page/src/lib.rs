@@ -33,6 +33,8 @@ pub struct Program {
     pub facts: fn() -> Value,
     /// What an uploaded file seems to be.
     pub kind: fn(&Path) -> Kind,
+    /// Refuses a request that cannot be begun; asked before a job is, so that it is refused at once.
+    pub check: fn(&Request) -> Result<(), Refusal>,
     /// The answer to a request. It is called on a thread that may block.
     pub answer: fn(&Request, &Cancel, &Events) -> Result<Reply, Refusal>,
 }

@@ -114,7 +114,7 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
             Ok(value(StatusCode::OK, &json!({ "files": files })))
         }
         (&Method::POST, ["v1", "run"]) => live(site, body(request).await?).await,
-        (&Method::POST, ["v1", "jobs"]) => job(&site, body(request).await?),
+        (&Method::POST, ["v1", "jobs"]) => job(&site, body(request).await?).await,
         (_, ["v1", "files" | "run" | "jobs"]) => Ok(not_allowed("POST")),
         (&Method::DELETE, ["v1", "jobs", id]) => {
             site.jobs.find(id)?.cancel.cancel();
@@ -168,16 +168,32 @@ fn wrong(message: String) -> Refusal {
     Refusal::new(Status::BadInput, "value", message, hint)
 }
 
-/// The request of a body, with the paths of its files.
+/// Under this name a request has the files that others of its files name, such as the records of a
+/// study.
+const BESIDE: &str = "beside";
+
+/// The request of a body, with the paths of its files. A file can name those of the same request
+/// alone: together they have a folder where there is something beside, and otherwise each has its own.
 fn understood(site: &Site, asked: Asked, folder: Option<PathBuf>) -> Result<Request, Refusal> {
-    let paths = |ids: Ids| -> Result<Vec<PathBuf>, Refusal> {
-        let ids = match ids {
-            Ids::One(id) => vec![id],
-            Ids::Several(ids) => ids,
-        };
-        ids.iter().map(|id| site.uploads.path(id)).collect()
+    let listed = asked.files.into_iter().map(|(flag, ids)| match ids {
+        Ids::One(id) => (flag, vec![id]),
+        Ids::Several(ids) => (flag, ids),
+    });
+    let listed: Vec<(String, Vec<String>)> = listed.collect();
+    let mut all: Vec<&str> = listed.iter().flat_map(|(_, ids)| ids).map(String::as_str).collect();
+    all.sort_unstable();
+    all.dedup();
+    let together = match listed.iter().any(|(flag, _)| flag == BESIDE) {
+        true => site.uploads.together(&all)?,
+        false => Vec::new(),
     };
-    let files = asked.files.into_iter().map(|(flag, ids)| Ok((flag, paths(ids)?))).collect::<Result<_, Refusal>>()?;
+    let path = |id: &String| match all.iter().position(|own| own == id).and_then(|at| together.get(at)) {
+        Some(path) => Ok(path.clone()),
+        None => site.uploads.path(id),
+    };
+    let named = listed.iter().filter(|(flag, _)| flag != BESIDE);
+    let paths = named.map(|(flag, ids)| Ok((flag.clone(), ids.iter().map(path).collect::<Result<_, Refusal>>()?)));
+    let files = paths.collect::<Result<_, Refusal>>()?;
     let Asked { command, options, history, shape, edits, .. } = asked;
     Ok(Request { command, options, files, history, shape, edits, folder })
 }
@@ -250,15 +266,18 @@ fn defect() -> Refusal {
     Refusal::new(Status::Defect, "defect", "the calculation ended unexpectedly", hint)
 }
 
-/// Starts a job.
-fn job(site: &Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
+/// Starts a job. One that cannot be begun is refused at once.
+async fn job(site: &Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     let continues = asked.continues.clone();
     let mut request = understood(site, asked, None)?;
+    let program = site.program;
+    let checked = tokio::task::spawn_blocking(move || (program.check)(&request).map(|()| request)).await;
+    request = checked.map_err(|_| defect())??;
     let job = site.jobs.begin(continues.as_deref(), |id| {
         site.folder.as_ref().map_or_else(|| site.uploads.beside(id), |folder| folder.join(id))
     })?;
     request.folder = Some(job.folder.clone());
-    let (program, id) = (site.program, job.id.clone());
+    let id = job.id.clone();
     tokio::spawn(async move {
         let (events, cancel) = (job.events(), job.cancel.clone());
         let work = tokio::task::spawn_blocking(move || (program.answer)(&request, &cancel, &events));

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 use std::net::{Ipv4Addr, SocketAddr};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -85,6 +85,11 @@ impl Server {
     /// The address to open: the token is behind the `#`, which no browser sends.
     pub fn url(&self) -> String {
         format!("http://127.0.0.1:{}/#{}", self.port, self.token())
+    }
+
+    /// The folder of the uploaded files: no request names a file elsewhere.
+    pub fn uploads(&self) -> &Path {
+        self.site.uploads.folder()
     }
 
     /// Answers until `wants_to_stop`; then jobs end at their next object.

@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use http_body_util::{BodyDataStream, BodyExt};
@@ -50,6 +50,38 @@ impl Uploads {
     pub(crate) fn new() -> std::io::Result<Self> {
         let folder = tempfile::Builder::new().prefix("freestand-page-").tempdir()?;
         Ok(Self { folder, kept: Mutex::default() })
+    }
+
+    /// The folder of everything.
+    pub(crate) fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+
+    /// The paths of these files in one folder, so that one of them can name another. The same files
+    /// get the same folder, so that a job that continues another has the same inputs.
+    pub(crate) fn together(&self, ids: &[&str]) -> Result<Vec<PathBuf>, Refusal> {
+        // Of fixed length, however many files there are.
+        let digest = hex(&Sha256::digest(ids.join(" ")));
+        let folder = self.folder.path().join(format!("together-{}", digest.get(..16).unwrap_or_default()));
+        let mut paths: Vec<PathBuf> = Vec::with_capacity(ids.len());
+        for id in ids {
+            let path = self.path(id)?;
+            let Some(name) = path.file_name() else { continue };
+            let own = folder.join(name);
+            if paths.contains(&own) {
+                let message = format!("two files of the request are called {}", name.display());
+                return Err(Refusal::new(Status::BadInput, "value", message, "rename one of them"));
+            }
+            paths.push(own);
+        }
+        let _kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        std::fs::create_dir_all(&folder).map_err(|error| unwritten(&error))?;
+        for (id, own) in ids.iter().zip(&paths) {
+            let from = self.folder.path().join(id).join(own.file_name().unwrap_or_default());
+            let made = if own.exists() { Ok(()) } else { std::fs::hard_link(&from, own) };
+            made.or_else(|_| std::fs::copy(&from, own).map(|_| ())).map_err(|error| unwritten(&error))?;
+        }
+        Ok(paths)
     }
 
     /// A folder beside the files, for the results of jobs.

@@ -13,7 +13,15 @@ use freestand_page::{Cancel, Events, Kind, Program, Refusal, Reply, Request, Ser
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-const FAKE: Program = Program { facts, kind, answer: fake };
+const FAKE: Program = Program { facts, kind, check, answer: fake };
+
+/// What cannot be begun.
+fn check(request: &Request) -> Result<(), Refusal> {
+    match request.command.as_str() {
+        "never" => Err(Refusal::new(Status::BadInput, "value", "no such command", "try echo")),
+        _ => Ok(()),
+    }
+}
 
 fn facts() -> Value {
     json!({"version": "fake"})
@@ -35,7 +43,13 @@ fn fake(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Re
                 .flat_map(|(_, paths)| paths)
                 .map(|path| std::fs::metadata(path).map_or(0, |file| file.len()))
                 .collect();
-            let document = json!({"options": request.options, "sizes": sizes}).to_string();
+            // What a file says that names others: the sizes of those beside it.
+            let first = request.files.iter().flat_map(|(_, paths)| paths).next();
+            let beside: Option<u64> = first.filter(|_| request.options.contains_key("beside")).and_then(|path| {
+                let named = std::fs::read_to_string(path).ok()?;
+                Some(std::fs::metadata(path.with_file_name(named)).ok()?.len())
+            });
+            let document = json!({"options": request.options, "sizes": sizes, "beside": beside}).to_string();
             Ok(Reply { document, ..Reply::default() })
         }
         "wait" => {
@@ -357,6 +371,38 @@ fn files_are_kept_and_named() {
     let echoed = site.post("/api/v1/run", &json!({"command": "echo", "files": {"motion": [files[0]["id"]]}}));
     assert_eq!(echoed.json()["sizes"], json!([8]));
     assert_eq!(site.upload(&[]).status, 400);
+}
+
+/// A file may name others of its request, and none of another.
+#[test]
+fn files_that_name_files_have_those_of_their_request() {
+    let site = Site::new();
+    let told = site.upload(&[("study.txt", b"list.csv"), ("list.csv", b"a,b\n1,2\n"), ("list.csv", b"x")]);
+    let ids: Vec<String> =
+        told.json()["files"].as_array().unwrap().iter().map(|file| file["id"].as_str().unwrap().to_owned()).collect();
+    let ask = |files: Value| {
+        site.post("/api/v1/run", &json!({"command": "echo", "options": {"beside": true}, "files": files}))
+    };
+    let alone = ask(json!({"study": [ids[0]]}));
+    assert_eq!((alone.status, &alone.json()["beside"]), (200, &Value::Null));
+    // Twice: the folder that they share is there already.
+    for _ in 0..2 {
+        let both = ask(json!({"study": ids[0], "beside": [ids[1]]}));
+        assert_eq!((both.status, &both.json()["beside"], &both.json()["sizes"]), (200, &json!(8), &json!([8])));
+    }
+    assert_eq!(ask(json!({"study": ids[0], "beside": [ids[2]]})).json()["beside"], 1);
+    let same = ask(json!({"study": ids[0], "beside": [ids[1], ids[2]]}));
+    assert_eq!(same.status, 400);
+    assert_eq!(same.json()["error"]["message"], "two files of the request are called list.csv");
+    assert_eq!(ask(json!({"study": ids[0], "beside": ["../f1"]})).status, 400);
+}
+
+#[test]
+fn what_cannot_be_begun_is_no_job() {
+    let site = Site::new();
+    let answer = site.post("/api/v1/jobs", &json!({"command": "never"}));
+    assert_eq!((answer.status, &answer.json()["error"]["hint"]), (400, &json!("try echo")));
+    assert_eq!(site.get("/api/v1/jobs/job-1/events").status, 404);
 }
 
 #[test]

@@ -89,12 +89,14 @@ pub(crate) fn assess(
         storeys: given.count("storeys"),
         is_strict: given.flag("strict"),
         assess_anchored: given.flag("assess_anchored"),
+        edits: Vec::new(),
     };
     let job = Job {
         resume: given.flag("resume"),
         force: given.flag("force"),
         parquet: given.flag("parquet"),
         outcomes: given.flag("outcomes"),
+        part_rows: None,
     };
     let (library, cushions) = (given.path("library"), given.path("cushion_library"));
     given.finish()?;
@@ -145,7 +147,7 @@ pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, 
         let mapping = columns.as_deref().map(Mapping::load).transpose()?;
         libraries.looked_up(|lookup| {
             let sheet = sheet.as_deref();
-            let options = ReadOptions { sheet, mapping: mapping.as_ref(), floors, is_strict, lookup };
+            let options = ReadOptions { sheet, mapping: mapping.as_ref(), floors, is_strict, ..ReadOptions::new(lookup) };
             let reading = inspect_inventory(&path, &options)?;
             if let Some(place) = &marked {
                 let copy = marked_copy(&path, &options, &reading.inventory.findings)?;

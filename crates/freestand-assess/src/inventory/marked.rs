@@ -26,7 +26,8 @@ const MAX_COPIED: usize = 4_000_000;
 /// A list that cannot be read, or is too large to copy.
 pub fn marked_copy(path: &Path, options: &ReadOptions<'_>, findings: &[Finding]) -> Result<Vec<u8>, Problems> {
     let in_file = |problem: Problem| problem.in_file(path);
-    let sheet = Sheet::open(load(path)?, options.sheet, options.mapping).map_err(in_file)?;
+    let mut sheet = Sheet::open(load(path)?, options.sheet, options.mapping).map_err(in_file)?;
+    sheet.edit(options.edits).map_err(in_file)?;
     let cells: usize = sheet.rows.iter().map(|row| row.cells.len()).sum();
     if cells > MAX_COPIED {
         let message = format!("{cells} cells are too many for a marked copy");

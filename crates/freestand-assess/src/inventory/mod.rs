@@ -15,6 +15,7 @@ mod cells;
 mod columns;
 mod convert;
 mod csv_file;
+mod edits;
 mod encoding;
 mod floors;
 mod headings;
@@ -48,6 +49,7 @@ use serde::{Deserialize, Serialize};
 
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
+pub use edits::Edit;
 pub use floors::Floors;
 pub use kept::{items_from_lines, lines_of_items};
 pub use layout::{LeftOut, RowKind};
@@ -56,8 +58,10 @@ pub use marked::marked_copy;
 pub use named::level_of_floor;
 pub use numbers::Decimal;
 pub use problems::{Finding, Kind, Severity, console_lines};
-pub use read::{ColumnRead, ReadOptions, Reading, inspect_inventory, parse_inventory, read_inventory};
-pub use report::{CheckReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN, check_report};
+pub use read::{CellsRead, ColumnRead, ReadOptions, Reading, inspect_inventory, parse_inventory, read_inventory};
+pub use report::{
+    CellsReport, CheckReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN, check_report,
+};
 pub use template::{template_csv, template_xlsx};
 
 use crate::library::Tolerance;

@@ -14,6 +14,7 @@ use freestand_input::words::{canonical, nearest};
 
 use super::cell::{Cell, Row};
 use super::columns::{COLUMNS, Column, letters};
+use super::edits::{Edit, edited};
 use super::floors::{FloorFinder, Floors};
 use super::headings::dimension;
 use super::item::{self, item};
@@ -45,6 +46,10 @@ pub struct ReadOptions<'a> {
     pub floors: Floors,
     /// Every doubt is an error.
     pub is_strict: bool,
+    /// Cells that are read otherwise than the file has them.
+    pub edits: &'a [Edit],
+    /// Whether the texts of cells are wanted too.
+    pub wants_cells: bool,
     /// Where the entries that a list names are looked up.
     pub lookup: &'a Lookup<'a>,
 }
@@ -52,7 +57,15 @@ pub struct ReadOptions<'a> {
 impl<'a> ReadOptions<'a> {
     /// Everything as the list says.
     pub fn new(lookup: &'a Lookup<'a>) -> Self {
-        Self { sheet: None, mapping: None, floors: Floors::default(), is_strict: false, lookup }
+        Self {
+            sheet: None,
+            mapping: None,
+            floors: Floors::default(),
+            is_strict: false,
+            edits: &[],
+            wants_cells: false,
+            lookup,
+        }
     }
 }
 
@@ -79,6 +92,15 @@ pub struct ColumnRead {
     pub missing: usize,
 }
 
+/// The cells of an object as they were read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CellsRead {
+    /// Its row, counted from 1.
+    pub row: u32,
+    /// The text of the cell below each heading; empty where it shows nothing.
+    pub texts: Vec<String>,
+}
+
 /// An inventory, and how its file was understood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
@@ -92,6 +114,10 @@ pub struct Reading {
     pub left_out: Vec<LeftOut>,
     /// A mapping file to edit, with what each heading was taken for.
     pub mapping_file: String,
+    /// Every heading, with the letter of its column.
+    pub headings: Vec<(String, String)>,
+    /// The cells of each object; none where they are not wanted.
+    pub cells: Vec<CellsRead>,
 }
 
 /// Reads an inventory from a CSV or a workbook (XLSX), recognised by its content: every quantity in
@@ -140,7 +166,9 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     let sha256 = sha256_hex(&bytes);
     let in_file = |problem: Problem| problem.in_file(path);
     let mut sheet = Sheet::open(bytes, options.sheet, options.mapping).map_err(in_file)?;
+    sheet.edit(options.edits).map_err(in_file)?;
     let mut warnings = std::mem::take(&mut sheet.warnings);
+    warnings.extend(edited(options.edits));
     warnings.extend(sheet.title_warning());
     let body = body(&sheet.rows, &sheet.header);
     if body.objects.is_empty() {
@@ -219,8 +247,22 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
         findings,
         warnings,
     };
+    let texts = |row: &Row| {
+        let text = |index: &u32| row.get(*index).map(Cell::shown).unwrap_or_default();
+        CellsRead { row: row.number, texts: sheet.header.headings.keys().map(text).collect() }
+    };
+    let objects = body.objects.iter().filter(|_| options.wants_cells);
+    let cells = objects.filter_map(|(place, _)| sheet.rows.get(*place)).map(texts).collect();
     let left_out = body.left_out;
-    Ok(Reading { inventory, columns: columns_read, header_row: sheet.header.row, left_out, mapping_file })
+    Ok(Reading {
+        inventory,
+        columns: columns_read,
+        header_row: sheet.header.row,
+        left_out,
+        mapping_file,
+        headings: sheet.header.headings.iter().map(|(index, text)| (letters(*index as usize), text.clone())).collect(),
+        cells,
+    })
 }
 
 /// Finds floors where the list has no shares of the height.

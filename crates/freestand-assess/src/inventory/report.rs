@@ -26,6 +26,9 @@ pub struct CheckReport {
     pub first_rows: Vec<RowReport>,
     pub objects: Vec<ObjectReport>,
     pub left_out: Vec<LeftOutReport>,
+    /// The headings, and the cells of each object, where they are wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cells: Option<CellsReport>,
     pub problems: Vec<ProblemReport>,
     pub marked_copy: Option<String>,
 }
@@ -107,6 +110,18 @@ pub struct LeftOutReport {
     pub text: String,
 }
 
+/// The cells of a list as they were read.
+#[derive(Debug, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document")]
+pub struct CellsReport {
+    pub columns: Vec<String>,
+    pub headings: Vec<String>,
+    /// The row of each object, counted from 1.
+    pub rows: Vec<u32>,
+    /// The texts of each object, one for each column.
+    pub texts: Vec<Vec<String>>,
+}
+
 /// A problem, with all its cells.
 #[derive(Debug, Serialize)]
 #[expect(missing_docs, reason = "the names are those of the JSON document and state the units")]
@@ -142,9 +157,16 @@ pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeySt
         first_rows: inventory.items.iter().take(SHOWN).map(row).collect(),
         objects: inventory.items.iter().map(object).collect(),
         left_out: left_out.collect(),
+        cells: (!reading.cells.is_empty()).then(|| cells(reading)),
         problems: inventory.findings.iter().map(|finding| problem(finding, style)).collect(),
         marked_copy,
     }
+}
+
+fn cells(reading: &Reading) -> CellsReport {
+    let (columns, headings) = reading.headings.iter().cloned().unzip();
+    let rows = reading.cells.iter().map(|cells| cells.row).collect();
+    CellsReport { columns, headings, rows, texts: reading.cells.iter().map(|cells| cells.texts.clone()).collect() }
 }
 
 fn problem(finding: &Finding, style: KeyStyle) -> ProblemReport {

@@ -6,6 +6,7 @@ mod portfolio;
 mod shards;
 mod store;
 
+pub use portfolio::Finished;
 pub use shards::{
     Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards, plan_shards, run_shard,
 };
@@ -19,7 +20,7 @@ use serde::Serialize;
 use serde_json::json;
 use store::{PROGRESS, Part, Store, part_size};
 
-use crate::inventory::{Floors, Inventory, Mapping, ReadOptions, read_inventory};
+use crate::inventory::{Edit, Floors, Inventory, Mapping, ReadOptions, read_inventory};
 use crate::library::{Libraries, Lookup};
 use crate::output::{
     First, Head, OUTCOMES_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all, write_worlds,
@@ -61,6 +62,9 @@ pub struct Job {
     pub parquet: bool,
     /// Write `outcomes.csv` too: every object in every world.
     pub outcomes: bool,
+    /// Objects that are assessed and stored together, and lost where a run is stopped amid them, if
+    /// fewer than usual. Somebody who watches wants few.
+    pub part_rows: Option<usize>,
 }
 
 /// The summary of a job; its fields are the keys of the JSON document.
@@ -144,6 +148,8 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
             mapping: mapping.as_ref(),
             floors: floors_of(study, request.storeys),
             is_strict: request.is_strict,
+            edits: &request.edits,
+            wants_cells: false,
             lookup,
         };
         read_inventory(path, &options)
@@ -152,6 +158,9 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
     let mapped = mapping.as_ref().map_or("", |mapping| mapping.sha256.as_str());
     let storeys = request.storeys.map_or_else(String::new, |storeys| storeys.to_string());
     inventory.read_with = format!("mapping {mapped}; storeys {storeys}; anchored {}", request.assess_anchored);
+    for edit in &request.edits {
+        inventory.read_with.push_str(&format!("; {}", serde_json::Value::from(edit.to_string())));
+    }
     if request.assess_anchored {
         inventory.items.iter_mut().for_each(|item| item.anchored = None);
     }
@@ -174,6 +183,8 @@ pub struct ListRequest {
     pub is_strict: bool,
     /// Objects that are reported as anchored are assessed as if they were free.
     pub assess_anchored: bool,
+    /// Cells that are read otherwise than the file has them.
+    pub edits: Vec<Edit>,
 }
 
 /// What a study says about the floors of its building.
@@ -209,7 +220,21 @@ pub fn assess_into(
     job: &Job,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    let size = part_size(study, inventory);
+    assess_telling(study, inventory, target, job, (progress, None))
+}
+
+/// As [`assess_into`], for somebody who watches: each object is told when it is finished.
+///
+/// # Errors
+/// As [`assess_into`].
+pub fn assess_telling(
+    study: &Study,
+    inventory: &Inventory,
+    target: &Path,
+    job: &Job,
+    (progress, tell): (Progress, Option<Finished>),
+) -> Result<JobReport, Problems> {
+    let size = job.part_rows.map_or_else(|| part_size(study, inventory), |rows| rows.clamp(1, part_size(study, inventory)));
     let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume
@@ -222,7 +247,7 @@ pub fn assess_into(
     announce(target, job.force, SCHEMA, &names)?;
     let folder = staged(study, inventory, target, job)?;
     let store = Store::open(&target.join(PROGRESS), &key, job.resume)?;
-    let portfolio = assess(study, inventory, (store, parts), (job.outcomes, None), progress)?;
+    let portfolio = assess(study, inventory, (store, parts), (job.outcomes, None), (progress, tell))?;
     let run = Run { study, inventory, head: &head, job, key: &key, motions: None };
     written(&run, (target, folder), portfolio, progress)
 }

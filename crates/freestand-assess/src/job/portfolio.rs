@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::inventory::{Inventory, Item};
 use crate::kept_motions::KeptMotions;
 use crate::output::words::listed;
-use crate::output::{Lived, Row};
+use crate::output::{JsonRows, Lived, Row};
 use crate::rank::Urgency;
 use crate::result::{Assessment, Decision};
 use crate::verdict::{Context, Member, Subject, assess_group, blank, restraint_of};
@@ -15,6 +15,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::OutputFolder;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
+use serde_json::{Map, Value};
 
 use super::store::{PROGRESS, Part, Store};
 
@@ -52,6 +53,10 @@ pub(super) fn progress_names(parts: &[Part]) -> Vec<String> {
     Store::names(parts).map(|name| format!("{}/{name}", PROGRESS)).collect()
 }
 
+/// Called with the row of each object when it is finished, as it will be in `objects.csv`; its rank is
+/// that among the objects which were told before it.
+pub type Finished<'a> = &'a dyn Fn(&Map<String, Value>);
+
 /// Assesses every object of `inventory` on its floor of `study`, on the current thread pool, part by
 /// part. Parts that are in the store are read from it, the others are computed and stored.
 ///
@@ -66,7 +71,7 @@ pub(super) fn assess<'a>(
     inventory: &'a Inventory,
     (store, parts): (Store, Vec<Part>),
     (wants_outcomes, motions): (bool, Option<&Path>),
-    progress: Progress,
+    (progress, finished): (Progress, Option<Finished>),
 ) -> Result<Portfolio<'a>, Problems> {
     let total = inventory.items.len();
     let wants_to_stop = || progress(Step { stage: None, done: 0, total: 0 }).is_break();
@@ -88,6 +93,8 @@ pub(super) fn assess<'a>(
     };
     let mut assessor = Assessor::new((study, total), (wants_outcomes, motions), &wants_to_stop);
     let mut list = Vec::with_capacity(total);
+    let rows = finished.map(|tell| (JsonRows::new(inventory), tell));
+    let mut ranked: Vec<Urgency> = Vec::new();
     for part in parts {
         let items = inventory.items.get(part.rows.clone()).unwrap_or_default();
         if progress(Step { stage: Some(Stage::Objects), done: part.rows.start, total }).is_break() {
@@ -110,6 +117,14 @@ pub(super) fn assess<'a>(
             Err(error) => return Err(error),
         };
         portfolio.count(items, &found);
+        if let Some((rows, tell)) = &rows {
+            for (item, found) in items.iter().zip(&found) {
+                let urgency = Urgency::new(item, found);
+                let place = ranked.partition_point(|other| other.cmp(&urgency).is_lt());
+                ranked.insert(place, urgency);
+                tell(&rows.row(item, place + 1, found));
+            }
+        }
         list.extend(items.iter().zip(&found).map(|(item, found)| Urgency::new(item, found)));
         portfolio.parts.push(part);
     }

@@ -6,12 +6,13 @@ use std::path::Path;
 
 use serde_json::{Map, Value};
 
-use crate::inventory::Inventory;
+use crate::inventory::{Inventory, Item};
+use crate::result::Assessment;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::paths::io_problem;
 
 use super::csv::{CSV_NAME, OVERTURNED};
-use super::table::{COLUMNS, Kind, ROW};
+use super::table::{COLUMNS, Cell, Kind, Line, ROW, carried_cells, carried_names};
 
 /// Calls `each` with every row of the `objects.csv` in `folder`: an object with the columns as keys,
 /// and the number of its row in the inventory.
@@ -47,6 +48,38 @@ pub fn object_rows<E: From<Problem>>(
         each(&row)?;
     }
     if items.next().is_some() { Err(changed().into()) } else { Ok(()) }
+}
+
+/// Rows of `objects.csv` as JSON, before there is a file.
+pub(crate) struct JsonRows<'i> {
+    inventory: &'i Inventory,
+    carried: Vec<String>,
+}
+
+impl<'i> JsonRows<'i> {
+    pub(crate) fn new(inventory: &'i Inventory) -> Self {
+        Self { inventory, carried: carried_names(&inventory.carried) }
+    }
+
+    /// The row of an object, as [`object_rows`] reads it.
+    pub(crate) fn row(&self, item: &Item, rank: usize, found: &Assessment) -> Map<String, Value> {
+        let line = Line { item, found: Some((rank, found)) };
+        let own = COLUMNS.iter().map(|column| (column.name.to_owned(), json((column.cell)(&line))));
+        let carried = self.carried.iter().cloned().zip(carried_cells(self.inventory, item).map(json));
+        let row = (ROW.to_owned(), Value::from(item.row));
+        own.chain(carried).chain([row]).collect()
+    }
+}
+
+fn json(cell: Cell) -> Value {
+    match cell {
+        Cell::Text(text) => Value::from(text.into_owned()),
+        Cell::Number(value) => Value::from(value),
+        Cell::Count(value) => Value::from(value),
+        Cell::Overturned => Value::from(OVERTURNED),
+        Cell::Flag(value) => Value::from(value),
+        Cell::Missing => Value::Null,
+    }
 }
 
 /// A field as a value; `None` where it is none of its kind.
@@ -109,6 +142,16 @@ mod tests {
         assert_eq!((rows[1]["life_safety"].as_str(), rows[0]["life_safety"].is_null()), (Some("high"), true));
         // A carried number stays the text of the inventory, without the mark for spreadsheets.
         assert_eq!(first["rank (inventory)"].as_str(), Some("-12"));
+    }
+
+    /// A row that is told when its object is finished is the one that is read later.
+    #[test]
+    fn rows_before_there_is_a_file_are_the_same() {
+        let inventory = inventory(hostile_items());
+        let told = JsonRows::new(&inventory);
+        for (read, row) in rows(&inventory).iter().zip(crate::output::fixture::rows(&inventory, inventory.items.len())) {
+            assert_eq!(*read, told.row(row.item, row.rank, &row.found));
+        }
     }
 
     #[test]

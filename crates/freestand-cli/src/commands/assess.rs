@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use freestand_assess::inventory::Inventory;
-use freestand_assess::job::{Job, JobReport, ListRequest, SCHEMA, assess_into, inventory_of};
+use freestand_assess::inventory::{Edit, Inventory};
+use freestand_assess::job::{Finished, Job, JobReport, ListRequest, SCHEMA, assess_telling, inventory_of};
 use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
 use freestand_assess::result::Decision;
@@ -19,6 +19,7 @@ use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::{Progress, Step};
 use freestand_study::study::Study;
+use serde_json::{Map, Value};
 
 use super::Done;
 use crate::args::GlobalArgs;
@@ -40,6 +41,8 @@ Examples:
       --out assessment
   Continue after Ctrl-C or a crash, in the same folder:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment --resume
+  With a cell read as corrected; the file is not changed:
+    freestand assess --inventory objects.csv --edit \"D7=900 mm\"
   Also a Parquet table, for pandas:
     freestand assess --inventory objects.csv --format csv,parquet
   In a script that stops where something has to be restrained or its data are missing:
@@ -53,6 +56,9 @@ docs/assessment.md.")]
 pub(crate) struct AssessArgs {
     #[command(flatten)]
     list: ListArgs,
+    /// Read a cell as if it contained this; give it once for each cell. The file is not changed
+    #[arg(long, value_name = "CELL=TEXT")]
+    edit: Vec<String>,
     /// Continue an earlier run in the same folder
     #[arg(long)]
     resume: bool,
@@ -128,6 +134,9 @@ impl FailOn {
     }
 }
 
+/// Objects of a part where somebody watches.
+const WATCHED_ROWS: usize = 32;
+
 /// The folder where no `--out` is given.
 const FOLDER: &str = "freestand-assessment";
 
@@ -149,12 +158,17 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
             "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
         ));
     }
-    let (study, _, inventory) = args.list.read(global, args.pages)?;
+    let (study, _, inventory) = args.list.read(global, args.pages, edits(&args.edit)?)?;
     let out = global.folder(FOLDER);
     let parquet = args.format.contains(&Format::Parquet);
-    let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes };
+    // Somebody watches the page: few objects at a time.
+    let part_rows = printer.session().map(|_| WATCHED_ROWS);
+    let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes, part_rows };
 
-    let report = watched(printer, |progress| assess_into(&study, &inventory, &out, &job, progress))?;
+    let told = |row: &Map<String, Value>| printer.session().into_iter().for_each(|session| session.object(row));
+    let finished: Option<Finished> = printer.session().is_some().then_some(&told);
+    let report =
+        watched(printer, |progress| assess_telling(&study, &inventory, &out, &job, (progress, finished)))?;
     print(&report, &out, &inventory, printer)?;
     if report.interrupted {
         return Err(Failure::StoppedAfterWriting);
@@ -169,6 +183,7 @@ impl ListArgs {
         &self,
         global: &GlobalArgs,
         pages: Option<usize>,
+        edits: Vec<Edit>,
     ) -> Result<(Study, ListRequest, Inventory), Failure> {
         let overrides = Overrides { seed: global.seed, hazard: self.hazard.words(), ..Overrides::default() };
         let mut study = match &self.study {
@@ -186,10 +201,19 @@ impl ListArgs {
             storeys: self.storeys.map(usize::from),
             is_strict: self.strict,
             assess_anchored: self.assess_anchored,
+            edits,
         };
         let inventory = inventory_of(&study, self.inventory.as_deref(), &request)?;
         Ok((study, request, inventory))
     }
+}
+
+/// The cells that are read otherwise, by `--edit`.
+pub(crate) fn edits(texts: &[String]) -> Result<Vec<Edit>, Problems> {
+    let mut problems = Problems::default();
+    let edits = texts.iter().filter_map(|text| problems.keep(Edit::parse(text).map_err(|one| one.named("edit"))));
+    let edits = edits.collect();
+    problems.finish(Some(edits))
 }
 
 /// Long work with a bar of its progress, which Ctrl-C stops.
@@ -239,9 +263,6 @@ fn print_json(report: &JobReport, out: &Path, inventory: &Inventory, printer: &P
     let mut pending = rows_head(SCHEMA)?;
     let mut separator = "\n    ";
     object_rows(out, inventory, |row| {
-        if let Some(session) = printer.session() {
-            session.object(row);
-        }
         let row =
             serde_json::to_string(row).map_err(|error| Failure::computation(format!("a row is not JSON: {error}")))?;
         pending.push_str(separator);

@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use freestand_input::file::check_allowed;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::counted;
 use freestand_records::formats::{Component, Direction, ReadOptions};
@@ -55,6 +56,7 @@ fn list(folder: &Path) -> Result<(Vec<PathBuf>, Vec<String>), Problem> {
             if folder.exists() { format!("cannot be read as a folder: {error}") } else { "does not exist".to_owned() };
         Problem::new(ProblemKind::Io, message).in_file(folder).hint(HINT)
     };
+    check_allowed(folder)?;
     let mut paths: Vec<PathBuf> = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         paths.push(entry.map_err(failed)?.path());

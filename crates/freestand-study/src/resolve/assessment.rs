@@ -1,7 +1,5 @@
 //! Resolves `[assessment]`, `[worlds]` and `[restraint]`.
 
-use std::path::PathBuf;
-
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::code_spectrum::part_forces::LEAST_BUILDING_DUCTILITY_RATIO;
 use freestand::decision::Looks;
@@ -14,6 +12,7 @@ use crate::study::assessment::{
     WorldSettings,
 };
 use crate::target::Target;
+use freestand_input::file::check_allowed;
 use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
@@ -36,11 +35,18 @@ impl Resolver<'_> {
             self.note(Some(*line), format!("{key} has been replaced by the table [worlds]"), hint);
         }
         let Spread { restitution, stiffness, mass, geometry, model, compliant } = defaults.spread;
-        let path = |written: &Option<Written<String>>| -> Option<PathBuf> {
-            written.as_ref().map(|written| self.base_dir.join(&written.value))
-        };
-        let [inventory, library, cushion_library] =
-            [&written.inventory, &written.library, &written.cushion_library].map(path);
+        let files = [&written.inventory, &written.library, &written.cushion_library];
+        let keys = ["inventory", "library", "cushion_library"];
+        let mut paths = files.map(|written| written.as_ref().map(|written| self.base_dir.join(&written.value)));
+        for ((path, written), key) in paths.iter().zip(files).zip(keys) {
+            // These are read later, or not at all where a flag names another: refused here with their line.
+            if let (Some(path), Some(written)) = (path, written)
+                && let Err(problem) = check_allowed(path)
+            {
+                self.fault(Some(written.line), key, problem);
+            }
+        }
+        let [inventory, library, cushion_library] = paths.each_mut().map(Option::take);
         Settings {
             inventory,
             sheet: written.sheet.as_ref().map(|sheet| sheet.value.clone()),

@@ -177,13 +177,13 @@ pub fn merge_shards(dir: &Path, target: &Path, force: bool, progress: Progress) 
     let (path, request) = plan.list();
     let inventory = inventory_of(&study, Some(&path), &request)?;
     plan.check_list(&inventory)?;
-    let job = Job { resume: false, force, parquet: true, outcomes: plan.outcomes() };
+    let job = Job { resume: false, force, parquet: true, outcomes: plan.outcomes(), part_rows: None };
     let key = resume_key(&study, &inventory, part_size(&study, &inventory));
     let head = head(&study, &inventory);
     let folder = staged(&study, &inventory, target, &job)?;
     let motions = dir.join(MOTIONS);
     let store = Store::of_shards(&out)?;
-    let portfolio = assess(&study, &inventory, (store, parts), (job.outcomes, Some(&motions)), progress)?;
+    let portfolio = assess(&study, &inventory, (store, parts), (job.outcomes, Some(&motions)), (progress, None))?;
     if portfolio.interrupted {
         return Err(Problem::stopped().into());
     }

@@ -400,6 +400,7 @@ impl Plan {
             storeys: *storeys,
             is_strict: *is_strict,
             assess_anchored: *assess_anchored,
+            edits: Vec::new(),
         };
         (self.dir.join(file), request)
     }

@@ -20,6 +20,7 @@ use freestand_study::resolve::{Overrides, load};
 use super::SCHEMA;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
+use crate::commands::assess::edits;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
@@ -34,6 +35,7 @@ Examples:
   freestand inventory check objects.csv
   freestand inventory check register.xlsx --sheet \"Ward 3\" --storeys 6 --json
   freestand inventory check register.xlsx --out checked      (writes checked/checked.xlsx)
+  freestand inventory check register.xlsx --edit \"D7=900 mm\"
   freestand inventory check register.xlsx --write-columns map.toml
   freestand inventory check register.xlsx --columns map.toml")]
 pub(crate) struct CheckArgs {
@@ -58,6 +60,12 @@ pub(crate) struct CheckArgs {
     /// Count every doubt as an error
     #[arg(long)]
     strict: bool,
+    /// Read a cell as if it contained this; give it once for each cell. The file is not changed
+    #[arg(long, value_name = "CELL=TEXT")]
+    edit: Vec<String>,
+    /// Also list the text of every cell (with --json)
+    #[arg(long)]
+    cells: bool,
     /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
     #[arg(long, value_name = "FILE.csv")]
     library: Option<PathBuf>,
@@ -72,6 +80,7 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
     let files = Files::begin(global, &inputs)?;
     let libraries = Libraries::with_files(args.library.as_deref(), args.cushion_library.as_deref())?;
     let mapping = args.columns.as_deref().map(Mapping::load).transpose()?;
+    let edits = edits(&args.edit)?;
     let storeys = args.storeys.map(usize::from);
     let floors = match &args.study {
         Some(path) => floors_of(&load(path, &Overrides::default())?, storeys),
@@ -83,6 +92,8 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
             mapping: mapping.as_ref(),
             floors,
             is_strict: args.strict,
+            edits: &edits,
+            wants_cells: args.cells,
             lookup,
         };
         let reading = inspect_inventory(&args.file, &options)?;

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use clap::Args;
+use freestand_input::file::read_only_from;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::json::document;
 use freestand_page::{Server, Settings};
@@ -50,8 +51,10 @@ pub(crate) fn run(args: &ServeArgs, global: &GlobalArgs, printer: &Printer) -> R
         return Err(Failure::usage("--out does not apply to serve", "give --folder for the results of assessments"));
     }
     let stop = printer.stop();
+    stop.listen_to_hangup();
     let settings = Settings { port: args.port, folder: args.folder.clone() };
     let server = Server::bind(&settings, PROGRAM).map_err(|error| refused(args.port, &error))?;
+    read_only_from(server.uploads());
     if printer.json() {
         let body = json!({
             "url": server.url(),

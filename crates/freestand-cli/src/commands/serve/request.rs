@@ -16,6 +16,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_page::{Cancel, Events, History, Kind, Program, Refusal, Reply, Request, Shape, Status};
 use freestand_study::places::places;
 use freestand_study::recorded::{MotionFiles, read_all};
+use freestand_study::resolve::{Overrides, load};
 use serde_json::{Map, Value, json};
 
 use crate::commands::Cli;
@@ -26,7 +27,7 @@ use crate::stop::Stop;
 use crate::values::finished;
 
 /// What the page's server knows of this program.
-pub(super) const PROGRAM: Program = Program { facts, kind, answer };
+pub(super) const PROGRAM: Program = Program { facts, kind, check, answer };
 
 /// The commands that the page may ask for.
 const COMMANDS: [&str; 17] = [
@@ -125,9 +126,7 @@ fn kind(path: &Path) -> Kind {
     let is_list = Libraries::with_files(None, None)
         .and_then(|libraries| {
             libraries.looked_up(|lookup| {
-                let options =
-                    ReadOptions { sheet: None, mapping: None, floors: Default::default(), is_strict: false, lookup };
-                inspect_inventory(path, &options)
+                inspect_inventory(path, &ReadOptions::new(lookup))
             })
         })
         .is_ok();
@@ -146,6 +145,21 @@ fn kind(path: &Path) -> Kind {
         ..MotionFiles::read(&mut WordReader::new(&words), Path::new(""))
     };
     if read_all(&files).is_ok() { Kind::Record } else { Kind::Unknown }
+}
+
+/// What is wrong with a request, as far as that is known before any work: with its words, and with
+/// its study.
+fn check(request: &Request) -> Result<(), Refusal> {
+    let seen = Seen::new(request);
+    let read = || -> Result<(), Failure> {
+        parsed(request)?;
+        let studies = request.files.iter().filter(|(flag, _)| flag == "study").flat_map(|(_, paths)| paths);
+        for study in studies {
+            load(study, &Overrides::default())?;
+        }
+        Ok(())
+    };
+    read().map_err(|failure| seen.refusal(&failure))
 }
 
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
@@ -226,9 +240,6 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
         let message = format!("the page cannot ask for {:?}", request.command);
         return Err(Failure::usage(message, format!("commands: {}", COMMANDS.join(", "))));
     }
-    if !request.edits.is_empty() {
-        return Err(Failure::usage("cells cannot be changed here", "change the list and upload it again"));
-    }
     let mut whole = finished(Cli::command());
     whole.build();
     let command = request.command.split(' ').try_fold(&whole, |command, name| command.find_subcommand(name));
@@ -270,6 +281,11 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
                 }
             }
         }
+    }
+    if !request.edits.is_empty() {
+        option(command, request, "edit")?;
+        let edits = request.edits.iter().map(|edit| format!("--edit={}={}", edit.cell, edit.value).into());
+        arguments.extend(edits);
     }
     if !positional.is_empty() {
         arguments.push("--".into());
@@ -333,12 +349,15 @@ struct Seen(Vec<(String, String)>);
 
 impl Seen {
     fn new(request: &Request) -> Self {
-        let paths = request.files.iter().flat_map(|(_, paths)| paths).chain(&request.folder);
+        let files = || request.files.iter().flat_map(|(_, paths)| paths);
+        let paths = files().chain(&request.folder);
         let named = |path: &PathBuf| {
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
             (path.to_string_lossy().into_owned(), name)
         };
-        Self(paths.map(named).collect())
+        // A file that such a file names, and that is not there.
+        let folder = |path: &PathBuf| Some((format!("{}/", path.parent()?.to_string_lossy()), String::new()));
+        Self(paths.map(named).chain(files().filter_map(folder)).collect())
     }
 
     /// A text with names in place of paths.
