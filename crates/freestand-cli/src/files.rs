@@ -139,6 +139,11 @@ impl Files {
     ) -> Result<(), Failure> {
         if let Some((_, folder)) = &self.folder {
             folder.write(RESULT, document(schema, body, warnings)?.as_bytes())?;
+            if let Some(session) = printer.session() {
+                let mut names = folder.names()?;
+                names.push(MANIFEST.to_owned());
+                session.files(&names, false);
+            }
         }
         self.finish_result(schema, warnings)?;
         printer.result(schema, body, warnings, text)

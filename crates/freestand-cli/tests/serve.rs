@@ -54,6 +54,19 @@ impl Page {
         (head.split(' ').nth(1).unwrap().parse().unwrap(), serde_json::from_str(body).unwrap())
     }
 
+    /// The whole response, which may be in pieces.
+    fn get(&self, path: &str) -> Vec<u8> {
+        let mut stream = TcpStream::connect(("127.0.0.1", u16::try_from(self.port).unwrap())).unwrap();
+        let head = format!(
+            "GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nAuthorization: Bearer {}\r\nConnection: close\r\n\r\n",
+            self.port, self.token
+        );
+        stream.write_all(head.as_bytes()).unwrap();
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).unwrap();
+        answer
+    }
+
     fn run(&self, request: &Value) -> (u16, Value) {
         self.post("/api/v1/run", "application/json", request.to_string().as_bytes())
     }
@@ -253,6 +266,20 @@ fn edits_are_read_in_place_of_cells() {
     let line = ["inventory", "check", list.to_str().unwrap(), "--edit", "D2=600 mm", "--storeys", "3"];
     let printed: Value = serde_json::from_slice(&Command::new(PROGRAM).args(line).args(["--cells", "--json", "--quiet"]).output().unwrap().stdout).unwrap();
     assert_eq!(comparable(mended), comparable(printed));
+    // The copy with notes has the corrected cell, and can be downloaded.
+    let request = json!({"command": "inventory check", "files": {"file": [id]}, "edits": [{"cell": "D2", "value": "600 mm"}]});
+    let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+    assert_eq!(status, 202, "{job}");
+    let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());
+    let events = page.get(&format!("{at}/events"));
+    assert!(String::from_utf8_lossy(&events).contains("event: done"));
+    let copy = page.get(&format!("{at}/files/checked.xlsx"));
+    let start = copy.windows(4).position(|four| four == b"PK\x03\x04").unwrap();
+    let path = folder.path().join("checked.xlsx");
+    std::fs::write(&path, &copy[start..]).unwrap();
+    let line = ["inventory", "check", path.to_str().unwrap(), "--json", "--quiet", "--storeys", "3"];
+    let read: Value = serde_json::from_slice(&Command::new(PROGRAM).args(line).output().unwrap().stdout).unwrap();
+    assert_eq!((&read["objects"][0]["height_m"], &read["problems"]), (&json!(0.6), &json!([])));
     let (status, refused) = ask(json!([{"cell": "D1", "value": "x"}]));
     assert_eq!(status, 400);
     assert!(refused["error"]["message"].as_str().unwrap().contains("D1 cannot be changed"), "{refused}");
