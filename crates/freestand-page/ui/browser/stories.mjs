@@ -290,7 +290,7 @@ await story('a list by keyboard alone', {}, async (page) => {
 // As many objects as a hospital has: what is asked for is there at once, and the tables scroll smoothly.
 await story('ten thousand rows are read at once and scroll smoothly', {}, async (page) => {
   const many = ['id,item,floor,height,thickness,mass'];
-  for (let i = 0; i < 10_000; i += 1) many.push(`O-${i},cabinet,${i % 3},${i % 100 === 7 ? 'tall' : `${1.2 + (i % 9) / 10} m`},0.4 m,${80 + (i % 50)} kg`);
+  for (let i = 0; i < 10_000; i += 1) many.push(`O-${i},cabinet,${i % 3},${i % 100 === 7 ? '60 apples' : `${1.2 + (i % 9) / 10} m`},0.4 m,${80 + (i % 50)} kg`);
   writeFileSync(join(folder, 'many.csv'), many.join('\n'));
   await page.click('#tab-inventory');
   await page.setInputFiles('#drop-inventory', [join(folder, 'many.csv'), join(folder, 'study.toml')]);
@@ -310,7 +310,7 @@ await story('ten thousand rows are read at once and scroll smoothly', {}, async 
     };
     requestAnimationFrame(step);
   }));
-  console.log(`frames of scrolling 10,000 rows: longest ${frames[0].toFixed(0)} ms, median ${frames[60].toFixed(0)} ms`);
+  console.log(`frames of scrolling 10,000 rows: longest ${frames.slice(0, 4).map((one) => one.toFixed(0)).join(", ")} ms, median ${frames[60].toFixed(0)} ms`);
   if (process.env.TIMED) assert.ok(frames[0] < 50, `a frame of ${frames[0]} ms`);
   assert.ok(await page.$eval('#cells', (table) => table.parentElement.scrollTop > 90_000));
   await page.click('#next-problem');

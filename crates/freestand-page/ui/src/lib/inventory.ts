@@ -1,5 +1,7 @@
 /** A list of objects as the program read it, and the verdicts on them. */
 
+import { commandLine, type Ask } from './api';
+
 export interface Problem { severity: string; kind: string; heading: string | null; count: number; cells: string[]; message: string; hint: string }
 export interface Column { column: string; heading: string; name: string; unit: string | null }
 export interface Item {
@@ -23,6 +25,13 @@ export interface Row {
 
 export const VERDICTS = { restrain: '▲', soften: '◆', 'no-verdict': '?', leave: '●' } as const;
 export type Verdict = keyof typeof VERDICTS;
+
+/** The line that asks the same in a shell: files that others name are there without being named. */
+export function typed(ask: Ask, names: Record<string, string>, edits: Edit[] = []): string {
+  const files = Object.fromEntries(Object.entries(ask.files ?? {}).filter(([flag]) => flag !== 'beside'));
+  const quoted = ({ cell, value }: Edit) => ` --edit "${`${cell}=${value}`.replace(/(["\\$`])/g, '\\$1')}"`;
+  return commandLine({ ...ask, files }, names) + edits.map(quoted).join('');
+}
 
 /** A cell by its name: D7 is row 7, column D. */
 export function parts(cell: string): { column: string; row: number } {
