@@ -56,15 +56,19 @@ impl Page {
 
     /// The whole response, which may be in pieces.
     fn get(&self, path: &str) -> Vec<u8> {
+        let mut answer = Vec::new();
+        self.ask("GET", path).read_to_end(&mut answer).unwrap();
+        answer
+    }
+
+    fn ask(&self, method: &str, path: &str) -> TcpStream {
         let mut stream = TcpStream::connect(("127.0.0.1", u16::try_from(self.port).unwrap())).unwrap();
         let head = format!(
-            "GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nAuthorization: Bearer {}\r\nConnection: close\r\n\r\n",
+            "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nAuthorization: Bearer {}\r\nConnection: close\r\n\r\n",
             self.port, self.token
         );
         stream.write_all(head.as_bytes()).unwrap();
-        let mut answer = Vec::new();
-        stream.read_to_end(&mut answer).unwrap();
-        answer
+        stream
     }
 
     fn run(&self, request: &Value) -> (u16, Value) {
@@ -119,6 +123,16 @@ fn documents_are_those_of_the_command_line() {
     let motion = (json!({"motion": [record_id]}), vec!["--motion", record]);
     let file = (json!({"file": [record_id]}), vec![record]);
     let none = (json!({}), vec![]);
+    let floor = motion.clone();
+    let shock = (json!({"file": [drop_id]}), vec![drop]);
+    let inventory = (json!({"inventory": [list_id]}), vec!["--inventory", list]);
+    let folder = tempfile::tempdir().unwrap();
+    let press = folder.path().join("press.csv");
+    let rows = (0..=20).map(|i| format!("{},{}\n", i, 4380 * i)).collect::<String>();
+    std::fs::write(&press, format!("displacement [mm],force [N]\n{rows}")).unwrap();
+    let (press_id, press) = (page.upload(&press), press.to_str().unwrap());
+    let press = (json!({"file": [press_id]}), vec![press]);
+    let wrong = press.clone();
     let cases = [
         ("shock", with(json!({"mass": "150 kg", "stiffness": "4380 N/mm", "uplift": "30 mm"})), none.clone()),
         ("rock", with(json!({"scale": 3.5, "mass": "150 kg", "stiffness": "4380 N/mm"})), motion.clone()),
@@ -135,8 +149,27 @@ fn documents_are_those_of_the_command_line() {
         ),
         ("inventory check", json!({"storeys": 8}), (json!({"file": [list_id]}), vec![list])),
         ("restrain", with(json!({"mass": "150 kg", "place": "Wellington"})), none.clone()),
-        ("tolerance search", json!({"word": ["cabinet"]}), none),
+        ("tolerance search", json!({"word": ["cabinet"]}), none.clone()),
+        ("validate", json!({}), none.clone()),
+        ("motion code-spectrum", json!({"site": "De", "hazard-factor": 0.08, "periods": "0 s, 0.5 s, 1 s"}), none.clone()),
+        ("motion code-spectrum", json!({"site": "De", "hazard-factor": -1}), none.clone()),
+        ("shock-spectrum", json!({"frequencies": "20 Hz, 45 Hz", "unit": "g"}), shock),
+        (
+            "shock-spectrum",
+            json!({"pulse": "half-sine", "peak-acceleration": "30 g", "duration": "11 ms", "frequencies": "20 Hz, 45 Hz"}),
+            none.clone(),
+        ),
+        ("floor", json!({"storeys": 3, "levels": "0.5, 1.0"}), floor),
+        ("cushion static", json!({}), press),
+        ("cushion static", json!({"load": "three"}), wrong),
+        // It answers as a job does; here is what it refuses.
+        ("assess", json!({"storeys": 8, "place": "Atlantis"}), inventory),
     ];
+    let facts = page.get("/api/v1/facts");
+    let facts: Value = serde_json::from_slice(&facts[facts.iter().position(|byte| *byte == b'{').unwrap()..]).unwrap();
+    for command in facts["commands"].as_array().unwrap() {
+        assert!(cases.iter().any(|(name, ..)| command == name), "{command} is compared");
+    }
     for (command, options, (files, paths)) in cases {
         let mut line = Command::new(PROGRAM);
         line.args(command.split(' ')).args(["--json", "--quiet"]).args(&paths);
@@ -244,6 +277,125 @@ fn uploaded_files_name_uploaded_files() {
         assert_eq!(status, 400, "{request}: {answer}");
         assert!(!answer.to_string().contains("secret-1"), "{answer}");
     }
+}
+
+/// The document of a job is that of the command line; its objects come one by one, by their rank so
+/// far.
+#[test]
+fn an_assessment_is_that_of_the_command_line() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let rows = (0..40).map(|i| format!("O-{i},cabinet,{},{} mm,400 mm\n", i % 3, 1200 + 30 * (i * 7 % 40)));
+    let list = write("list.csv", &format!("id,item,floor,height,thickness\n{}", rows.collect::<String>()));
+    let study = write(
+        "study.toml",
+        "[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n[worlds]\nfirst = 2\nmost = 2\nshares = false\n",
+    );
+    let request = json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
+    let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+    assert_eq!(status, 202, "{job}");
+    let stream = page.get(&format!("/api/v1/jobs/{}/events", job["id"].as_str().unwrap()));
+    let stream = unchunked(&stream);
+    let data = |name: &str| -> Vec<Value> {
+        let blocks = stream.split("\n\n").filter(|block| block.contains(&format!("event: {name}\n")));
+        let data = blocks.filter_map(|block| block.lines().find_map(|line| line.strip_prefix("data: ")));
+        data.map(|text| serde_json::from_str(text).unwrap()).collect()
+    };
+    let done = data("done")[0]["result"].clone();
+    let out = folder.path().join("out");
+    let mut line = Command::new(PROGRAM);
+    line.arg("assess").arg(&study).arg("--inventory").arg(&list).arg("--out").arg(&out).args(["--json", "--quiet"]);
+    let printed = line.output().unwrap();
+    assert_eq!(comparable(done.clone()), comparable(serde_json::from_slice(&printed.stdout).unwrap()));
+    // Each came once, as it is in the table but for its rank, which counts those before it.
+    let (told, rows) = (data("object"), done["rows"].as_array().unwrap());
+    assert_eq!(told.len(), 40);
+    let mut ranked: Vec<Value> = Vec::new();
+    for row in told {
+        let rank = usize::try_from(row["rank"].as_u64().unwrap()).unwrap();
+        ranked.insert(rank - 1, row);
+    }
+    for (place, row) in ranked.iter_mut().enumerate() {
+        row["rank"] = json!(place + 1);
+        let last = rows.iter().find(|last| last["id"] == row["id"]).unwrap();
+        assert_eq!(row, last);
+    }
+}
+
+fn unchunked(response: &[u8]) -> String {
+    let start = response.windows(4).position(|four| four == b"\r\n\r\n").unwrap() + 4;
+    let (mut rest, mut whole) = (&response[start..], Vec::new());
+    while let Some(at) = rest.windows(2).position(|two| two == b"\r\n") {
+        let size = usize::from_str_radix(std::str::from_utf8(&rest[..at]).unwrap(), 16).unwrap();
+        if size == 0 {
+            break;
+        }
+        whole.extend(&rest[at + 2..at + 2 + size]);
+        rest = &rest[at + 4 + size..];
+    }
+    String::from_utf8(whole).unwrap()
+}
+
+/// A job ends soon after it is cancelled, and what was finished can be read and continued.
+#[test]
+fn a_cancelled_assessment_keeps_what_is_finished() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let list = folder.path().join("list.csv");
+    let rows = (0..400).map(|i| format!("O-{i},cabinet,1,{} mm,400 mm\n", 1200 + i)).collect::<String>();
+    std::fs::write(&list, format!("id,item,floor,height,thickness\n{rows}")).unwrap();
+    let study = folder.path().join("study.toml");
+    std::fs::write(&study, "[building]\nstoreys = 3\n[worlds]\nfirst = 4\nmost = 4\nshares = false\n").unwrap();
+    let request = json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
+    let (_, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+    let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());
+    let mut followed = page.ask("GET", &format!("{at}/events"));
+    let mut seen = String::new();
+    let mut piece = [0u8; 65536];
+    while !seen.contains("event: object") {
+        let count = followed.read(&mut piece).unwrap();
+        assert!(count > 0, "{seen}");
+        seen.push_str(&String::from_utf8_lossy(&piece[..count]));
+    }
+    let cancelled = std::time::Instant::now();
+    drop(page.ask("DELETE", &at));
+    let mut rest = Vec::new();
+    followed.read_to_end(&mut rest).unwrap();
+    let took = cancelled.elapsed();
+    seen.push_str(&String::from_utf8_lossy(&rest));
+    // Half a second on a machine with nothing else to do and an optimised build; this one may have neither.
+    assert!(took.as_secs() < 10, "{took:?}");
+    println!("a job ended {} ms after it was cancelled", took.as_millis());
+    assert!(seen.contains("event: cancelled"), "it ended by itself: use more objects");
+    let table = String::from_utf8_lossy(&page.get(&format!("{at}/files/objects.csv"))).into_owned();
+    assert!(table.contains("O-0,"), "{table}");
+}
+
+/// A workbook that unpacks to far more than it is costs a message.
+#[test]
+fn a_workbook_that_unpacks_to_too_much() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bomb.xlsx");
+    let mut archive = zip::ZipWriter::new(std::fs::File::create(&path).unwrap());
+    for name in ["[Content_Types].xml", "_rels/.rels", "xl/workbook.xml", "xl/worksheets/sheet1.xml"] {
+        archive.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
+        let blanks = vec![b' '; 1 << 20];
+        (0..if name.contains("sheet1") { 300 } else { 1 }).for_each(|_| archive.write_all(&blanks).unwrap());
+    }
+    archive.finish().unwrap();
+    assert!(std::fs::metadata(&path).unwrap().len() < 1 << 20);
+    let id = page.upload(&path);
+    let (status, answer) = page.run(&json!({"command": "inventory check", "files": {"file": [id]}}));
+    assert!(status == 400 && answer.to_string().contains("unpacks to more than"), "{status}: {answer}");
+    let request = json!({"command": "assess", "files": {"inventory": [id]}});
+    assert_eq!(page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes()).0, 202);
+    assert_eq!(page.run(&json!({"command": "tolerance search", "options": {"word": ["cabinet"]}})).0, 200);
 }
 
 /// Edits are the command line's, and the file stays as it is.

@@ -360,6 +360,39 @@ fn limits_of_size() {
 }
 
 #[test]
+fn all_files_together_have_a_limit() {
+    let site = Site::new();
+    let file = vec![b'x'; 60 << 20];
+    for count in 1..=4 {
+        assert_eq!(site.upload(&[("a.bin", &file)]).status, 200, "{} MiB", 60 * count);
+    }
+    let over = site.upload(&[("a.bin", &file)]);
+    assert_eq!((over.status, over.json()["error"]["kind"].clone()), (413, json!("size")));
+    // What was refused takes no room.
+    assert_eq!(site.upload(&[("a.bin", &file[..(10 << 20)])]).status, 200);
+}
+
+/// Clients that begin a request and never end it keep nobody from being answered, and are cut off.
+#[test]
+fn clients_that_hang_are_cut_off() {
+    let site = Site::new();
+    let head = format!("POST /api/v1/run HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n", site.port);
+    let hanging: Vec<TcpStream> = (0..40).map(|_| site.send(head.as_bytes())).collect();
+    let body = format!("{head}{}\r\nContent-Type: application/json\r\nContent-Length: 99\r\n\r\n{{", site.bearer());
+    let in_body: Vec<TcpStream> = (0..40).map(|_| site.send(body.as_bytes())).collect();
+    let asked = Instant::now();
+    assert_eq!(site.get("/api/v1/facts").status, 200);
+    // At once: nothing is waited for. The time is for a machine that is busy with other things.
+    assert!(asked.elapsed() < Duration::from_secs(3));
+    // A head has 10 s; reads here give up after 20 s.
+    for mut stream in hanging {
+        let mut rest = Vec::new();
+        assert!(stream.read_to_end(&mut rest).is_ok(), "it is still open");
+    }
+    drop(in_body);
+}
+
+#[test]
 fn files_are_kept_and_named() {
     let site = Site::new();
     let answer = site.upload(&[("../../list.csv", b"a,b\n1,2\n"), ("x.bin", b"")]);

@@ -401,6 +401,33 @@ for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844], [
   }
 }
 
+for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844]]) {
+  for (const colorScheme of ['light', 'dark']) {
+    await story(`a list, ${name}, ${colorScheme}`, { viewport: { width, height }, colorScheme, hasTouch: width < 800 }, async (page) => {
+      await uploaded(page);
+      await page.click('#next-problem');
+      await page.waitForSelector('#cells input');
+      await accessible(page, 'a cell that is written');
+      await fits(page);
+      await page.keyboard.press('Escape');
+      await page.click('#assess');
+      await page.waitForFunction(() => document.querySelector('#ended')?.textContent.startsWith('4 '), undefined, LONG);
+      await accessible(page, 'verdicts');
+      await fits(page);
+      await picture(page, `list-${name}-${colorScheme}`);
+      // As high as the list of ten thousand assumes.
+      const heights = await page.$$eval('#objects tr[data-id]', (all) => all.map((one) => one.getBoundingClientRect().height));
+      assert.deepEqual([...new Set(heights)], [width < 800 ? 118 : 66]);
+      await page.click('#objects tr[data-id="A-2"] a');
+      await page.waitForSelector('#object-answer[data-state=done]', PATIENT);
+      await page.waitForSelector('#object-sheet table', PATIENT);
+      await accessible(page, 'an object');
+      await fits(page);
+      await picture(page, `object-${name}-${colorScheme}`);
+    });
+  }
+}
+
 await story('without its token the page says what to do', {}, async (page) => {
   const context = await browser.newContext();
   const other = await context.newPage();
