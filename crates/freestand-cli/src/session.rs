@@ -34,6 +34,8 @@ pub(crate) enum Told {
     Progress { phase: &'static str, done: usize, total: usize },
     /// A finished object.
     Object(Value),
+    /// A problem that does not end the work.
+    Problem(Value),
 }
 
 /// What a command leaves behind.
@@ -118,6 +120,13 @@ impl Session {
     /// Tells a finished object.
     pub(crate) fn object(&self, row: &Map<String, Value>) {
         (self.tell)(Told::Object(Value::Object(row.clone())));
+    }
+
+    /// Tells a problem that does not end the work.
+    pub(crate) fn problem<T: Serialize>(&self, problem: &T) {
+        if let Ok(problem) = serde_json::to_value(problem) {
+            (self.tell)(Told::Problem(problem));
+        }
     }
 
     /// The files of the command, and whether it was stopped before its end.

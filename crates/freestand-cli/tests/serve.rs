@@ -151,7 +151,11 @@ fn documents_are_those_of_the_command_line() {
         ("restrain", with(json!({"mass": "150 kg", "place": "Wellington"})), none.clone()),
         ("tolerance search", json!({"word": ["cabinet"]}), none.clone()),
         ("validate", json!({}), none.clone()),
-        ("motion code-spectrum", json!({"site": "De", "hazard-factor": 0.08, "periods": "0 s, 0.5 s, 1 s"}), none.clone()),
+        (
+            "motion code-spectrum",
+            json!({"site": "De", "hazard-factor": 0.08, "periods": "0 s, 0.5 s, 1 s"}),
+            none.clone(),
+        ),
         ("motion code-spectrum", json!({"site": "De", "hazard-factor": -1}), none.clone()),
         ("shock-spectrum", json!({"frequencies": "20 Hz, 45 Hz", "unit": "g"}), shock),
         (
@@ -258,7 +262,8 @@ fn uploaded_files_name_uploaded_files() {
     }
     // What was uploaded with it may be named.
     let id = study("[assessment]\ninventory = \"list.csv\"\n".to_owned());
-    let beside = json!({"command": "inventory check", "files": {"study": id, "file": [list_id], "beside": [secret_id]}});
+    let beside =
+        json!({"command": "inventory check", "files": {"study": id, "file": [list_id], "beside": [secret_id]}});
     let (status, answer) = page.run(&beside);
     assert_eq!((status, &answer["objects"][0]["id"]), (200, &json!("open-1")), "{answer}");
     let (status, answer) = job(&json!({"command": "assess", "files": {"study": id, "beside": [list_id]}}));
@@ -291,12 +296,15 @@ fn an_assessment_is_that_of_the_command_line() {
         path
     };
     let rows = (0..40).map(|i| format!("O-{i},cabinet,{},{} mm,400 mm\n", i % 3, 1200 + 30 * (i * 7 % 40)));
-    let list = write("list.csv", &format!("id,item,floor,height,thickness\n{}", rows.collect::<String>()));
+    let text =
+        format!("id,item,floor,height,thickness\n{}", rows.collect::<String>()).replacen("400 mm", "4 apples", 1);
+    let list = write("list.csv", &text);
     let study = write(
         "study.toml",
         "[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n[worlds]\nfirst = 2\nmost = 2\nshares = false\n",
     );
-    let request = json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
+    let request =
+        json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
     let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
     assert_eq!(status, 202, "{job}");
     let stream = page.get(&format!("/api/v1/jobs/{}/events", job["id"].as_str().unwrap()));
@@ -307,6 +315,8 @@ fn an_assessment_is_that_of_the_command_line() {
         data.map(|text| serde_json::from_str(text).unwrap()).collect()
     };
     let done = data("done")[0]["result"].clone();
+    let problems: Vec<Value> = data("problem").iter().map(|problem| problem["cells"][0].clone()).collect();
+    assert_eq!(problems, ["E2"]);
     let out = folder.path().join("out");
     let mut line = Command::new(PROGRAM);
     line.arg("assess").arg(&study).arg("--inventory").arg(&list).arg("--out").arg(&out).args(["--json", "--quiet"]);
@@ -351,7 +361,8 @@ fn a_cancelled_assessment_keeps_what_is_finished() {
     std::fs::write(&list, format!("id,item,floor,height,thickness\n{rows}")).unwrap();
     let study = folder.path().join("study.toml");
     std::fs::write(&study, "[building]\nstoreys = 3\n[worlds]\nfirst = 4\nmost = 4\nshares = false\n").unwrap();
-    let request = json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
+    let request =
+        json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
     let (_, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
     let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());
     let mut followed = page.ask("GET", &format!("{at}/events"));
@@ -416,10 +427,14 @@ fn edits_are_read_in_place_of_cells() {
     assert_eq!((status, &mended["objects"][0]["height_m"], &mended["problems"]), (200, &json!(0.6), &json!([])));
     assert_eq!(mended["sha256"], plain["sha256"]);
     let line = ["inventory", "check", list.to_str().unwrap(), "--edit", "D2=600 mm", "--storeys", "3"];
-    let printed: Value = serde_json::from_slice(&Command::new(PROGRAM).args(line).args(["--cells", "--json", "--quiet"]).output().unwrap().stdout).unwrap();
+    let printed: Value = serde_json::from_slice(
+        &Command::new(PROGRAM).args(line).args(["--cells", "--json", "--quiet"]).output().unwrap().stdout,
+    )
+    .unwrap();
     assert_eq!(comparable(mended), comparable(printed));
     // The copy with notes has the corrected cell, and can be downloaded.
-    let request = json!({"command": "inventory check", "files": {"file": [id]}, "edits": [{"cell": "D2", "value": "600 mm"}]});
+    let request =
+        json!({"command": "inventory check", "files": {"file": [id]}, "edits": [{"cell": "D2", "value": "600 mm"}]});
     let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
     assert_eq!(status, 202, "{job}");
     let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());

@@ -147,7 +147,8 @@ pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, 
         let mapping = columns.as_deref().map(Mapping::load).transpose()?;
         libraries.looked_up(|lookup| {
             let sheet = sheet.as_deref();
-            let options = ReadOptions { sheet, mapping: mapping.as_ref(), floors, is_strict, ..ReadOptions::new(lookup) };
+            let options =
+                ReadOptions { sheet, mapping: mapping.as_ref(), floors, is_strict, ..ReadOptions::new(lookup) };
             let reading = inspect_inventory(&path, &options)?;
             if let Some(place) = &marked {
                 let copy = marked_copy(&path, &options, &reading.inventory.findings)?;

@@ -61,6 +61,7 @@ pub use problems::{Finding, Kind, Severity, console_lines};
 pub use read::{CellsRead, ColumnRead, ReadOptions, Reading, inspect_inventory, parse_inventory, read_inventory};
 pub use report::{
     CellsReport, CheckReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN, check_report,
+    problem_reports,
 };
 pub use template::{template_csv, template_xlsx};
 

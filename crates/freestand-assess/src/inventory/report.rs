@@ -158,7 +158,7 @@ pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeySt
         objects: inventory.items.iter().map(object).collect(),
         left_out: left_out.collect(),
         cells: (!reading.cells.is_empty()).then(|| cells(reading)),
-        problems: inventory.findings.iter().map(|finding| problem(finding, style)).collect(),
+        problems: problem_reports(&inventory.findings, style),
         marked_copy,
     }
 }
@@ -167,6 +167,11 @@ fn cells(reading: &Reading) -> CellsReport {
     let (columns, headings) = reading.headings.iter().cloned().unzip();
     let rows = reading.cells.iter().map(|cells| cells.row).collect();
     CellsReport { columns, headings, rows, texts: reading.cells.iter().map(|cells| cells.texts.clone()).collect() }
+}
+
+/// The problems of a list; messages name keys in this style.
+pub fn problem_reports(findings: &[Finding], style: KeyStyle) -> Vec<ProblemReport> {
+    findings.iter().map(|finding| problem(finding, style)).collect()
 }
 
 fn problem(finding: &Finding, style: KeyStyle) -> ProblemReport {

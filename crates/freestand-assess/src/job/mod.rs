@@ -234,7 +234,8 @@ pub fn assess_telling(
     job: &Job,
     (progress, tell): (Progress, Option<Finished>),
 ) -> Result<JobReport, Problems> {
-    let size = job.part_rows.map_or_else(|| part_size(study, inventory), |rows| rows.clamp(1, part_size(study, inventory)));
+    let size =
+        job.part_rows.map_or_else(|| part_size(study, inventory), |rows| rows.clamp(1, part_size(study, inventory)));
     let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume

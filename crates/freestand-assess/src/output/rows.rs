@@ -149,7 +149,8 @@ mod tests {
     fn rows_before_there_is_a_file_are_the_same() {
         let inventory = inventory(hostile_items());
         let told = JsonRows::new(&inventory);
-        for (read, row) in rows(&inventory).iter().zip(crate::output::fixture::rows(&inventory, inventory.items.len())) {
+        for (read, row) in rows(&inventory).iter().zip(crate::output::fixture::rows(&inventory, inventory.items.len()))
+        {
             assert_eq!(*read, told.row(row.item, row.rank, &row.found));
         }
     }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use freestand_assess::inventory::{Edit, Inventory};
+use freestand_assess::inventory::{Edit, Inventory, problem_reports};
 use freestand_assess::job::{Finished, Job, JobReport, ListRequest, SCHEMA, assess_telling, inventory_of};
 use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
@@ -165,10 +165,12 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     let part_rows = printer.session().map(|_| WATCHED_ROWS);
     let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes, part_rows };
 
+    if let Some(session) = printer.session() {
+        problem_reports(&inventory.findings, KeyStyle::Flag).iter().for_each(|problem| session.problem(problem));
+    }
     let told = |row: &Map<String, Value>| printer.session().into_iter().for_each(|session| session.object(row));
     let finished: Option<Finished> = printer.session().is_some().then_some(&told);
-    let report =
-        watched(printer, |progress| assess_telling(&study, &inventory, &out, &job, (progress, finished)))?;
+    let report = watched(printer, |progress| assess_telling(&study, &inventory, &out, &job, (progress, finished)))?;
     print(&report, &out, &inventory, printer)?;
     if report.interrupted {
         return Err(Failure::StoppedAfterWriting);

@@ -124,11 +124,7 @@ fn kind(path: &Path) -> Kind {
         return Kind::Study;
     }
     let is_list = Libraries::with_files(None, None)
-        .and_then(|libraries| {
-            libraries.looked_up(|lookup| {
-                inspect_inventory(path, &ReadOptions::new(lookup))
-            })
-        })
+        .and_then(|libraries| libraries.looked_up(|lookup| inspect_inventory(path, &ReadOptions::new(lookup))))
         .is_ok();
     if is_list {
         return Kind::Inventory;
@@ -177,6 +173,7 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
                 events.give_way();
             }
             Told::Object(row) => events.object(&row),
+            Told::Problem(problem) => events.problem(&problem),
         };
         let session = Arc::new(Session::new(
             Stop::on(cancel.flag()),
