@@ -418,7 +418,8 @@ fn edits_are_read_in_place_of_cells() {
     std::fs::write(&list, "id,item,floor,height,thickness\nA,cabinet,ground,60 apples,0.4 m\n").unwrap();
     let id = page.upload(&list);
     let ask = |edits: Value| {
-        page.run(&json!({"command": "inventory check", "options": {"cells": true, "storeys": 3}, "files": {"file": [id]}, "edits": edits}))
+        let options = json!({"cells": true, "storeys": 3});
+        page.run(&json!({"command": "inventory check", "options": options, "files": {"file": [id]}, "edits": edits}))
     };
     let (_, plain) = ask(json!([]));
     assert_eq!(plain["problems"][0]["cells"], json!(["D2"]));
