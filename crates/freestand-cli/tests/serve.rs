@@ -160,7 +160,8 @@ fn documents_are_those_of_the_command_line() {
         ("shock-spectrum", json!({"frequencies": "20 Hz, 45 Hz", "unit": "g"}), shock),
         (
             "shock-spectrum",
-            json!({"pulse": "half-sine", "peak-acceleration": "30 g", "duration": "11 ms", "frequencies": "20 Hz, 45 Hz"}),
+            json!({"pulse": "half-sine", "peak-acceleration": "30 g", "duration": "11 ms",
+                "frequencies": "20 Hz, 45 Hz"}),
             none.clone(),
         ),
         ("floor", json!({"storeys": 3, "levels": "0.5, 1.0"}), floor),
