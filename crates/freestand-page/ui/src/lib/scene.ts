@@ -11,16 +11,16 @@ const FLASH_S = 0.35;
 const SMALL_RAD = 0.02;
 const G0_M_S2 = 9.80665;
 
-export interface Look { ink: string; mu: string; ln: string; ac: string; re: string; obj: string; fl: string }
+export interface Look { ink: string; mu: string; ln: string; ac: string; re: string; obj: string; fl: string; pa: string; reb: string }
 
 export function look(): Look {
   const style = getComputedStyle(document.documentElement);
   const of = (name: string) => style.getPropertyValue(`--${name}`).trim();
-  return { ink: of('ink'), mu: of('mu'), ln: of('ln'), ac: of('ac'), re: of('re'), obj: of('obj'), fl: of('fl') };
+  return { ink: of('ink'), mu: of('mu'), ln: of('ln'), ac: of('ac'), re: of('re'), obj: of('obj'), fl: of('fl'), pa: of('pa'), reb: of('reb') };
 }
 
 /** The canvas in CSS pixels, sharp on every screen. */
-function prepared(canvas: HTMLCanvasElement, height: number): [CanvasRenderingContext2D, number, number] | null {
+export function prepared(canvas: HTMLCanvasElement, height: number): [CanvasRenderingContext2D, number, number] | null {
   const ratio = devicePixelRatio || 1;
   const width = canvas.clientWidth;
   const context = canvas.getContext('2d');

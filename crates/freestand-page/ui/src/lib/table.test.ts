@@ -1,0 +1,11 @@
+import { expect, it } from 'vitest';
+import { spaced } from './table';
+
+it('shows the first and the last row, and no row twice', () => {
+  expect(spaced(3, 200)).toEqual([0, 1, 2]);
+  expect(spaced(0, 200)).toEqual([]);
+  for (const count of [201, 399, 10_000]) {
+    const rows = spaced(count, 200);
+    expect([rows[0], rows.at(-1), rows.length, new Set(rows).size]).toEqual([0, count - 1, 200, 200]);
+  }
+});
