@@ -1,13 +1,13 @@
 /** The map of objects on a canvas. */
 import { STEPS, stepOf, type Field } from './spectra';
 import { prepared, type Look } from './scene';
-import { axisLength, type Units } from './units';
+import type { Units } from './units';
 import { t } from './words';
 
 /** One blue, from light to dark: monotonic in lightness. On a dark page the small values are the dark ones. */
 const RAMP = ['#e8f1f8', '#c3dcee', '#92c1e0', '#5a9fcc', '#2f7bb0', '#155a8a', '#0b3a5e'] as const;
 
-const [LEFT, RIGHT, TOP, BELOW] = [56, 10, 10, 42];
+const [LEFT, RIGHT, TOP, BELOW] = [56, 18, 10, 42];
 const FONT = 'system-ui, sans-serif';
 
 /** The colours of the steps of the ramp. */
@@ -30,10 +30,13 @@ export function objectAt(place: Place, cells: { heights: number[]; thicknesses: 
   return [bounded(row, cells.heights.length), bounded(column, cells.thicknesses.length)];
 }
 
-/** Indices of rows or columns whose values are written at an axis: about `count` of them. */
-export function ticks(values: number[], count: number): number[] {
-  const every = Math.max(1, Math.round((values.length - 1) / count));
-  return values.map((_, i) => i).filter((i) => i % every === 0);
+/** Round values within a range, about `count` of them: multiples of 1, 2 or 5 times a power of ten. */
+export function ticks(first: number, last: number, count: number): number[] {
+  const least = (last - first) / count;
+  const power = 10 ** Math.floor(Math.log10(least));
+  const step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= least * 0.999) ?? 10 * power;
+  const from = Math.ceil(first / step - 1e-9);
+  return Array.from({ length: Math.floor(last / step + 1e-9) - from + 1 }, (_, i) => Number(((from + i) * step).toPrecision(12)));
 }
 
 /** Draws the objects, the axes and a frame around the chosen one. */
@@ -78,13 +81,23 @@ export function drawMap(canvas: HTMLCanvasElement, cells: Field, values: Float64
   context.strokeRect(place.left - 0.5, place.top - 0.5, place.width + 1, place.height + 1);
   context.fillStyle = colours.mu;
   context.font = `12px ${FONT}`;
+  // The values of a grid are evenly spaced: an object is in the middle of its rectangle.
+  const along = (values: number[], value: number) => ((value - values[0]!) / (values.at(-1)! - values[0]! || 1)) * (values.length - 1) + 0.5;
+  const [tall_m, deep_m] = units === 'si' ? [1, 0.001] : [0.3048, 0.0254];
   context.textAlign = 'right';
-  for (const row of ticks(cells.heights, 6)) context.fillText(axisLength(cells.heights[row]!, units), place.left - 7, Y(row + 0.5) + 4);
-  context.textAlign = 'center';
-  for (const column of ticks(cells.thicknesses, w < 420 ? 4 : 7)) {
-    context.fillText(axisLength(cells.thicknesses[column]!, units), X(column + 0.5), place.top + place.height + 17);
+  for (const mark of ticks(cells.heights[0]! / tall_m, cells.heights.at(-1)! / tall_m, 6)) {
+    context.fillText(mark.toFixed(1), place.left - 7, Y(along(cells.heights, mark * tall_m)) + 4);
   }
-  context.fillText(t('spectra.axes'), place.left + place.width / 2, h - 6);
+  context.textAlign = 'center';
+  for (const mark of ticks(cells.thicknesses[0]! / deep_m, cells.thicknesses.at(-1)! / deep_m, w < 420 ? 5 : 9)) {
+    context.fillText(String(mark), X(along(cells.thicknesses, mark * deep_m)), place.top + place.height + 17);
+  }
+  context.fillText(t(`spectra.depth.${units}`), place.left + place.width / 2, h - 6);
+  context.save();
+  context.translate(12, place.top + place.height / 2);
+  context.rotate(-Math.PI / 2);
+  context.fillText(t(`spectra.height.${units}`), 0, 0);
+  context.restore();
   context.textAlign = 'left';
   const [row, column] = chosen;
   context.strokeStyle = colours.pa;

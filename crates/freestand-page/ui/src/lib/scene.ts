@@ -129,6 +129,12 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
     }
   }
   context.fillStyle = colours.fl;
+  for (const [wall, side] of [[history.wall_left, -1], [history.wall_right, 1]] as const) {
+    if (!wall) continue;
+    const face = x + side * (history.thickness_m / 2 + wall.gap_m) * scale;
+    const tall = wall.height_m === null ? y : wall.height_m * scale;
+    context.fillRect(side > 0 ? face : face - 10, y - tall, 10, tall);
+  }
   context.fillRect(0, y, w, isSmall ? 4 : 10);
   if (Math.abs(theta) > 0.004) body(context, history, scale, x, y, 0, colours, true);
   body(context, history, scale, x, y, theta, colours, false);

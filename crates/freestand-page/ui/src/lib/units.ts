@@ -48,13 +48,6 @@ export function lengthShown(metres: number, units: Units): string {
   return `${Math.floor(whole / 12)}′ ${whole % 12}″`;
 }
 
-/** A length at an axis: 1.5 m, 400 mm, 5′, 16″. */
-export function axisLength(metres: number, units: Units): string {
-  if (units === 'si') return metres >= 1 ? `${trimmed(metres, 1)} m` : `${Math.round(metres * 1000)} mm`;
-  const inches = metres / INCH_M;
-  return inches >= 36 ? `${(inches / 12).toFixed(1)}′` : `${Math.round(inches)}″`;
-}
-
 /** A stiffness for people. */
 export function stiffnessShown(n_m: number, units: Units): string {
   return units === 'si' ? `${Number((n_m / 1000).toPrecision(3))} N/mm` : `${Number((n_m / POUND_PER_INCH_N_M).toPrecision(3))} lb/in`;
@@ -83,6 +76,6 @@ export function massShown(kg: number, units: Units): string {
 }
 
 /** Accelerations stay in g. */
-export function gShown(g: number): string {
-  return `${g >= 10 ? g.toFixed(0) : Number(g.toPrecision(2))} g`;
+export function gShown(g: number, digits = 2): string {
+  return `${g >= 10 ** digits ? g.toFixed(0) : Number(g.toPrecision(digits))} g`;
 }
