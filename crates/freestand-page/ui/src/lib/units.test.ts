@@ -25,7 +25,7 @@ describe('lengths', () => {
 
   it('are shown as people write them', () => {
     expect([1.8, 0.4, 0.0036, 0.00002, 0].map((one) => lengthShown(one, 'si'))).toEqual(['1.80 m', '400 mm', '3.6 mm', '< 1 mm', '0 mm']);
-    expect([1.8, 0.0254].map((one) => lengthShown(one, 'us'))).toEqual(['5′ 11″', '1″']);
+    expect([1.8, 0.0254, 0.0036, 0.0009, 0].map((one) => lengthShown(one, 'us'))).toEqual(['5′ 11″', '1″', '0.14″', '< 0.04″', '0″']);
     expect([massShown(150, 'si'), massShown(150, 'us')]).toEqual(['150 kg', '331 lb']);
   });
 });

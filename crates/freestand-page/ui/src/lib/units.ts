@@ -43,6 +43,7 @@ export function lengthShown(metres: number, units: Units): string {
     return mm >= 1000 ? `${metres.toFixed(2)} m` : `${mm >= 100 ? mm.toFixed(0) : Number(mm.toPrecision(2))} mm`;
   }
   const inches = metres / INCH_M;
+  if (inches > 0 && inches < 0.04) return '< 0.04″';
   if (inches < 12) return `${Number(inches.toPrecision(inches >= 1 ? 3 : 2))}″`;
   const whole = Math.round(inches);
   return `${Math.floor(whole / 12)}′ ${whole % 12}″`;
