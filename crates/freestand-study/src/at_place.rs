@@ -122,19 +122,19 @@ impl LastGround {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::resolve::builtin;
+    use crate::resolve::resolve;
     use crate::run::{no_progress, run};
 
-    /// The built-in study asks for the roof too: its floor motions are the same to the last bit.
+    /// A study that says nothing else asks for the roof too: its floor motions are the same to the last bit.
     #[test]
     fn the_motions_are_those_of_the_study_with_the_same_keys() {
-        let mut study = builtin(&Overrides::default()).unwrap();
+        let mut study = resolve("[ground]\ncount = 2\n", None, Path::new("")).unwrap();
         study.objects.blocks.truncate(1);
         let result = run(&study, &no_progress).unwrap();
         let roof = result.levels.iter().find(|level| level.level.level_ratio == Some(1.0)).unwrap();
         let hazard = Words::from_iter([("place", "Melbourne".to_owned()), ("site", "De".to_owned())]);
         let last = LastGround::default();
-        let place = AtPlace { hazard, level_ratio: 1.0, ..AtPlace::default() };
+        let place = AtPlace { hazard, count: Some(2), level_ratio: 1.0, ..AtPlace::default() };
         let made = motions_at(&place, &last, || Ok(())).unwrap();
         assert_eq!(made.motions.len(), roof.floors.len());
         for (made, floor) in made.motions.iter().zip(&roof.floors) {

@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { strict as assert } from 'node:assert';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { against } from './documents.mjs';
 
 const program = process.env.FREESTAND ?? 'freestand';
 const pictures = process.env.PICTURES;
@@ -29,12 +30,35 @@ const hosts = new Set();
 const failures = [];
 let passed = 0;
 
+/** The type of the document that a request asks for. */
+function typeOf({ command, shape, history }) {
+  const types = { 'motion info': 'InfoDocument', 'motion convert': 'ConvertDocument', 'motion spectrum': 'ResponseDocument', 'cushion drop': 'DropDocument' };
+  if (command === 'object') return history ? 'ObjectDocument' : null;
+  if (command === 'spectrum') return shape === 'columns' ? 'SpectrumDocument' : 'FollowedDocument';
+  return types[command] ?? null;
+}
+
+/** Documents whose types were compared, by type. */
+const compared = {};
+
+async function compare(response) {
+  if (!response.url().endsWith('/api/v1/run') || response.status() !== 200) return [];
+  const type = typeOf(response.request().postDataJSON());
+  // The browser forgets the answers of a page that was left.
+  const document = await response.json().catch(() => null);
+  if (!type || !document) return [];
+  compared[type] = (compared[type] ?? 0) + 1;
+  return against(type, document);
+}
+
 async function story(name, options, tell) {
   if (only && !name.includes(only)) return;
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: 'no-preference', ...options });
   const page = await context.newPage();
   page.setDefaultTimeout(60_000);
   const errors = [];
+  const documents = [];
+  page.on('response', (response) => documents.push(compare(response)));
   page.on('request', (request) => { const { protocol, host } = new URL(request.url()); if (protocol.startsWith('http')) hosts.add(host); });
   page.on('pageerror', (error) => errors.push(error.message));
   // A refusal of the program is a line of the console too; one of the policy is a defect.
@@ -43,6 +67,7 @@ async function story(name, options, tell) {
     await page.goto(url);
     await tell(page);
     assert.deepEqual(errors, []);
+    assert.deepEqual((await Promise.all(documents)).flat(), [], 'documents have the types of the page');
     passed += 1;
     console.log(`ok: ${name}`);
   } catch (error) {
@@ -397,6 +422,10 @@ await story('without its token the page says what to do', {}, async (page) => {
   await answered(page);
 });
 
+if (!only) {
+  const missing = ['ObjectDocument', 'SpectrumDocument', 'FollowedDocument', 'InfoDocument', 'ConvertDocument', 'ResponseDocument', 'DropDocument'].filter((type) => !compared[type]);
+  assert.deepEqual(missing, [], 'every type was compared');
+}
 assert.deepEqual([...hosts], [`127.0.0.1:${port}`], 'only this machine was asked');
 await browser.close();
 const ended = new Promise((resolve) => server.on('exit', resolve));
