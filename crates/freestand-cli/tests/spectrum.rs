@@ -341,8 +341,12 @@ fn motions_come_from_records_or_from_a_place() {
     };
     assert!(at(&[]).contains("no motion is named"));
     assert!(at(&["--level-ratio", "1"]).contains("no motion is named"));
-    assert!(at(&["--place", "Athens", "--motion", "r.csv"]).contains("--place belongs to a place, but records are given"));
-    assert!(at(&["--place", "Athens", "--level-ratio", "1.2"]).contains("--level-ratio: 1.2 is not a share of the height"));
+    assert!(
+        at(&["--place", "Athens", "--motion", "r.csv"]).contains("--place belongs to a place, but records are given")
+    );
+    assert!(
+        at(&["--place", "Athens", "--level-ratio", "1.2"]).contains("--level-ratio: 1.2 is not a share of the height")
+    );
     assert!(at(&["--place", "Athens", "--vertical", "r.csv"]).contains("--vertical belongs to records"));
     assert!(at(&["--place", "Atlantis"]).contains("Atlantis"));
 }

@@ -230,7 +230,17 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     };
     let landings = rocking.impacts.iter().map(landed).collect();
     let Rocking { outcome, contacts, wall_impacts, .. } = rocking;
-    RockReport { facts, outcome, warnings, history, contacts, wall_impacts, landings, block: *block, walls: options.walls }
+    RockReport {
+        facts,
+        outcome,
+        warnings,
+        history,
+        contacts,
+        wall_impacts,
+        landings,
+        block: *block,
+        walls: options.walls,
+    }
 }
 
 /// A problem of the solver, with what to do about it.
