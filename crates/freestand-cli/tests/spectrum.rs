@@ -347,6 +347,6 @@ fn motions_come_from_records_or_from_a_place() {
     assert!(
         at(&["--place", "Athens", "--level-ratio", "1.2"]).contains("--level-ratio: 1.2 is not a share of the height")
     );
-    assert!(at(&["--place", "Athens", "--vertical", "r.csv"]).contains("--vertical belongs to records"));
+    assert!(at(&["--place", "Athens", "--vertical", "r.csv"]).contains("--vertical has 1 file, --motion 0"));
     assert!(at(&["--place", "Atlantis"]).contains("Atlantis"));
 }

@@ -287,9 +287,6 @@ fn at_place(args: &SpectrumArgs, global: &GlobalArgs, stop: &Stop) -> Result<Rea
         return Err(Failure::usage("no motion is named", hint));
     }
     args.read.refuse_without_record(|_| "name the record with --motion, or leave it out".to_owned())?;
-    if !args.vertical.is_empty() {
-        return Err(Failure::usage("--vertical belongs to records", "name them with --motion, or leave it out"));
-    }
     let mut values = Values::default();
     let (level_ratio, storey_height_m) = (values.read(&place.level_ratio), values.read(&place.storey_height));
     values.finish()?;
