@@ -3,7 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand_output::facts::{csv_header, csv_rows, json_rows, parquet_columns, parquet_values};
+use freestand_output::facts::{
+    JsonColumn, csv_header, csv_rows, json_columns, json_rows, parquet_columns, parquet_values,
+};
 use freestand_output::parquet::{ParquetFile, provenance};
 use freestand_output::streamed::{StreamedFile, rows_head, rows_tail};
 use freestand_study::spectrum::{SpectrumChunk, column_type};
@@ -22,6 +24,8 @@ pub(crate) struct Rows {
     tables: Vec<StreamedFile>,
     documents: Vec<StreamedFile>,
     parquet: Option<Parquet>,
+    /// The document by columns, for whoever asked for it in that shape.
+    columns: Option<Vec<JsonColumn>>,
     print: bool,
     printer: Printer,
     /// Whether nothing has been written yet.
@@ -53,6 +57,21 @@ impl Parquet {
     }
 }
 
+/// A document whose rows are one array for each column.
+fn in_columns(schema: &str, columns: &[JsonColumn], tail: &str) -> Result<Vec<u8>, Failure> {
+    let mut text = rows_head(schema)?.trim_end_matches('[').as_bytes().to_vec();
+    text.push(b'{');
+    for (i, (name, values)) in columns.iter().enumerate() {
+        text.extend(format!("{}\n    \"{name}\": [", if i == 0 { "" } else { "," }).bytes());
+        // No comma precedes the first member of an array.
+        text.extend(values.get(1..).unwrap_or_default());
+        text.push(b']');
+    }
+    text.extend(b"\n  }");
+    text.extend(tail.trim_start().trim_start_matches(']').bytes());
+    Ok(text)
+}
+
 impl Rows {
     /// Begins every requested output, before any work is done.
     pub(crate) fn begin(
@@ -67,8 +86,9 @@ impl Rows {
         let documents = files.begin_file(RESULT)?.into_iter().collect();
         let parquet = parquet.map(|path| StreamedFile::begin(path, inputs)).transpose()?;
         let parquet = parquet.map(|file| Parquet::Waiting(file, inputs.to_vec()));
-        let (print, printer) = (printer.json(), printer.clone());
-        Ok(Self { schema, tables, documents, parquet, print, printer, first: true })
+        let columns = printer.session().filter(|session| session.wants_columns()).map(|_| Vec::new());
+        let (print, printer) = (printer.json() && columns.is_none(), printer.clone());
+        Ok(Self { schema, tables, documents, parquet, columns, print, printer, first: true })
     }
 
     /// Appends the rows of a chunk to every output.
@@ -83,6 +103,15 @@ impl Rows {
         }
         if let Some(parquet) = self.parquet.take() {
             self.parquet = Some(parquet.write(self.schema, chunk)?);
+        }
+        if let Some(columns) = &mut self.columns {
+            for piece in chunk.pieces(|rows| json_columns(rows)) {
+                let piece = piece?;
+                match columns.is_empty() {
+                    true => *columns = piece,
+                    false => columns.iter_mut().zip(piece).for_each(|((_, all), (_, more))| all.extend(more)),
+                }
+            }
         }
         if self.print || !self.documents.is_empty() {
             for (i, piece) in chunk.pieces(|rows| json_rows(rows)).into_iter().enumerate() {
@@ -123,7 +152,10 @@ impl Rows {
             Some(Parquet::Waiting(..)) | None => {}
         }
         files.finish_result(self.schema, warnings)?;
-        if !printer.json() {
+        if let Some((session, columns)) = printer.session().zip(self.columns.as_ref()) {
+            session.keep(&in_columns(self.schema, columns, &tail)?);
+            session.told_in_columns();
+        } else if !printer.json() {
             printer.print(&text())?;
         } else if self.print {
             printer.print(&tail)?;

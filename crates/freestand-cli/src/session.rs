@@ -22,6 +22,8 @@ pub(crate) struct Session {
     /// Whose history is wanted beside the document.
     follow: Option<Follow>,
     memory: Arc<Memory>,
+    /// Whether rows are wanted as one array for each column.
+    wants_columns: bool,
     /// Whether somebody waits for the answer.
     is_live: bool,
     tell: Box<dyn Fn(Told) + Send + Sync>,
@@ -49,6 +51,8 @@ pub(crate) struct Kept {
     pub(crate) files: Vec<String>,
     /// Whether it was stopped before its end.
     pub(crate) is_interrupted: bool,
+    /// Whether the rows of its document are columns already.
+    pub(crate) is_in_columns: bool,
 }
 
 impl Debug for Session {
@@ -64,7 +68,22 @@ impl Session {
         memory: Arc<Memory>,
         tell: Box<dyn Fn(Told) + Send + Sync>,
     ) -> Self {
-        Self { stop, follow, memory, is_live, tell, kept: Mutex::default() }
+        Self { stop, follow, memory, wants_columns: false, is_live, tell, kept: Mutex::default() }
+    }
+
+    /// With rows as one array for each column, where the command can write them so.
+    pub(crate) fn in_columns(self, wants_columns: bool) -> Self {
+        Self { wants_columns, ..self }
+    }
+
+    /// Whether rows are wanted as one array for each column.
+    pub(crate) fn wants_columns(&self) -> bool {
+        self.wants_columns
+    }
+
+    /// The rows of the document are columns.
+    pub(crate) fn told_in_columns(&self) {
+        self.kept().is_in_columns = true;
     }
 
     fn kept(&self) -> MutexGuard<'_, Kept> {

@@ -330,3 +330,23 @@ fn a_parquet_table_has_the_values_of_the_csv() {
     assert_eq!(value("freestand.inputs")[0]["name"], "r.csv");
     assert_eq!(value("freestand.inputs")[0]["sha256"].as_str().unwrap().len(), 64);
 }
+
+/// Without records a place is needed, and what belongs to one is refused beside the other.
+#[test]
+fn motions_come_from_records_or_from_a_place() {
+    let folder = folder();
+    let at = |more: &[&str]| {
+        let object = ["spectrum", "--heights", "1 m", "--thicknesses", "0.3 m"];
+        error(&freestand(folder.path(), &[&object[..], more].concat()))
+    };
+    assert!(at(&[]).contains("no motion is named"));
+    assert!(at(&["--level-ratio", "1"]).contains("no motion is named"));
+    assert!(
+        at(&["--place", "Athens", "--motion", "r.csv"]).contains("--place belongs to a place, but records are given")
+    );
+    assert!(
+        at(&["--place", "Athens", "--level-ratio", "1.2"]).contains("--level-ratio: 1.2 is not a share of the height")
+    );
+    assert!(at(&["--place", "Athens", "--vertical", "r.csv"]).contains("--vertical has 1 file, --motion 0"));
+    assert!(at(&["--place", "Atlantis"]).contains("Atlantis"));
+}

@@ -5,6 +5,7 @@ use freestand::block::Block;
 use freestand::compliant::{CompliantBase, CompliantOptions, EdgeSide, rock_compliant_observed};
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Side};
+use freestand::wall::Wall;
 use freestand_input::problem::Problem;
 use serde::Serialize;
 
@@ -54,6 +55,25 @@ pub struct DrawnHistory {
     pub cg_height_m: f64,
     /// The angle at which it balances on an edge \[rad\].
     pub balance_rad: f64,
+    /// The wall on its left, where θ < 0.
+    pub wall_left: Option<DrawnWall>,
+    /// The wall on its right.
+    pub wall_right: Option<DrawnWall>,
+}
+
+/// A wall beside an object.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct DrawnWall {
+    /// Distance from the face of the object \[m\].
+    pub gap_m: f64,
+    /// Height above the floor \[m\]; `None`: taller than the object.
+    pub height_m: Option<f64>,
+}
+
+impl From<Wall> for DrawnWall {
+    fn from(wall: Wall) -> Self {
+        Self { gap_m: wall.gap_m, height_m: wall.height_m }
+    }
 }
 
 /// An impact on the floor.
@@ -76,7 +96,11 @@ pub fn drawn(report: &RockReport, floor: Option<&Motion>) -> DrawnHistory {
         edge: if one.omega_before_rad_s < 0.0 { Side::Left.name() } else { Side::Right.name() },
     });
     let points = rising(report.history.iter().map(|point| (point.time_s, point.theta_rad)));
-    of_points(&report.block, points, impacts.collect(), floor, (report.outcome.name(), "rigid"))
+    DrawnHistory {
+        wall_left: report.walls.left.map(DrawnWall::from),
+        wall_right: report.walls.right.map(DrawnWall::from),
+        ..of_points(&report.block, points, impacts.collect(), floor, (report.outcome.name(), "rigid"))
+    }
 }
 
 /// The history of a block on its pads under a motion, with every contact of an edge as an impact.
@@ -158,6 +182,8 @@ fn of_points(
         base_width_m: block.base_width_m(),
         cg_height_m: block.cg_height_m(),
         balance_rad: block.pivot().slenderness_angle_rad,
+        wall_left: None,
+        wall_right: None,
     }
 }
 

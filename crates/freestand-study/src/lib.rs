@@ -1,5 +1,6 @@
 //! From a study as written to its results, figures and report, and the requests of single commands.
 
+pub mod at_place;
 pub mod building;
 pub mod check;
 pub mod compliant;

@@ -12,7 +12,7 @@ use freestand::rocking::{
     RockingOptions, SideExtremes, Until, WallImpact, rock_observed,
 };
 use freestand::spectra::{UpliftCell, landings};
-use freestand::wall::Contact;
+use freestand::wall::{Contact, Walls};
 
 use crate::cushion::EdgeCushion;
 use crate::walls::{WallStiffness, wall_facts, wall_problem};
@@ -77,6 +77,8 @@ pub struct RockReport {
     pub landings: Vec<EdgeLanding>,
     /// The block.
     pub block: Block,
+    /// What is beside it.
+    pub walls: Walls,
 }
 
 /// An impact on the floor, with its shock.
@@ -228,7 +230,17 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     };
     let landings = rocking.impacts.iter().map(landed).collect();
     let Rocking { outcome, contacts, wall_impacts, .. } = rocking;
-    RockReport { facts, outcome, warnings, history, contacts, wall_impacts, landings, block: *block }
+    RockReport {
+        facts,
+        outcome,
+        warnings,
+        history,
+        contacts,
+        wall_impacts,
+        landings,
+        block: *block,
+        walls: options.walls,
+    }
 }
 
 /// A problem of the solver, with what to do about it.

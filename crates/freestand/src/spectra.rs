@@ -191,6 +191,25 @@ mod tests {
     use super::*;
     use crate::motion::Motion;
 
+    /// On a spring the shock of one landing goes with √(k/m), whatever the shape: the page shows other
+    /// masses and stiffnesses without rocking again.
+    #[test]
+    fn shocks_follow_the_root_of_stiffness_over_mass() {
+        for (height_m, thickness_m) in [(1.8, 0.4), (0.6, 0.55), (0.3, 0.9)] {
+            let block = Block::uniform(height_m, thickness_m).unwrap();
+            for landing in landings(&block, ImpactModel::Paper) {
+                let shock = |mass_kg: f64, stiffness_n_m: f64| {
+                    let cushion = Cushion::linear(stiffness_n_m).unwrap();
+                    landing.edge_acceleration_m_s2(mass_kg, &cushion, 0.01, G0_M_S2)
+                };
+                let (one, other) = (shock(150.0, 4.38e6), shock(37.0, 9e5));
+                let expected = one * (9e5 / 4.38e6 * 150.0 / 37.0_f64).sqrt();
+                // Rounding of a few operations.
+                assert!((other / expected - 1.0).abs() < 1e-13, "{height_m} {thickness_m}: {other} {expected}");
+            }
+        }
+    }
+
     /// Known ceilings, for 150 kg on 4380 N/mm.
     #[test]
     fn ceiling_is_the_shock_at_the_balance_point() {

@@ -1,15 +1,20 @@
 //! `freestand spectrum`: uplift and shock spectra over a grid of objects.
 
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
 use clap::Args;
 use freestand::block::Block;
-use freestand::rocking::{Base, RockingOptions};
+use freestand::rocking::{Base, RockingOptions, Until};
+use freestand_assess::one_object::Follow;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::words::counted;
+use freestand_study::at_place::{AtPlace, LastGround, motions_at};
+use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::restitution::checked;
-use freestand_study::rock::problem;
+use freestand_study::rock::{RockReport, RockRequest, problem, rock};
+use freestand_study::run::LONGEST_TAIL_S;
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum};
 use serde::Serialize;
 
@@ -22,9 +27,11 @@ use crate::args::{GlobalArgs, Named};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
+use crate::keys::{Key, KeySet, Keys, key};
 use crate::printer::Printer;
 use crate::reading::{ReadArgs, VerticalArgs, path_text};
 use crate::rows::{ROWS, Rows};
+use crate::stop::Stop;
 use crate::values::{Given, Reads, Values};
 
 const SCHEMA: &str = "freestand.spectrum/1";
@@ -42,6 +49,9 @@ Examples:
   The same objects 20 mm in front of a wall; the rows also contain the speed at the wall:
     freestand spectrum --motion record.AT2 --heights \"1.5 m, 2 m\" \\
       --thicknesses \"300 mm, 400 mm\" --wall-gap 20mm
+  Uplift on the roof of 30 storeys in Melbourne, under ten synthetic motions:
+    freestand spectrum --place Melbourne --site De --level-ratio 1 --storeys 30 \\
+      --heights \"0.3 m:3 m:64\" --thicknesses \"0.1 m:1 m:64\" --csv rows.csv
   A million objects in a file, each with its sensitivity to an error of the motion:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
       --thicknesses \"0.1 m:1 m:1000\" --accuracy fast --sensitivity --csv rows.csv
@@ -55,7 +65,7 @@ Examples:
 Rows are written as they are computed: a large grid needs time and disk space, not memory.")]
 pub(crate) struct SpectrumArgs {
     /// Records of the horizontal acceleration of the floor
-    #[arg(long, value_name = "FILE", required = true, num_args = 1..)]
+    #[arg(long, value_name = "FILE", num_args = 1..)]
     motion: Vec<PathBuf>,
     /// Records of the vertical acceleration of the floor, positive upward: one for each --motion,
     /// with the same step and length
@@ -65,6 +75,8 @@ pub(crate) struct SpectrumArgs {
     vertically: VerticalArgs,
     #[command(flatten)]
     read: ReadArgs,
+    #[command(flatten)]
+    place: Named<PlaceArgs>,
     /// Heights: a grid "from:to:count" or a list
     #[arg(long, grid = Dimension::Length, help_heading = "The objects")]
     heights: Given<Vec<f64>>,
@@ -105,6 +117,43 @@ pub(crate) struct SpectrumArgs {
     parquet: Option<PathBuf>,
 }
 
+/// A floor of a building at a place, in place of records.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "A place, in place of records")]
+struct PlaceArgs {
+    #[command(flatten)]
+    hazard: Keys<HazardKeys>,
+    /// Number of synthetic motions [default: 10]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    count: Option<u16>,
+    /// Height of the floor over that of the building: 0 is the ground, 1 the roof [default: 0]
+    #[arg(long, any = Dimension::Ratio)]
+    level_ratio: Option<Given>,
+    /// Number of storeys of the building [default: 30]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=500))]
+    storeys: Option<u16>,
+    /// Height of a storey [default: 3.2 m]
+    #[arg(long, positive = Dimension::Length)]
+    storey_height: Option<Given>,
+}
+
+#[derive(Debug, Clone)]
+struct HazardKeys;
+
+impl KeySet for HazardKeys {
+    const KEYS: &'static [(&'static str, &'static [Key])] = &[(
+        "A place, in place of records",
+        &[
+            key("place", "NAME", "Place, which brings its code: freestand place list"),
+            key("site", "CLASS", "Site class of the code"),
+            key("return_period_years", "YEARS", "Return period in years, of AS 1170.4 and NZS 1170.5"),
+        ],
+    )];
+}
+
+/// The ground of the last request of the page.
+static LAST: LazyLock<LastGround> = LazyLock::new(LastGround::default);
+
 /// The keys that follow the rows in the document.
 #[derive(Debug, Serialize)]
 struct Others {
@@ -128,16 +177,21 @@ struct Reading {
 
 pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let request = request(args)?;
-    let reading = read(args)?;
-    let mut warnings = reading.warnings;
-
     let stop = printer.stop();
+    let reading = match args.motion.as_slice() {
+        [] => at_place(args, global, &stop)?,
+        _ => read(args)?,
+    };
+    let mut warnings = reading.warnings;
     let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
     let files = Files::begin(global, &inputs)?;
     let mut rows = Rows::begin(SCHEMA, printer, &files, (args.csv.as_deref(), args.parquet.as_deref()), &inputs)?;
     let total = request.grid.objects() * reading.motions.len();
     if let Some(session) = printer.session() {
         session.check_histories(total)?;
+    }
+    if let Some((session, follow)) = printer.session().and_then(|session| Some((session, session.follow()?))) {
+        session.beside(&followed(&request, &reading.motions, &follow)?);
     }
     let mut seen = Seen::new(reading.motions.len(), total, &request);
     let bar = printer.progress_bar(printer.json());
@@ -179,6 +233,11 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         restitution: args.rocking.restitution(&[], &mut values),
         accuracy: args.rocking.accuracy,
         walls,
+        // Motions of a place are those of a study, which follows its objects until they are at rest.
+        until: match args.motion.is_empty() {
+            true => Until::Settled { at_most_s: LONGEST_TAIL_S },
+            false => Until::EndOfMotion,
+        },
         ..RockingOptions::default()
     };
     if args.friction.is_some() && !args.sliding.is_given() {
@@ -190,9 +249,9 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         let message = "--stop-stiffness is used by freestand rock only: rows have no shock of a stop";
         values.push(Problem::value(message, "leave it out"));
     }
-    if args.sliding.stop_stiffness.is_some() {
-        let message = "--stop-stiffness is used by freestand rock only: rows have no shock of a stop";
-        values.push(Problem::value(message, "leave it out"));
+    if let Some(flag) = args.place.given.first().filter(|_| !args.motion.is_empty()) {
+        let message = format!("--{flag} belongs to a place, but records are given");
+        values.push(Problem::value(message, "leave it out, or leave --motion out"));
     }
     if args.sliding.is_given() && (args.mass.is_some() || args.sensitivity) {
         let message = "the shock and the sensitivity are those of rocking objects, and these slide or roll";
@@ -218,6 +277,74 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     checked(options.restitution, &blocks)?;
     let cushion = mass.zip(cushion);
     Ok(SpectrumRequest { grid, options, cushion, wall, sensitivity: args.sensitivity, surface })
+}
+
+/// The motions of a floor at a place.
+fn at_place(args: &SpectrumArgs, global: &GlobalArgs, stop: &Stop) -> Result<Reading, Failure> {
+    let place = &args.place;
+    if place.hazard.words.get("place").is_none() {
+        let hint = "name records of the floor with --motion FILE, or a place with --place NAME";
+        return Err(Failure::usage("no motion is named", hint));
+    }
+    args.read.refuse_without_record(|_| "name the record with --motion, or leave it out".to_owned())?;
+    let mut values = Values::default();
+    let (level_ratio, storey_height_m) = (values.read(&place.level_ratio), values.read(&place.storey_height));
+    values.finish()?;
+    let place = AtPlace {
+        hazard: place.hazard.words.clone(),
+        count: place.count,
+        storeys: place.storeys,
+        storey_height_m,
+        level_ratio: level_ratio.unwrap_or(0.0),
+        seed: global.seed,
+    };
+    let go_on = || if stop.wanted() { Err(Problem::stopped().into()) } else { Ok(()) };
+    let made = motions_at(&place, &LAST, go_on)?;
+    let processed = |motion: &SpectrumMotion| Processed { motion: motion.name.clone(), steps: made.processing.clone() };
+    let processing = made.motions.iter().map(processed).collect();
+    Ok(Reading { motions: made.motions, processing, warnings: made.warnings })
+}
+
+/// What goes beside the document of who wants to draw the history of an object.
+#[derive(Debug, Serialize)]
+struct Followed {
+    followed: String,
+    history: DrawnHistory,
+}
+
+/// The history of the only object under one of the motions.
+fn followed(request: &SpectrumRequest, motions: &[SpectrumMotion], follow: &Follow) -> Result<Followed, Failure> {
+    let [block] = request.grid.blocks(0..request.grid.objects().min(2)).collect::<Vec<_>>()[..] else {
+        let hint = "give one height and one thickness, or leave the history out";
+        return Err(Failure::usage("a history is that of one object", hint));
+    };
+    if request.surface.is_some() {
+        return Err(Failure::usage("an object that slides has no rocking history", "leave the history out"));
+    }
+    let at = |motion: &SpectrumMotion| -> Result<(String, RockReport), Failure> {
+        let request = RockRequest {
+            block,
+            horizontal: Some(motion.horizontal.clone()),
+            vertical: motion.vertical.clone(),
+            options: request.options,
+            cushion: request.cushion.clone(),
+            wall: request.wall,
+            friction: None,
+        };
+        Ok((motion.name.clone(), rock(&request, true)?))
+    };
+    let farthest = |report: &RockReport| report.facts.number("peak_rotation_rad").unwrap_or(0.0);
+    let reports = match follow {
+        Follow::Named(name) => motions.iter().filter(|motion| motion.name == *name).map(at).take(1).collect(),
+        Follow::Telling => motions.iter().map(at).collect::<Result<Vec<_>, _>>(),
+    }?;
+    let found = reports.into_iter().max_by(|a, b| farthest(&a.1).total_cmp(&farthest(&b.1)));
+    let (name, report) = found.ok_or_else(|| {
+        let names: Vec<&str> = motions.iter().map(|motion| motion.name.as_str()).collect();
+        Failure::usage("no motion has this name", format!("motions: {}", names.join(", ")))
+    })?;
+    let floor = motions.iter().find(|motion| motion.name == name).map(|motion| &motion.horizontal);
+    Ok(Followed { history: drawn(&report, floor), followed: name })
 }
 
 /// Reads all records before the calculation, so that a problem in the last one is found early.

@@ -175,12 +175,13 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
             Told::Object(row) => events.object(&row),
             Told::Problem(problem) => events.problem(&problem),
         };
-        let session = Arc::new(Session::new(
+        let session = Session::new(
             Stop::on(cancel.flag()),
             (follow, request.folder.is_none()),
             Arc::clone(&MEMORY),
             Box::new(tell),
-        ));
+        );
+        let session = Arc::new(session.in_columns(request.shape == Shape::Columns));
         let done = cli.command.run(&cli.global, &Printer::keeping(Arc::clone(&session)));
         let kept = session.take();
         match done {
@@ -193,15 +194,14 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
 
 /// The document, with what goes beside it.
 fn written(request: &Request, kept: Kept, seen: &Seen) -> Result<Reply, Failure> {
-    let Kept { document, beside, files, is_interrupted } = kept;
+    let Kept { document, beside, files, is_interrupted, is_in_columns } = kept;
+    let is_turned = request.shape == Shape::Columns && !is_in_columns;
     let text = String::from_utf8(document).map_err(|_| Failure::computation("the document is not UTF-8"))?;
     let mut text = seen.named(&text);
-    if !beside.is_empty() || request.shape == Shape::Columns {
+    if !beside.is_empty() || is_turned {
         let unread = |error: serde_json::Error| Failure::computation(format!("the document is not JSON: {error}"));
         let mut document: Map<String, Value> = serde_json::from_str(&text).map_err(unread)?;
-        if request.shape == Shape::Columns
-            && let Some(rows) = document.get_mut("rows")
-        {
+        if is_turned && let Some(rows) = document.get_mut("rows") {
             *rows = columns(rows);
         }
         document.extend(beside);
@@ -474,6 +474,27 @@ mod tests {
         // It is released leaning to the right, so its left edge lands first.
         assert_eq!(impacts[0]["edge"], "left");
         assert!(impacts.iter().all(|impact| times.contains(&impact["time_s"].as_f64().unwrap())));
+    }
+
+    /// What a command writes in columns is what its rows become.
+    #[test]
+    fn columns_have_the_numbers_of_the_rows() {
+        let options = json!({"place": "Melbourne", "count": 2, "storeys": 3, "level-ratio": 1, "heights": "1 m, 2 m",
+            "thicknesses": "300 mm, 400 mm, 500 mm", "mass": "100 kg", "stiffness": "4000 N/mm"});
+        let mut one = request("spectrum", options);
+        let rows = asked(&one).unwrap();
+        one.shape = Shape::Columns;
+        let turned = asked(&one).unwrap();
+        assert_eq!(turned["rows"]["outcome"].as_array().unwrap().len(), 12);
+        assert_eq!(columns(&rows["rows"]), turned["rows"]);
+        assert_eq!(rows["processing"], turned["processing"]);
+        one.history = History::Of { motion: "synthetic-02".to_owned() };
+        assert!(asked(&one).unwrap_err().message.contains("one object"));
+        one.options.insert("heights".to_owned(), json!("2 m"));
+        one.options.insert("thicknesses".to_owned(), json!("300 mm"));
+        let cell = asked(&one).unwrap();
+        assert_eq!((&cell["followed"], &cell["history"]["height_m"]), (&json!("synthetic-02"), &json!(2.0)));
+        assert_eq!(cell["rows"]["uplift_m"][1], turned["rows"]["uplift_m"][9]);
     }
 
     #[test]

@@ -4,7 +4,7 @@ import { at, flashes, stills, telling, type History, type Impact } from './histo
 const impact = (time_s: number, g: number): Impact => ({ time_s, edge_acceleration_g: g, edge: 'left' });
 const history = (time_s: number[], theta_rad: number[]): History => ({
   time_s, theta_rad, base_time_s: [], base_accel_m_s2: [], impacts: [], tolerance_rad: 0, outcome: 'rocked', base: 'rigid',
-  height_m: 1.8, thickness_m: 0.4, base_width_m: 0.4, cg_height_m: 0.9, balance_rad: 0.2,
+  height_m: 1.8, thickness_m: 0.4, base_width_m: 0.4, cg_height_m: 0.9, balance_rad: 0.2, wall_left: null, wall_right: null,
 });
 
 describe('a history', () => {

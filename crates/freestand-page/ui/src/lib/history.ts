@@ -16,7 +16,12 @@ export interface History {
   base_width_m: number;
   cg_height_m: number;
   balance_rad: number;
+  wall_left: Wall | null;
+  wall_right: Wall | null;
 }
+
+/** A wall beside the object; without a height it is taller than the object. */
+export interface Wall { gap_m: number; height_m: number | null }
 
 /** The value at a time of what is linear between its points; the last one after the end. */
 export function at(times: number[], values: number[], time: number): number {

@@ -11,16 +11,16 @@ const FLASH_S = 0.35;
 const SMALL_RAD = 0.02;
 const G0_M_S2 = 9.80665;
 
-export interface Look { ink: string; mu: string; ln: string; ac: string; re: string; obj: string; fl: string }
+export interface Look { ink: string; mu: string; ln: string; ac: string; re: string; obj: string; fl: string; pa: string; reb: string }
 
 export function look(): Look {
   const style = getComputedStyle(document.documentElement);
   const of = (name: string) => style.getPropertyValue(`--${name}`).trim();
-  return { ink: of('ink'), mu: of('mu'), ln: of('ln'), ac: of('ac'), re: of('re'), obj: of('obj'), fl: of('fl') };
+  return { ink: of('ink'), mu: of('mu'), ln: of('ln'), ac: of('ac'), re: of('re'), obj: of('obj'), fl: of('fl'), pa: of('pa'), reb: of('reb') };
 }
 
 /** The canvas in CSS pixels, sharp on every screen. */
-function prepared(canvas: HTMLCanvasElement, height: number): [CanvasRenderingContext2D, number, number] | null {
+export function prepared(canvas: HTMLCanvasElement, height: number): [CanvasRenderingContext2D, number, number] | null {
   const ratio = devicePixelRatio || 1;
   const width = canvas.clientWidth;
   const context = canvas.getContext('2d');
@@ -129,6 +129,12 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
     }
   }
   context.fillStyle = colours.fl;
+  for (const [wall, side] of [[history.wall_left, -1], [history.wall_right, 1]] as const) {
+    if (!wall) continue;
+    const face = x + side * (history.thickness_m / 2 + wall.gap_m) * scale;
+    const tall = wall.height_m === null ? y : wall.height_m * scale;
+    context.fillRect(side > 0 ? face : face - 10, y - tall, 10, tall);
+  }
   context.fillRect(0, y, w, isSmall ? 4 : 10);
   if (Math.abs(theta) > 0.004) body(context, history, scale, x, y, 0, colours, true);
   body(context, history, scale, x, y, theta, colours, false);

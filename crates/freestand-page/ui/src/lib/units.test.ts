@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { lengthM, lengthShown, lengthText, massShown } from './units';
+import { lengthM, lengthShown, lengthText, massKg, massShown, stiffnessNM, stiffnessShown } from './units';
 
 describe('lengths', () => {
   it('are read as the program reads them', () => {
@@ -25,7 +25,17 @@ describe('lengths', () => {
 
   it('are shown as people write them', () => {
     expect([1.8, 0.4, 0.0036, 0.00002, 0].map((one) => lengthShown(one, 'si'))).toEqual(['1.80 m', '400 mm', '3.6 mm', '< 1 mm', '0 mm']);
-    expect([1.8, 0.0254].map((one) => lengthShown(one, 'us'))).toEqual(['5′ 11″', '1″']);
+    expect([1.8, 0.0254, 0.0036, 0.0009, 0].map((one) => lengthShown(one, 'us'))).toEqual(['5′ 11″', '1″', '0.14″', '< 0.04″', '0″']);
     expect([massShown(150, 'si'), massShown(150, 'us')]).toEqual(['150 kg', '331 lb']);
+  });
+});
+
+describe('masses and stiffnesses', () => {
+  it('are read and shown in both units', () => {
+    expect([massKg('150 kg'), massKg('2lb'), massKg('heavy'), massKg('0 kg')]).toEqual([150, 0.90718474, null, null]);
+    expect([stiffnessNM('4380 N/mm'), stiffnessNM('4380 kN/m'), stiffnessNM('rubber-foot'), stiffnessNM('4380')]).toEqual([4.38e6, 4.38e6, null, null]);
+    // One pound-force is 4.4482216152605 N, one inch 25.4 mm.
+    expect(stiffnessNM('1 lb/in')).toBeCloseTo(4.4482216152605 / 0.0254, 9);
+    expect([stiffnessShown(4.38e6, 'si'), stiffnessShown(4.38e6, 'us')]).toEqual(['4380 N/mm', '25000 lb/in']);
   });
 });

@@ -5,6 +5,7 @@ export type Units = 'si' | 'us';
 const INCH_M = 0.0254;
 const FOOT_M = 0.3048;
 const POUND_KG = 0.45359237;
+export const POUND_PER_INCH_N_M = 175.12683524647636;
 
 const LENGTHS: Record<string, number> = {
   m: 1, mm: 0.001, cm: 0.01, in: INCH_M, '"': INCH_M, '″': INCH_M, ft: FOOT_M, "'": FOOT_M, '′': FOOT_M,
@@ -42,9 +43,32 @@ export function lengthShown(metres: number, units: Units): string {
     return mm >= 1000 ? `${metres.toFixed(2)} m` : `${mm >= 100 ? mm.toFixed(0) : Number(mm.toPrecision(2))} mm`;
   }
   const inches = metres / INCH_M;
+  if (inches > 0 && inches < 0.04) return '< 0.04″';
   if (inches < 12) return `${Number(inches.toPrecision(inches >= 1 ? 3 : 2))}″`;
   const whole = Math.round(inches);
   return `${Math.floor(whole / 12)}′ ${whole % 12}″`;
+}
+
+/** A stiffness for people. */
+export function stiffnessShown(n_m: number, units: Units): string {
+  return units === 'si' ? `${Number((n_m / 1000).toPrecision(3))} N/mm` : `${Number((n_m / POUND_PER_INCH_N_M).toPrecision(3))} lb/in`;
+}
+
+/** A stiffness in N/m; null for a text that only the program may understand. */
+export function stiffnessNM(text: string): number | null {
+  const [, number, unit] = /^\s*(\d+(?:[.,]\d+)?)\s*(N\/mm|kN\/m|N\/m|lb\/in|kip\/in)\s*$/.exec(text) ?? [];
+  if (!number || !unit) return null;
+  const factor = { 'N/mm': 1000, 'kN/m': 1000, 'N/m': 1, 'lb/in': POUND_PER_INCH_N_M, 'kip/in': 1000 * POUND_PER_INCH_N_M }[unit];
+  const value = Number(number.replace(',', '.')) * (factor ?? NaN);
+  return value > 0 ? value : null;
+}
+
+/** A mass in kilograms; null for a text that only the program may understand. */
+export function massKg(text: string): number | null {
+  const [, number, unit] = /^\s*(\d+(?:[.,]\d+)?)\s*(kg|t|g|lb)\s*$/.exec(text) ?? [];
+  if (!number || !unit) return null;
+  const value = Number(number.replace(',', '.')) * ({ kg: 1, t: 1000, g: 0.001, lb: POUND_KG }[unit] ?? NaN);
+  return value > 0 ? value : null;
 }
 
 /** A mass for people. */
@@ -53,6 +77,6 @@ export function massShown(kg: number, units: Units): string {
 }
 
 /** Accelerations stay in g. */
-export function gShown(g: number): string {
-  return `${g >= 10 ? g.toFixed(0) : Number(g.toPrecision(2))} g`;
+export function gShown(g: number, digits = 2): string {
+  return `${g >= 10 ** digits ? g.toFixed(0) : Number(g.toPrecision(digits))} g`;
 }

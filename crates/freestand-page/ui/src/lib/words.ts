@@ -6,3 +6,11 @@ export type Word = keyof typeof en;
 export function t(word: Word, values: Record<string, string | number> = {}): string {
   return en[word].replace(/\{(\w+)\}/g, (_, name: string) => String(values[name] ?? ''));
 }
+
+const ORDINALS = new Intl.PluralRules('en', { type: 'ordinal' });
+
+/** A number in a row: 1st, 52nd, 84th. */
+export function ordinal(n: number): string {
+  const rule = ORDINALS.select(n);
+  return t(rule === 'one' || rule === 'two' || rule === 'few' ? `ordinal.${rule}` : 'ordinal.other', { n });
+}
