@@ -6,6 +6,7 @@ pub mod measure;
 mod openquake;
 mod outcomes;
 mod pelicun;
+mod runs;
 pub(crate) mod table;
 
 use std::path::PathBuf;
@@ -27,6 +28,10 @@ pub use measure::{At, Measure};
 pub use openquake::{OpenQuakeRequest, openquake_files};
 pub use outcomes::OutcomeTable;
 pub use pelicun::{PelicunRequest, pelicun_files};
+pub use runs::{
+    DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS, Method, Quality, RunObjects,
+    RunsReport, RunsRequest, file_name, fragility_of_runs,
+};
 
 /// How limit states are fitted, by name.
 pub const FITS: Choices<FitKind> = &[
@@ -122,6 +127,12 @@ pub struct ObjectFragility {
     pub goodness: Option<Goodness>,
     /// Fits of samples of motions; `None` for counts.
     pub bootstrap: Option<Bootstrap>,
+    /// How well the measure tells what happens; empty where only the outcomes are known.
+    pub qualities: Vec<Quality>,
+    /// Runs that stayed upright above a scale that overturned the object; `None`: not known.
+    pub resurrections: Option<usize>,
+    /// Runs with a motion that was scaled by more than 4; `None`: not known.
+    pub scaled_above_4: Option<usize>,
 }
 
 /// What was fitted.
@@ -137,6 +148,8 @@ pub struct FragilityReport {
     pub objects: Vec<ObjectFragility>,
     /// What to know beside the result.
     pub warnings: Vec<String>,
+    /// How the runs were chosen.
+    pub method: &'static str,
 }
 
 /// Fits the fragilities of all objects of a table.
@@ -145,11 +158,20 @@ pub struct FragilityReport {
 /// A table that cannot be read.
 pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems> {
     let table = OutcomeTable::load(&request.outcomes)?;
+    fitted(request, table, METHOD)
+}
+
+/// Fits the fragilities of all objects of a table that was read.
+fn fitted(
+    request: FragilityRequest,
+    table: OutcomeTable,
+    method: &'static str,
+) -> Result<FragilityReport, Problems> {
     let at = table.measure.at(request.at)?;
     let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
     // Within an object the samples are calculated in parallel.
-    let objects = table.objects.iter().enumerate().map(|(i, id)| {
-        let outcomes = table.of(i)?;
+    let each = table.objects.iter().zip(table.by_object()?).enumerate();
+    let objects = each.map(|(i, (id, outcomes))| {
         let mut states = outcomes.limit_states();
         if request.shock.is_some() {
             states.retain(|state| *state != LimitState::Exceeds);
@@ -161,11 +183,22 @@ pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems>
             .then(|| bootstrap(&outcomes, &states, request.fit, replicates, request.seed))
             .flatten();
         let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
-        Ok(ObjectFragility { id: id.clone(), outcomes, unresolved, fit, two_stage, goodness, bootstrap })
+        Ok(ObjectFragility {
+            id: id.clone(),
+            outcomes,
+            unresolved,
+            fit,
+            two_stage,
+            goodness,
+            bootstrap,
+            qualities: Vec::new(),
+            resurrections: None,
+            scaled_above_4: None,
+        })
     });
     let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
     let warnings = objects.iter().flat_map(warnings).collect();
-    Ok(FragilityReport { request, table, at, objects, warnings })
+    Ok(FragilityReport { request, table, at, objects, warnings, method })
 }
 
 /// The probability of exceeding a tolerance from the shocks of an object.
@@ -253,7 +286,7 @@ impl ObjectFragility {
         self.outcomes.totals().iter().sum()
     }
 
-    fn facts(&self, measure: Measure, at: At) -> Facts<'static> {
+    fn facts(&self, measure: Measure, at: At, method: &'static str) -> Facts<'static> {
         let totals = self.outcomes.totals();
         let count = |class: OutcomeClass| totals[class.index()];
         let counts = Facts::default()
@@ -303,6 +336,12 @@ impl ObjectFragility {
             .as_ref()
             .map(|samples| Facts::default().key("replicates", samples.samples.len()).key("failed", samples.failed));
         let has_fit = !self.fit.fitted_states().is_empty();
+        // Of the most severe limit state that has one.
+        let severe = self.qualities.iter().rfind(|quality| quality.efficiency.is_some());
+        let efficiency = match severe {
+            Some(quality) => quality.efficiency,
+            None => capacity_spread(&self.outcomes, LimitState::Overturns),
+        };
         let levels = self.outcomes.levels();
         let crossing = levels.first().zip(levels.last()).and_then(|(from, to)| self.fit.crossing(*from, *to));
         Facts::default()
@@ -310,7 +349,7 @@ impl ObjectFragility {
             .key("im", measure.name())
             .key("im_unit", measure.unit())
             .key("at", at.name())
-            .key("method", METHOD)
+            .key("method", method)
             .key("fit", name_of(FITS, self.fit.kind))
             .key("motions", self.outcomes.motions())
             .key("runs", self.runs())
@@ -321,8 +360,11 @@ impl ObjectFragility {
             .key("crossing_im", crossing.map(|(_, _, x)| x))
             .key("log_likelihood", has_fit.then_some(self.fit.log_likelihood))
             .key("goodness", goodness)
-            .key("efficiency", capacity_spread(&self.outcomes, LimitState::Overturns))
-            .key("sufficiency", None::<f64>)
+            .key("efficiency", efficiency)
+            .key("sufficiency", severe.map(Quality::sufficiency))
+            .key("measures", self.qualities.iter().map(Quality::facts).collect::<Vec<Facts>>())
+            .key("resurrections", self.resurrections)
+            .key("scaled_above_4", self.scaled_above_4)
             .key("bootstrap", bootstrap)
     }
 
@@ -366,7 +408,6 @@ impl FragilityReport {
 
     /// The document.
     pub fn facts(&self) -> Facts<'static> {
-        let objects: Vec<Facts> = self.objects.iter().map(|object| object.facts(self.table.measure, self.at)).collect();
         let input = Facts::default()
             .key("path", self.table.file.path.display().to_string())
             .key("sha256", self.table.file.sha256.clone());
@@ -374,7 +415,12 @@ impl FragilityReport {
             .key("version", env!("CARGO_PKG_VERSION"))
             .key("seed", self.request.seed)
             .key("inputs", vec![input])
-            .key("objects", objects)
+            .key("objects", self.object_facts())
+    }
+
+    /// The objects of the document.
+    fn object_facts(&self) -> Vec<Facts<'static>> {
+        self.objects.iter().map(|object| object.facts(self.table.measure, self.at, self.method)).collect()
     }
 
     /// One row for each curve, for people.
@@ -440,7 +486,7 @@ impl FragilityReport {
                     .key("beta_ci95_high", beta.map(|ends| ends.1))
                     .key("lower", curve.kind.lower())
                     .key("upper", curve.kind.upper())
-                    .key("method", METHOD)
+                    .key("method", self.method)
                     .key("fit", name_of(FITS, object.fit.kind))
                     .key("motions", object.outcomes.motions())
                     .key("runs", object.runs())
