@@ -30,7 +30,7 @@ pub use outcomes::OutcomeTable;
 pub use pelicun::{PelicunRequest, pelicun_files};
 pub use runs::{
     DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS, Method, Quality, RunObjects,
-    RunsReport, RunsRequest, file_name, fragility_of_runs,
+    RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
 
 /// How limit states are fitted, by name.

@@ -17,7 +17,7 @@ use freestand::block::Block;
 use freestand::fragility::{FitKind, LimitState, resurrections};
 use freestand::rocking::Restitution;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::quantity::shorten;
+use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::words::{Choices, counted, name_of, significant};
 use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
@@ -26,7 +26,7 @@ use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
 use rayon::prelude::*;
 
-use super::measure::{At, Measure};
+use super::measure::{At, MEASURES, Measure};
 use super::{FragilityReport, FragilityRequest, fitted};
 use crate::inventory::Inventory;
 use crate::library::{Confidence, Tolerance};
@@ -58,13 +58,52 @@ pub const METHODS: Choices<Method> = &[
 
 /// Scales above this are marked: a motion that is scaled so much hardly is one of an earthquake that
 /// strong.
-pub const DOUBTFUL_SCALE: f64 = 4.0;
+const DOUBTFUL_SCALE: f64 = 4.0;
 
 /// The largest scale, where the user does not say.
 pub const DEFAULT_MAX_SCALE: f64 = 10.0;
 
 /// The most measures of one request.
 const MAX_MEASURES: usize = 24;
+
+/// Measures as a list, `pfv, sa(0.5)`.
+///
+/// # Errors
+/// An unknown measure.
+pub fn measures(text: &str) -> Result<Vec<Measure>, Problem> {
+    let measure = |name: &str| {
+        let parsed = Measure::parse(name);
+        parsed.ok_or_else(|| {
+            let message = format!("\"{}\" is not an intensity measure", shorten(name.trim()));
+            Problem::value(message, format!("write some of {MEASURES}, without the units"))
+        })
+    };
+    text.split(',').map(measure).collect()
+}
+
+/// `adaptive`, or a grid: of factors for an incremental analysis, of intensities by the first measure
+/// for stripes.
+///
+/// # Errors
+/// A grid that cannot be read or has a value that is not above 0, or a method that has no scales.
+pub fn scales(text: &str, method: Method, first: Measure) -> Result<Option<Vec<f64>>, Problem> {
+    if text.trim() == "adaptive" {
+        return Ok(None);
+    }
+    let values = match method {
+        Method::Incremental => parse_grid(text, Dimension::Ratio)
+            .map_err(|problem| problem.hint("write adaptive, or factors such as \"0.5:5:10\" or \"0.5, 1, 2\""))?,
+        Method::Stripes => first.quantities(text)?,
+        Method::Cloud => {
+            let hint = "leave the scales out, or give `method = \"ida\"`";
+            return Err(Problem::value("a cloud has every motion as it is", hint).of(&["scales"]));
+        }
+    };
+    if let Some(bad) = values.iter().find(|value| **value <= 0.0) {
+        return Err(Problem::value(format!("{bad} is not above 0"), "give positive values").of(&["scales"]));
+    }
+    Ok(Some(values))
+}
 
 /// One object by its numbers, under motions of its floor.
 #[derive(Debug, Clone)]
