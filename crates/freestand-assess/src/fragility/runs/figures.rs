@@ -24,7 +24,7 @@ const MAX_OBJECTS: usize = 3;
 /// Height of a row of panels \[px\].
 const PANEL_PX: f64 = 320.0;
 /// Where an overturned run is drawn, in θ/α.
-const TOP: f64 = 1.05;
+const TOP: f64 = 1.15;
 
 /// One line for each motion: the largest rotation, and the shock, against the intensity.
 pub(super) fn ida(report: &RunsReport) -> Result<Figure, FigureError> {
@@ -102,7 +102,7 @@ fn class(run: &Followed) -> Option<OutcomeClass> {
 
 fn rotations(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) -> Panel {
     let x = intensity_axis(report, one, measure, at);
-    let y = Axis { from: 0.0, to: 1.1, step: Some(0.2), label: "Rotation over α".to_owned() };
+    let y = Axis { from: 0.0, to: 1.2, step: Some(0.2), label: "Rotation over α".to_owned() };
     let to = x.to;
     let (mut plots, mut firsts) = (Vec::new(), Vec::new());
     for runs in intensities(report, one, measure, at) {

@@ -9,6 +9,10 @@ use super::follow::Followed;
 use super::shaking::{Shaking, Strength};
 use super::{Method, ObjectRuns};
 
+/// Rotations over α below this take no part in the line of ln demand: at the intensity that just lifts
+/// an object the rotation is 0, and its logarithm has no end.
+const LEAST_ROTATION_RATIO: f64 = 0.01;
+
 /// A measure and a limit state of one object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quality {
@@ -114,7 +118,7 @@ fn demands(
         for followed in runs_of_motion {
             let upright =
                 followed.run.filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
-            let Some(run) = upright else { continue };
+            let Some(run) = upright.filter(|run| run.rotation_ratio >= LEAST_ROTATION_RATIO) else { continue };
             let demand = if by_shock { run.edge_acceleration_g } else { Some(run.rotation_ratio) };
             if let Some(demand) = demand.filter(|demand| *demand > 0.0) {
                 demands.push((motion, (unit * followed.scale_ratio).ln(), demand.ln()));
