@@ -9,8 +9,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-const CABINET: [&str; 8] =
-    ["--height", "1.8m", "--thickness", "0.4m", "--mass", "150kg", "--stiffness", "4380 N/mm"];
+const CABINET: [&str; 8] = ["--height", "1.8m", "--thickness", "0.4m", "--mass", "150kg", "--stiffness", "4380 N/mm"];
 
 fn freestand(folder: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder).output().unwrap()

@@ -29,8 +29,8 @@ pub use openquake::{OpenQuakeRequest, openquake_files};
 pub use outcomes::OutcomeTable;
 pub use pelicun::{PelicunRequest, pelicun_files};
 pub use runs::{
-    DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS, Method, Quality, RunObjects,
-    RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+    DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS, Method, Quality,
+    RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
 
 /// How limit states are fitted, by name.
@@ -162,11 +162,7 @@ pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems>
 }
 
 /// Fits the fragilities of all objects of a table that was read.
-fn fitted(
-    request: FragilityRequest,
-    table: OutcomeTable,
-    method: &'static str,
-) -> Result<FragilityReport, Problems> {
+fn fitted(request: FragilityRequest, table: OutcomeTable, method: &'static str) -> Result<FragilityReport, Problems> {
     let at = table.measure.at(request.at)?;
     let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
     // Within an object the samples are calculated in parallel.
@@ -197,7 +193,7 @@ fn fitted(
         })
     });
     let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
-    let warnings = objects.iter().flat_map(warnings).collect();
+    let warnings = gathered(&objects);
     Ok(FragilityReport { request, table, at, objects, warnings, method })
 }
 
@@ -225,17 +221,40 @@ const MANY_FAILED: f64 = 0.02;
 /// Motions below which percentile intervals are too narrow (docs/risk.md).
 const FEW_MOTIONS: usize = 40;
 
+/// The most objects with the same warning that are named one by one.
+const MAX_NAMED: usize = 3;
+
+/// The warnings of all objects; one that many of them share is said once.
+fn gathered(objects: &[ObjectFragility]) -> Vec<String> {
+    let mut kinds: Vec<(String, Vec<&str>)> = Vec::new();
+    for object in objects {
+        for text in warnings(object) {
+            match kinds.iter_mut().find(|(known, _)| *known == text) {
+                Some((_, ids)) => ids.push(&object.id),
+                None => kinds.push((text, vec![&object.id])),
+            }
+        }
+    }
+    let said = kinds.into_iter().flat_map(|(text, ids)| match ids.as_slice() {
+        [first, ..] if ids.len() > MAX_NAMED => {
+            vec![format!("{}, {} among them: {text}", counted(ids.len(), "object"), shorten(first))]
+        }
+        _ => ids.iter().map(|id| format!("{id}: {text}")).collect(),
+    });
+    said.collect()
+}
+
+/// The warnings of an object, without its id.
 fn warnings(object: &ObjectFragility) -> Vec<String> {
     let mut warnings = Vec::new();
-    let id = &object.id;
     if object.unresolved > 0 {
-        warnings.push(format!("{id}: {} could not be followed and left out", counted(object.unresolved, "run")));
+        warnings.push(format!("{} could not be followed and left out", counted(object.unresolved, "run")));
     }
     let levels = object.outcomes.levels();
     let ends = levels.first().zip(levels.last());
     if let Some((one, other, x)) = ends.and_then(|(from, to)| object.fit.crossing(*from, *to)) {
         warnings.push(format!(
-            "{id}: the curves of {} and {} cross at {}, beyond which the more severe state would be the more probable \
+            "the curves of {} and {} cross at {}, beyond which the more severe state would be the more probable \
              one: use `fit = \"ordered\"`",
             one.name(),
             other.name(),
@@ -244,25 +263,25 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
     }
     if object.goodness.is_some_and(|goodness| goodness.is_misfit()) {
         warnings.push(format!(
-            "{id}: the curves do not fit the runs (p = {}): compare them with empirical.csv",
+            "the curves do not fit the runs (p = {}): compare them with empirical.csv",
             significant(object.goodness.and_then(|goodness| goodness.p_value).unwrap_or(0.0), 2)
         ));
     }
     for curve in &object.fit.curves {
         if matches!(curve.kind, CurveKind::NotIncreasing { .. }) {
             let state = curve.limit_state.name();
-            warnings.push(format!("{id}: {state} is not more frequent at higher intensities, so no curve fits"));
+            warnings.push(format!("{state} is not more frequent at higher intensities, so no curve fits"));
         }
     }
     if let Some(bootstrap) = &object.bootstrap {
         let motions = object.outcomes.motions().unwrap_or(0);
         if motions < FEW_MOTIONS {
             let motions = counted(motions, "motion");
-            warnings.push(format!("{id}: the 95 % intervals of {motions} are too narrow, above all those of beta"));
+            warnings.push(format!("the 95 % intervals of {motions} are too narrow, above all those of beta"));
         }
         if bootstrap.failed as f64 > MANY_FAILED * bootstrap.samples.len() as f64 {
             warnings.push(format!(
-                "{id}: {} of {} samples have no curve, so the intervals are doubtful: run more motions or levels",
+                "{} of {} samples have no curve, so the intervals are doubtful: run more motions or levels",
                 bootstrap.failed,
                 bootstrap.samples.len()
             ));

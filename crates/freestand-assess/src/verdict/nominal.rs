@@ -115,8 +115,7 @@ impl Nominal {
         // The middle of what an assessment draws for its pads.
         let mut draw = draw(&settings, &subject, 0, 0, Change::At(Group::Pad, 0.0)).without_factors();
         // The wall is behind it, with the usual restitution where the list gives none.
-        draw.wall =
-            draw.wall.map(|_| WallDraw { is_on_left: true, restitution_ratio: DEFAULT_WALL_RESTITUTION_RATIO });
+        draw.wall = draw.wall.map(|_| WallDraw { is_on_left: true, restitution_ratio: DEFAULT_WALL_RESTITUTION_RATIO });
         let walls = draw.walls(&subject, 0);
         let body = draw.body(&subject);
         Self { block, level_ratio: subject.level_ratio, subject, draw, walls, body }
@@ -125,6 +124,11 @@ impl Nominal {
     /// Whether it has a tolerance that can be compared.
     pub(crate) fn has_tolerance(&self) -> bool {
         self.subject.capacity.as_ref().is_some_and(|capacity| !capacity.needs_shock() || self.body.is_some())
+    }
+
+    /// Whether its tolerance is compared with a shock.
+    pub(crate) fn compares_shock(&self) -> bool {
+        self.body.is_some() && self.subject.capacity.as_ref().is_some_and(Capacity::needs_shock)
     }
 
     /// Whether its tolerance cannot be compared, because mass or cushion are missing.

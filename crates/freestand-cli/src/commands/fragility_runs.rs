@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::rocking::{Base, Restitution};
 use freestand_assess::fragility::{
-    At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, Limits, METHODS, Measure, Method,
-    RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+    At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, Limits, METHODS, Measure, Method, RunObjects,
+    RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -234,7 +234,8 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     values.finish()?;
 
     let mut notes = Vec::new();
-    let mut inputs: Vec<PathBuf> = runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
+    let mut inputs: Vec<PathBuf> =
+        runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
     inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).cloned());
     let files = Files::begin(global, &inputs)?;
     let (study, inventory);

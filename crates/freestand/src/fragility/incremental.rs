@@ -217,7 +217,10 @@ mod tests {
             for state in STATES {
                 let place = runs.iter().position(|run| run.class.is_some_and(|class| state.is_reached(class)));
                 let Some(place) = place else {
-                    assert_eq!((state, capacity, runs.last().unwrap().scale_ratio), (LimitState::Overturns, 20.0, 10.0));
+                    assert_eq!(
+                        (state, capacity, runs.last().unwrap().scale_ratio),
+                        (LimitState::Overturns, 20.0, 10.0)
+                    );
                     continue;
                 };
                 let (below, above) = (runs[place - 1].scale_ratio, runs[place].scale_ratio);

@@ -7,9 +7,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, significant};
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, columns, draw};
-use freestand_output::figure::style::{
-    Axis, DARK, GREY, axes, curve_style, hollow, line, markers, plain, plain_ticks,
-};
+use freestand_output::figure::style::{Axis, DARK, GREY, axes, curve_style, hollow, line, markers, plain, plain_ticks};
 use freestand_output::figure::{Figure, FigureError};
 use kuva::plot::scatter::MarkerShape;
 use kuva::render::layout::TickFormat;
@@ -155,8 +153,7 @@ fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis, id: &str) -> P
 pub(super) fn measures(report: &RunsReport) -> Result<Figure, FigureError> {
     let first = report.reports.first().map_or(&[][..], |one| one.objects.as_slice());
     let shown = first.len().min(MAX_OBJECTS);
-    let names: Arc<Vec<String>> =
-        Arc::new(report.reports.iter().map(|one| plain(&one.table.measure.name())).collect());
+    let names: Arc<Vec<String>> = Arc::new(report.reports.iter().map(|one| plain(&one.table.measure.name())).collect());
     let mut panels = Vec::new();
     let mut states: Vec<LimitState> = Vec::new();
     for i in 0..shown {
@@ -193,10 +190,9 @@ pub(super) fn measures(report: &RunsReport) -> Result<Figure, FigureError> {
     }
     states.sort_unstable();
     states.dedup();
-    let legend = states.into_iter().map(|state| Entry {
-        sign: Sign::Curve(curve_style(place(state))),
-        words: state.name().to_owned(),
-    });
+    let legend = states
+        .into_iter()
+        .map(|state| Entry { sign: Sign::Curve(curve_style(place(state))), words: state.name().to_owned() });
     let count = panels.len();
     draw(Page {
         name: "measures".to_owned(),
@@ -258,8 +254,7 @@ fn residual_panel(points: &[(f64, f64)], label: &str, title: &str) -> Panel {
     if let Some(found) = line_through(points) {
         // Straight in the logarithm.
         let at = |i: usize| x_from * (x_to / x_from).powf(i as f64 / 40.0);
-        let trend: Vec<(f64, f64)> =
-            (0..=40).map(|i| (at(i), found.intercept + found.slope * at(i).ln())).collect();
+        let trend: Vec<(f64, f64)> = (0..=40).map(|i| (at(i), found.intercept + found.slope * at(i).ln())).collect();
         plots.push(line(&trend, curve_style(1).colour, 1.6, curve_style(1).dash));
     }
     plots.push(markers(&real, curve_style(0).colour, MarkerShape::Circle, 3.4));

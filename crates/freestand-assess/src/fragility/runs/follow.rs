@@ -4,7 +4,7 @@ use freestand::fragility::{LimitState, ScaleRun, missing_levels, scales_of_motio
 use freestand::rocking::Base;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::significant;
+use freestand_input::words::number;
 
 use super::super::measure::{At, Measure};
 use super::shaking::Shaking;
@@ -54,7 +54,7 @@ pub(super) fn first_runs(
         let message = format!(
             "the motion {} would be scaled by {}, above the largest scale of {}",
             shorten(&shaking.name),
-            significant(most, 4),
+            number(most, 4),
             request.max_scale_ratio
         );
         let hint = "give smaller `scales`, stronger motions, or a larger `max_scale`";
@@ -131,11 +131,8 @@ fn span(one: &ObjectRuns, shakings: &[Shaking], measure: Measure, place: usize, 
 /// largest scale.
 pub(super) fn fill(request: &RunsRequest, one: &mut ObjectRuns, shakings: &[Shaking], measures: &[(Measure, At)]) {
     use rayon::prelude::*;
-    let spans: Vec<Option<(f64, f64)>> = measures
-        .iter()
-        .enumerate()
-        .map(|(place, (measure, at))| span(one, shakings, *measure, place, *at))
-        .collect();
+    let spans: Vec<Option<(f64, f64)>> =
+        measures.iter().enumerate().map(|(place, (measure, at))| span(one, shakings, *measure, place, *at)).collect();
     one.spans.clone_from(&spans);
     let seen: &ObjectRuns = one;
     let more: Vec<Vec<Followed>> = shakings

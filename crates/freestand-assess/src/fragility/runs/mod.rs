@@ -398,8 +398,7 @@ fn prepare(
                 return Err(Problem::value("there are no motions to run", "give `motion`, one or more files").into());
             }
             let tolerance = Some(object.limits.tolerance()).filter(|_| object.limits != Limits::default());
-            let nominal =
-                Nominal::of_block(object.block, object.restitution, object.body.as_ref(), tolerance.as_ref());
+            let nominal = Nominal::of_block(object.block, object.restitution, object.body.as_ref(), tolerance.as_ref());
             if nominal.lacks_shock() {
                 let hint = "give `mass` and `stiffness` (or another cushion), or leave the tolerance out";
                 let message = "the tolerance is compared with the shock of a landing, which is not known";
@@ -483,15 +482,15 @@ impl RunsReport {
                 counted(runs, "run")
             ));
         }
-        let of_fits = self.reports.iter().flat_map(|report| {
-            let name = report.table.measure.name();
-            let several = self.reports.len() > 1;
-            report.warnings.iter().map(move |text| if several { format!("{name}: {text}") } else { text.clone() })
-        });
         // Some do not depend on the measure.
-        for text in of_fits {
-            if !warnings.contains(&text) {
-                warnings.push(text);
+        let is_of_all = |text: &String| self.reports.iter().all(|report| report.warnings.contains(text));
+        for report in &self.reports {
+            let name = report.table.measure.name();
+            for text in &report.warnings {
+                let text = if is_of_all(text) { text.clone() } else { format!("{name}: {text}") };
+                if !warnings.contains(&text) {
+                    warnings.push(text);
+                }
             }
         }
         warnings

@@ -78,9 +78,10 @@ pub(super) fn qualities(
                     let left: Vec<(usize, f64)> = left.map(|((motion, ..), e)| (*motion, *e)).collect();
                     (line.as_ref().map(|line| line.residual_sd), left)
                 }
-                Method::Incremental | Method::Stripes => {
-                    (capacity_spread(&object.outcomes, limit_state), capacities(limit_state, runs, shakings, (measure, place, at)))
-                }
+                Method::Incremental | Method::Stripes => (
+                    capacity_spread(&object.outcomes, limit_state),
+                    capacities(limit_state, runs, shakings, (measure, place, at)),
+                ),
             };
             let about = |motion: usize| shakings.get(motion).and_then(|shaking| shaking.at(at));
             let residuals: Vec<[f64; 3]> = left
@@ -111,13 +112,12 @@ fn demands(
     shakings: &[Shaking],
     (measure, place, at): (Measure, usize, At),
 ) -> Vec<(usize, f64, f64)> {
-    let by_shock = state == LimitState::Exceeds && runs.nominal.has_tolerance();
+    let by_shock = state == LimitState::Exceeds && runs.nominal.compares_shock();
     let mut demands = Vec::new();
     for (motion, (runs_of_motion, shaking)) in runs.motions.iter().zip(shakings).enumerate() {
         let Some(unit) = shaking.intensity(measure, place, at, runs.factors) else { continue };
         for followed in runs_of_motion {
-            let upright =
-                followed.run.filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
+            let upright = followed.run.filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
             let Some(run) = upright.filter(|run| run.rotation_ratio >= LEAST_ROTATION_RATIO) else { continue };
             let demand = if by_shock { run.edge_acceleration_g } else { Some(run.rotation_ratio) };
             if let Some(demand) = demand.filter(|demand| *demand > 0.0) {

@@ -197,12 +197,7 @@ pub(super) fn of_study(
             let name = all.name(world as u32);
             let strength = Strength::new(floor.component(true), asked).map_err(|problem| of_motion(problem, &name))?;
             still(&strength, &name)?;
-            Ok(Shaking {
-                name,
-                floor: Arc::new(Moved::OfWorld(floor)),
-                at_floor: strength,
-                at_ground: ground.clone(),
-            })
+            Ok(Shaking { name, floor: Arc::new(Moved::OfWorld(floor)), at_floor: strength, at_ground: ground.clone() })
         });
         made.collect::<Result<_, Problem>>().map_err(Problems::from)
     };
