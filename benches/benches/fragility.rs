@@ -51,6 +51,7 @@ fn request(height_m: f64, thickness_m: f64, replicates: u32, motions: &[FloorMot
         fit: FitKind::Ordered,
         replicates: Some(replicates),
         seed: 1,
+        inputs: Vec::new(),
     }
 }
 

@@ -15,6 +15,7 @@ use freestand::fragility::{
     Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, OutcomeClass, Outcomes, ShockFitError, TwoStage,
     bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
 };
+use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, name_of, significant};
@@ -290,6 +291,11 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
     warnings
 }
 
+/// A file in the document.
+fn input_facts(file: &InputFile) -> Facts<'static> {
+    Facts::default().key("path", file.path.display().to_string()).key("sha256", file.sha256.clone())
+}
+
 /// A pair of ends as an array.
 pub(crate) fn ends(pair: Option<(f64, f64)>) -> Value<'static> {
     pair.map(|(low, high)| [low, high]).into()
@@ -427,13 +433,10 @@ impl FragilityReport {
 
     /// The document.
     pub fn facts(&self) -> Facts<'static> {
-        let input = Facts::default()
-            .key("path", self.table.file.path.display().to_string())
-            .key("sha256", self.table.file.sha256.clone());
         Facts::default()
             .key("version", env!("CARGO_PKG_VERSION"))
             .key("seed", self.request.seed)
-            .key("inputs", vec![input])
+            .key("inputs", vec![input_facts(&self.table.file)])
             .key("objects", self.object_facts())
     }
 

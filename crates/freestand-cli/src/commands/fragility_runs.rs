@@ -8,6 +8,7 @@ use freestand_assess::fragility::{
     At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, Limits, METHODS, Measure, Method, RunObjects,
     RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
+use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::words::counted;
@@ -105,6 +106,9 @@ const MEASURE_COLUMNS: [Column; 8] = [
     ("p_pgv_over_pga", "p PGV/PGA", 0),
 ];
 
+/// Motions, what their readers noted, and their files.
+type Motions = (Vec<FloorMotion>, Vec<String>, Vec<InputFile>);
+
 impl RunArgs {
     /// What is run: something that names an object.
     pub(crate) fn is_given(&self) -> bool {
@@ -158,17 +162,18 @@ impl RunArgs {
         })
     }
 
-    /// The motions, with the notes of their readers.
-    fn motions(&self) -> Result<(Vec<FloorMotion>, Vec<String>), Failure> {
-        let (mut motions, mut notes) = (Vec::new(), Vec::new());
+    /// The motions, with the notes of their readers and their files.
+    fn motions(&self) -> Result<Motions, Failure> {
+        let (mut motions, mut notes, mut files) = (Vec::new(), Vec::new(), Vec::new());
         for read in self.read.read_all(&self.motion)? {
             let name = read.motion.name;
+            files.push(InputFile { path: read.motion.path, sha256: read.motion.sha256 });
             notes.extend(read.notes.iter().map(|note| format!("{name}: {note}")));
             motions.push(FloorMotion { name, horizontal: read.motion.motion, vertical: None });
         }
         let count = self.vertical.len();
         if count == 0 {
-            return Ok((motions, notes));
+            return Ok((motions, notes, files));
         }
         if count != motions.len() {
             return Err(Failure::usage(
@@ -178,13 +183,14 @@ impl RunArgs {
         }
         let verticals = self.vertically.reading(&self.read)?.read_all(&self.vertical)?;
         for (motion, read) in motions.iter_mut().zip(verticals) {
+            files.push(InputFile { path: read.motion.path.clone(), sha256: read.motion.sha256.clone() });
             notes.extend(read.notes.iter().map(|note| format!("vertical {}: {note}", read.motion.name)));
             motion.vertical = Some(read.motion.motion);
             Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() }
                 .check()
                 .map_err(problem)?;
         }
-        Ok((motions, notes))
+        Ok((motions, notes, files))
     }
 
     /// Refuses flags of one object beside an inventory.
@@ -233,7 +239,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let grid = values.take(grid.map_err(|problem| problem.named("scales"))).flatten().flatten();
     values.finish()?;
 
-    let mut notes = Vec::new();
+    let (mut notes, mut sources) = (Vec::new(), Vec::new());
     let mut inputs: Vec<PathBuf> =
         runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
     inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).cloned());
@@ -241,14 +247,21 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let (study, inventory);
     let objects = match given {
         Some(object) => {
-            let (motions, read) = runs.motions()?;
-            notes = read;
+            let (motions, read, files) = runs.motions()?;
+            (notes, sources) = (read, files);
             RunObjects::Given(Box::new(GivenObject { motions, ..object }))
         }
         None => {
             let (of_study, _, of_list) = runs.list.read(global, None)?;
             (study, inventory) = (of_study, of_list);
             notes.extend(inventory.warnings.iter().cloned());
+            if let Some(path) = &study.source {
+                sources.push(InputFile::new(path, &load(path)?));
+            }
+            sources.push(InputFile { path: inventory.path.clone(), sha256: inventory.sha256.clone() });
+            sources.extend(inventory.libraries.iter().cloned());
+            let recorded = study.ground.recorded(&study.levels);
+            sources.extend(recorded.map(|one| InputFile { path: one.path.clone(), sha256: one.sha256.clone() }));
             RunObjects::Listed { study: &study, inventory: &inventory, worlds: runs.worlds }
         }
     };
@@ -263,6 +276,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         fit: args.fit,
         replicates: args.bootstrap,
         seed: global.seed(),
+        inputs: sources,
     };
     let found = watched(printer, |progress| fragility_of_runs(&request, progress));
     let report = found.map_err(|problems| match problems.is_stopped() {

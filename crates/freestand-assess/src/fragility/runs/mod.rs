@@ -16,6 +16,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use freestand::block::Block;
 use freestand::fragility::{FitKind, LimitState, resurrections};
 use freestand::rocking::Restitution;
+use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::words::{Choices, counted, name_of, significant};
@@ -190,6 +191,8 @@ pub struct RunsRequest<'a> {
     pub replicates: Option<u32>,
     /// Seed of the bootstrap.
     pub seed: u64,
+    /// The files that it was made from, for the document.
+    pub inputs: Vec<InputFile>,
 }
 
 /// One object and its runs.
@@ -223,6 +226,7 @@ pub struct RunsReport {
     objects: Vec<ObjectRuns>,
     floors: Vec<Vec<Shaking>>,
     left_out: Vec<(String, String)>,
+    inputs: Vec<InputFile>,
 }
 
 /// Runs objects under motions at many scales and fits their fragilities, on the current thread pool;
@@ -301,6 +305,7 @@ fn fit(
         objects,
         floors,
         left_out,
+        inputs: request.inputs.clone(),
     };
     for (place, (measure, at)) in measures.iter().enumerate() {
         go_on()?;
@@ -515,6 +520,7 @@ impl RunsReport {
                     .key("floor_mean_period_s", shaking.at_floor.mean_period_s)
             })
             .collect();
+        let inputs: Vec<Facts> = self.inputs.iter().map(super::input_facts).collect();
         let left_out: Vec<Facts> = self
             .left_out
             .iter()
@@ -527,6 +533,7 @@ impl RunsReport {
             .key("max_scale", self.max_scale_ratio)
             .key("scales", self.scales.clone())
             .key("tolerance_rotation_ratio", self.rotation_ratio)
+            .key("inputs", inputs)
             .key("motions", motions)
             .key("left_out", left_out)
             .key("objects", objects)
