@@ -243,7 +243,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let mut inputs: Vec<PathBuf> =
         runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
     inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).cloned());
-    let files = Files::begin(global, &inputs)?;
+    let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
     let (study, inventory);
     let objects = match given {
         Some(object) => {
@@ -302,10 +302,10 @@ fn write(
 ) -> Result<(), Failure> {
     for (place, (fit, outcomes)) in report.reports.iter().zip(&report.outcomes).enumerate() {
         let name = |what: &str| file_name(what, place, fit.table.measure);
-        let (csv, empirical) = (fit.csv()?, fit.empirical_csv()?);
+        let table = |what: &str| name(what).trim_end_matches(".csv").to_owned();
         files.write(&name("outcomes"), || outcomes)?;
-        files.write(&name("fragility"), || csv)?;
-        files.write(&name("empirical"), || empirical)?;
+        files.table(&table("fragility"), || fit.table())?;
+        files.table(&table("empirical"), || fit.empirical_table())?;
     }
     let json = document(FRAGILITY_SCHEMA, facts, warnings)?;
     files.write("fragility.json", || json)?;
