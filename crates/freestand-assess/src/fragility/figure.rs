@@ -58,7 +58,7 @@ pub(super) fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureEr
     })
 }
 
-fn place(state: LimitState) -> usize {
+pub(super) fn place(state: LimitState) -> usize {
     LimitState::ALL.iter().position(|other| *other == state).unwrap_or(0)
 }
 

@@ -2,7 +2,7 @@
 
 use freestand::G0_M_S2;
 use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, lookup, parse_in_unit, parse_positive};
+use freestand_input::quantity::{Dimension, lookup, parse_grid, parse_in_unit, parse_positive};
 use freestand_input::words::shortest;
 
 /// Where a measure is taken.
@@ -160,6 +160,15 @@ impl Measure {
     pub(crate) fn quantity(self, text: &str) -> Result<f64, Problem> {
         let value = parse_positive(text, self.dimension(), "the intensity")?;
         Ok(if self.dimension() == Dimension::Acceleration { value / G0_M_S2 } else { value })
+    }
+
+    /// Intensities as a grid or a list with units, in the unit of outputs.
+    ///
+    /// # Errors
+    /// A grid that cannot be read, or a unit of something else.
+    pub(crate) fn quantities(self, text: &str) -> Result<Vec<f64>, Problem> {
+        let to_output = if self.dimension() == Dimension::Acceleration { 1.0 / G0_M_S2 } else { 1.0 };
+        Ok(parse_grid(text, self.dimension())?.into_iter().map(|value| value * to_output).collect())
     }
 
     /// The factor from a unit to that of outputs.

@@ -6,6 +6,7 @@ pub mod measure;
 mod openquake;
 mod outcomes;
 mod pelicun;
+mod runs;
 pub(crate) mod table;
 
 use std::path::PathBuf;
@@ -14,6 +15,7 @@ use freestand::fragility::{
     Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, OutcomeClass, Outcomes, ShockFitError, TwoStage,
     bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
 };
+use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, name_of, significant};
@@ -27,6 +29,10 @@ pub use measure::{At, Measure};
 pub use openquake::{OpenQuakeRequest, openquake_files};
 pub use outcomes::OutcomeTable;
 pub use pelicun::{PelicunRequest, pelicun_files};
+pub use runs::{
+    DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS, Method, Quality,
+    RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+};
 
 /// How limit states are fitted, by name.
 pub const FITS: Choices<FitKind> = &[
@@ -122,6 +128,12 @@ pub struct ObjectFragility {
     pub goodness: Option<Goodness>,
     /// Fits of samples of motions; `None` for counts.
     pub bootstrap: Option<Bootstrap>,
+    /// How well the measure tells what happens; empty where only the outcomes are known.
+    pub qualities: Vec<Quality>,
+    /// Runs that stayed upright above a scale that overturned the object; `None`: not known.
+    pub resurrections: Option<usize>,
+    /// Runs with a motion that was scaled by more than 4; `None`: not known.
+    pub scaled_above_4: Option<usize>,
 }
 
 /// What was fitted.
@@ -137,6 +149,8 @@ pub struct FragilityReport {
     pub objects: Vec<ObjectFragility>,
     /// What to know beside the result.
     pub warnings: Vec<String>,
+    /// How the runs were chosen.
+    pub method: &'static str,
 }
 
 /// Fits the fragilities of all objects of a table.
@@ -145,11 +159,16 @@ pub struct FragilityReport {
 /// A table that cannot be read.
 pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems> {
     let table = OutcomeTable::load(&request.outcomes)?;
+    fitted(request, table, METHOD)
+}
+
+/// Fits the fragilities of all objects of a table that was read.
+fn fitted(request: FragilityRequest, table: OutcomeTable, method: &'static str) -> Result<FragilityReport, Problems> {
     let at = table.measure.at(request.at)?;
     let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
     // Within an object the samples are calculated in parallel.
-    let objects = table.objects.iter().enumerate().map(|(i, id)| {
-        let outcomes = table.of(i)?;
+    let each = table.objects.iter().zip(table.by_object()?).enumerate();
+    let objects = each.map(|(i, (id, outcomes))| {
         let mut states = outcomes.limit_states();
         if request.shock.is_some() {
             states.retain(|state| *state != LimitState::Exceeds);
@@ -161,11 +180,22 @@ pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems>
             .then(|| bootstrap(&outcomes, &states, request.fit, replicates, request.seed))
             .flatten();
         let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
-        Ok(ObjectFragility { id: id.clone(), outcomes, unresolved, fit, two_stage, goodness, bootstrap })
+        Ok(ObjectFragility {
+            id: id.clone(),
+            outcomes,
+            unresolved,
+            fit,
+            two_stage,
+            goodness,
+            bootstrap,
+            qualities: Vec::new(),
+            resurrections: None,
+            scaled_above_4: None,
+        })
     });
     let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
-    let warnings = objects.iter().flat_map(warnings).collect();
-    Ok(FragilityReport { request, table, at, objects, warnings })
+    let warnings = gathered(&objects);
+    Ok(FragilityReport { request, table, at, objects, warnings, method })
 }
 
 /// The probability of exceeding a tolerance from the shocks of an object.
@@ -192,17 +222,40 @@ const MANY_FAILED: f64 = 0.02;
 /// Motions below which percentile intervals are too narrow (docs/risk.md).
 const FEW_MOTIONS: usize = 40;
 
+/// The most objects with the same warning that are named one by one.
+const MAX_NAMED: usize = 3;
+
+/// The warnings of all objects; one that many of them share is said once.
+fn gathered(objects: &[ObjectFragility]) -> Vec<String> {
+    let mut kinds: Vec<(String, Vec<&str>)> = Vec::new();
+    for object in objects {
+        for text in warnings(object) {
+            match kinds.iter_mut().find(|(known, _)| *known == text) {
+                Some((_, ids)) => ids.push(&object.id),
+                None => kinds.push((text, vec![&object.id])),
+            }
+        }
+    }
+    let said = kinds.into_iter().flat_map(|(text, ids)| match ids.as_slice() {
+        [first, ..] if ids.len() > MAX_NAMED => {
+            vec![format!("{}, {} among them: {text}", counted(ids.len(), "object"), shorten(first))]
+        }
+        _ => ids.iter().map(|id| format!("{id}: {text}")).collect(),
+    });
+    said.collect()
+}
+
+/// The warnings of an object, without its id.
 fn warnings(object: &ObjectFragility) -> Vec<String> {
     let mut warnings = Vec::new();
-    let id = &object.id;
     if object.unresolved > 0 {
-        warnings.push(format!("{id}: {} could not be followed and left out", counted(object.unresolved, "run")));
+        warnings.push(format!("{} could not be followed and left out", counted(object.unresolved, "run")));
     }
     let levels = object.outcomes.levels();
     let ends = levels.first().zip(levels.last());
     if let Some((one, other, x)) = ends.and_then(|(from, to)| object.fit.crossing(*from, *to)) {
         warnings.push(format!(
-            "{id}: the curves of {} and {} cross at {}, beyond which the more severe state would be the more probable \
+            "the curves of {} and {} cross at {}, beyond which the more severe state would be the more probable \
              one: use `fit = \"ordered\"`",
             one.name(),
             other.name(),
@@ -211,31 +264,36 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
     }
     if object.goodness.is_some_and(|goodness| goodness.is_misfit()) {
         warnings.push(format!(
-            "{id}: the curves do not fit the runs (p = {}): compare them with empirical.csv",
+            "the curves do not fit the runs (p = {}): compare them with empirical.csv",
             significant(object.goodness.and_then(|goodness| goodness.p_value).unwrap_or(0.0), 2)
         ));
     }
     for curve in &object.fit.curves {
         if matches!(curve.kind, CurveKind::NotIncreasing { .. }) {
             let state = curve.limit_state.name();
-            warnings.push(format!("{id}: {state} is not more frequent at higher intensities, so no curve fits"));
+            warnings.push(format!("{state} is not more frequent at higher intensities, so no curve fits"));
         }
     }
     if let Some(bootstrap) = &object.bootstrap {
         let motions = object.outcomes.motions().unwrap_or(0);
         if motions < FEW_MOTIONS {
             let motions = counted(motions, "motion");
-            warnings.push(format!("{id}: the 95 % intervals of {motions} are too narrow, above all those of beta"));
+            warnings.push(format!("the 95 % intervals of {motions} are too narrow, above all those of beta"));
         }
         if bootstrap.failed as f64 > MANY_FAILED * bootstrap.samples.len() as f64 {
             warnings.push(format!(
-                "{id}: {} of {} samples have no curve, so the intervals are doubtful: run more motions or levels",
+                "{} of {} samples have no curve, so the intervals are doubtful: run more motions or levels",
                 bootstrap.failed,
                 bootstrap.samples.len()
             ));
         }
     }
     warnings
+}
+
+/// A file in the document.
+fn input_facts(file: &InputFile) -> Facts<'static> {
+    Facts::default().key("path", file.path.display().to_string()).key("sha256", file.sha256.clone())
 }
 
 /// A pair of ends as an array.
@@ -253,7 +311,7 @@ impl ObjectFragility {
         self.outcomes.totals().iter().sum()
     }
 
-    fn facts(&self, measure: Measure, at: At) -> Facts<'static> {
+    fn facts(&self, measure: Measure, at: At, method: &'static str) -> Facts<'static> {
         let totals = self.outcomes.totals();
         let count = |class: OutcomeClass| totals[class.index()];
         let counts = Facts::default()
@@ -303,6 +361,12 @@ impl ObjectFragility {
             .as_ref()
             .map(|samples| Facts::default().key("replicates", samples.samples.len()).key("failed", samples.failed));
         let has_fit = !self.fit.fitted_states().is_empty();
+        // Of the most severe limit state that has one.
+        let severe = self.qualities.iter().rfind(|quality| quality.efficiency.is_some());
+        let efficiency = match severe {
+            Some(quality) => quality.efficiency,
+            None => capacity_spread(&self.outcomes, LimitState::Overturns),
+        };
         let levels = self.outcomes.levels();
         let crossing = levels.first().zip(levels.last()).and_then(|(from, to)| self.fit.crossing(*from, *to));
         Facts::default()
@@ -310,7 +374,7 @@ impl ObjectFragility {
             .key("im", measure.name())
             .key("im_unit", measure.unit())
             .key("at", at.name())
-            .key("method", METHOD)
+            .key("method", method)
             .key("fit", name_of(FITS, self.fit.kind))
             .key("motions", self.outcomes.motions())
             .key("runs", self.runs())
@@ -321,8 +385,11 @@ impl ObjectFragility {
             .key("crossing_im", crossing.map(|(_, _, x)| x))
             .key("log_likelihood", has_fit.then_some(self.fit.log_likelihood))
             .key("goodness", goodness)
-            .key("efficiency", capacity_spread(&self.outcomes, LimitState::Overturns))
-            .key("sufficiency", None::<f64>)
+            .key("efficiency", efficiency)
+            .key("sufficiency", severe.map(Quality::sufficiency))
+            .key("measures", self.qualities.iter().map(Quality::facts).collect::<Vec<Facts>>())
+            .key("resurrections", self.resurrections)
+            .key("scaled_above_4", self.scaled_above_4)
             .key("bootstrap", bootstrap)
     }
 
@@ -366,15 +433,16 @@ impl FragilityReport {
 
     /// The document.
     pub fn facts(&self) -> Facts<'static> {
-        let objects: Vec<Facts> = self.objects.iter().map(|object| object.facts(self.table.measure, self.at)).collect();
-        let input = Facts::default()
-            .key("path", self.table.file.path.display().to_string())
-            .key("sha256", self.table.file.sha256.clone());
         Facts::default()
             .key("version", env!("CARGO_PKG_VERSION"))
             .key("seed", self.request.seed)
-            .key("inputs", vec![input])
-            .key("objects", objects)
+            .key("inputs", vec![input_facts(&self.table.file)])
+            .key("objects", self.object_facts())
+    }
+
+    /// The objects of the document.
+    fn object_facts(&self) -> Vec<Facts<'static>> {
+        self.objects.iter().map(|object| object.facts(self.table.measure, self.at, self.method)).collect()
     }
 
     /// One row for each curve, for people.
@@ -440,7 +508,7 @@ impl FragilityReport {
                     .key("beta_ci95_high", beta.map(|ends| ends.1))
                     .key("lower", curve.kind.lower())
                     .key("upper", curve.kind.upper())
-                    .key("method", METHOD)
+                    .key("method", self.method)
                     .key("fit", name_of(FITS, object.fit.kind))
                     .key("motions", object.outcomes.motions())
                     .key("runs", object.runs())

@@ -14,6 +14,8 @@ use super::table::{Row, Table};
 
 const HINT: &str = "write one row per run under \"object,motion,pfv [m/s],outcome\", or counts under \
                     \"object,pfv [m/s],no_uplift,rocked,exceeded,overturned\"";
+/// The outcome of a run that could not be followed.
+pub(super) const UNRESOLVED: &str = "unresolved";
 const COUNTS: [&str; 4] = ["no_uplift", "rocked", "exceeded", "overturned"];
 
 /// One run of one object.
@@ -52,7 +54,11 @@ impl OutcomeTable {
         Self::read(&load(path)?, path)
     }
 
-    fn read(bytes: &[u8], path: &Path) -> Result<Self, Problem> {
+    /// Reads the bytes of a file.
+    ///
+    /// # Errors
+    /// As for [`OutcomeTable::load`].
+    pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Self, Problem> {
         let table = Table::read(bytes, path, HINT)?;
         if table.column("world").is_some() && table.column("fell").is_some() {
             let problem = table.header_problem("this is the table of worlds that assess writes".to_owned());
@@ -98,7 +104,7 @@ impl OutcomeTable {
             let (intensity, text) = (intensity(row)?, table.filled(row, outcome)?);
             let weight = table.optional(row, weight)?.unwrap_or(1.0);
             let shock_g = table.optional(row, shock)?.map(|shock| to_g * shock);
-            if text == "unresolved" {
+            if text == UNRESOLVED {
                 self.unresolved[object] += 1;
                 continue;
             }
@@ -147,17 +153,24 @@ impl OutcomeTable {
         object
     }
 
-    /// The runs of an object.
+    /// The runs of every object, in the order of the objects.
     ///
     /// # Errors
     /// An object of which no run could be followed.
-    pub(crate) fn of(&self, object: usize) -> Result<Outcomes, Problem> {
-        let runs: Vec<Run> = self.runs.iter().filter(|run| run.object == object).map(|run| run.run).collect();
-        Outcomes::new(&runs).map_err(|error| {
-            let id = self.objects.get(object).map_or("", String::as_str);
-            Problem::value(format!("object {}: {error}", shorten(id)), "leave out the object, or add its runs")
-                .in_file(&self.file.path)
-        })
+    pub(crate) fn by_object(&self) -> Result<Vec<Outcomes>, Problem> {
+        let mut runs: Vec<Vec<Run>> = vec![Vec::new(); self.objects.len()];
+        for one in &self.runs {
+            if let Some(runs) = runs.get_mut(one.object) {
+                runs.push(one.run);
+            }
+        }
+        let outcomes = runs.iter().zip(&self.objects).map(|(runs, id)| {
+            Outcomes::new(runs).map_err(|error| {
+                Problem::value(format!("object {}: {error}", shorten(id)), "leave out the object, or add its runs")
+                    .in_file(&self.file.path)
+            })
+        });
+        outcomes.collect()
     }
 }
 
@@ -247,6 +260,6 @@ mod tests {
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
         let only_unresolved = read("object,motion,pga [g],outcome\na,m,1,unresolved\n").unwrap();
-        assert!(only_unresolved.of(0).unwrap_err().message.contains("no runs"));
+        assert!(only_unresolved.by_object().unwrap_err().message.contains("no runs"));
     }
 }

@@ -14,6 +14,7 @@ mod comparisons;
 mod decision;
 mod draw;
 mod followed;
+mod nominal;
 mod object;
 mod outcomes;
 mod per_year;
@@ -44,6 +45,7 @@ use trial::Trial;
 
 pub(crate) use comparisons::restraint_of;
 pub use followed::{Follow, Shown, ShownEarthquake};
+pub(crate) use nominal::{Nominal, NominalRun};
 pub(crate) use object::Subject;
 pub(crate) use tally::Tally;
 

@@ -81,12 +81,12 @@ pub(crate) struct AssessArgs {
 pub(crate) struct ListArgs {
     /// Study file (TOML) with hazard, building and settings [default: the built-in study]
     #[arg(value_name = "STUDY.toml")]
-    study: Option<PathBuf>,
+    pub(crate) study: Option<PathBuf>,
     #[command(flatten)]
     hazard: HazardArgs,
     /// Inventory (CSV or XLSX); replaces the inventory of the study
     #[arg(long, value_name = "FILE")]
-    inventory: Option<PathBuf>,
+    pub(crate) inventory: Option<PathBuf>,
     /// Sheet of the workbook [default: the first with headings of an inventory]
     #[arg(long, value_name = "NAME")]
     sheet: Option<String>,

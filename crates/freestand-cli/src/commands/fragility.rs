@@ -10,18 +10,24 @@ use freestand_assess::fragility::{
     fragility,
 };
 use freestand_assess::risk::coordinates;
+use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::words::Choices;
 use freestand_output::json::document;
 
 use super::Done;
+use super::fragility_runs::{self, RunArgs};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
 use crate::printer::{Column, Printer, facts_table};
 use crate::values::{Given, Reads, Values, choice, name_of};
 
-/// Fit fragilities to the outcomes of runs: how likely an object fails at an intensity
+/// Calculate fragilities: how likely an object rocks, is damaged or overturns at an intensity
+///
+/// Objects are run under motions at many scales, and curves are fitted to how the runs end: one
+/// object by its size under --motion, or the objects of an inventory on the floors of a study. With
+/// --outcomes the runs are those of a table, and only the fit is made.
 ///
 /// A table of outcomes has one row per run, with the headings object, motion, pfv [m/s], outcome
 /// (no-uplift, rocked, exceeded or overturned), or one row of counts per level, with object, pfv
@@ -30,6 +36,17 @@ use crate::values::{Given, Reads, Values, choice, name_of};
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
+  One object under motions of its floor, which are scaled up until they overturn it:
+    freestand fragility --height 1.8m --thickness 0.5m --motion floor/*.csv --out fragility
+  With its shock and its tolerance, by several measures:
+    freestand fragility --height 1.8m --thickness 0.5m --mass 150kg --stiffness \"4380 N/mm\" \\
+      --tolerance 5g --motion floor/*.csv --im \"pfv, pfa, sa(0.5), velocity_ratio\" --out fragility
+  The objects of an inventory in the building and the earthquakes of a study:
+    freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --out fragility
+  Every object under every motion at the same intensities, for the losses of freestand risk:
+    freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --method stripes \\
+      --scales \"0.1 m/s:1.5 m/s:10\" --out stripes
+  The fit alone:
   freestand fragility --outcomes outcomes.csv --out fragility
   freestand fragility --outcomes outcomes.csv --fit separate --json
   freestand fragility --outcomes outcomes.csv --tolerance 5g --ceiling 22g
@@ -37,26 +54,30 @@ Examples:
   freestand fragility --outcomes pgv.csv --format openquake --demand \"0.4 m/s\" \\
     --site-coordinates \"151.2,-33.9\" --out export")]
 pub(crate) struct FragilityArgs {
-    /// Table of outcomes (CSV)
+    /// Table of outcomes (CSV), in place of runs
     #[arg(long, value_name = "FILE")]
-    outcomes: PathBuf,
-    /// Where a spectral acceleration is taken [default: ground]
+    outcomes: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) runs: RunArgs,
+    /// Where a spectral acceleration is taken; with --motion, ground: the object stands on the ground
+    /// [default: ground, with --motion floor]
     #[arg(long, value_parser = choice(PLACES))]
-    at: Option<At>,
+    pub(super) at: Option<At>,
     /// How the limit states of an object are fitted
     #[arg(long, value_parser = choice(FITS), default_value = name_of(FITS, FitKind::Ordered))]
-    fit: FitKind,
-    /// Tolerance: exceeding it is fitted to the column edge_acceleration [g] instead of the classes
-    #[arg(long, positive = Dimension::Acceleration, requires = "ceiling", help_heading = "From the shocks")]
-    tolerance: Option<Given>,
-    /// Largest shock without overturning, the ceiling_g of freestand shock
+    pub(super) fit: FitKind,
+    /// Peak acceleration of a landing that the object withstands; with --outcomes and --ceiling,
+    /// exceeding it is fitted to the column edge_acceleration [g] instead of the classes
+    #[arg(long, positive = Dimension::Acceleration, help_heading = "One object")]
+    pub(super) tolerance: Option<Given>,
+    /// Largest shock without overturning, the ceiling_g of freestand shock; with --outcomes
     #[arg(long, positive = Dimension::Acceleration, requires = "tolerance", help_heading = "From the shocks")]
-    ceiling: Option<Given>,
+    pub(super) ceiling: Option<Given>,
     /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
     #[arg(long, value_name = "N")]
-    bootstrap: Option<u32>,
+    pub(super) bootstrap: Option<u32>,
     #[command(flatten)]
-    tables: TableArgs,
+    pub(super) tables: TableArgs,
 
     /// Write a folder for another program into --out; may be given several times
     #[arg(long, value_parser = choice(FORMATS), help_heading = "Other programs")]
@@ -91,21 +112,44 @@ const COLUMNS: [Column; 9] = [
 ];
 
 pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if !args.format.is_empty() && global.out.is_none() {
+        return Err(Failure::usage("--format writes a folder, and --out is not given", "give --out DIR"));
+    }
+    match &args.outcomes {
+        Some(_) if args.runs.is_given() => Err(Failure::usage(
+            "--outcomes has the runs already, and others are asked for",
+            "leave out --outcomes, or the objects and the motions",
+        )),
+        Some(outcomes) => run_table(outcomes, args, global, printer),
+        None if args.runs.is_given() => fragility_runs::run(args, global, printer),
+        None => Err(Failure::usage(
+            "there is nothing to run and nothing to fit",
+            "give --height, --thickness and --motion, or --inventory with a study, or --outcomes FILE",
+        )),
+    }
+}
+
+/// The fit of a table of outcomes.
+fn run_table(
+    outcomes: &PathBuf,
+    args: &FragilityArgs,
+    global: &GlobalArgs,
+    printer: &Printer,
+) -> Result<Done, Failure> {
     let mut values = Values::default();
-    let beta = values.read(&args.beta);
-    let site_deg = values.read(&args.site_coordinates);
     let (tolerance, ceiling) = (values.read(&args.tolerance), values.read(&args.ceiling));
+    if args.tolerance.is_some() && args.ceiling.is_none() {
+        let message = "--tolerance with --outcomes is compared with the shocks, which have a ceiling";
+        values.push(Problem::value(message, "give --ceiling, the ceiling_g of freestand shock"));
+    }
     values.finish()?;
     let shock = tolerance
         .zip(ceiling)
         .map(|(tolerance, ceiling)| ShockLimits { tolerance_g: tolerance / G0_M_S2, ceiling_g: ceiling / G0_M_S2 });
-    if !args.format.is_empty() && global.out.is_none() {
-        return Err(Failure::usage("--format writes a folder, and --out is not given", "give --out DIR"));
-    }
-    let inputs = [args.outcomes.clone()];
+    let inputs = [outcomes.clone()];
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
     let report = fragility(FragilityRequest {
-        outcomes: args.outcomes.clone(),
+        outcomes: outcomes.clone(),
         at: args.at,
         fit: args.fit,
         shock,
@@ -119,20 +163,31 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         let json = document(FRAGILITY_SCHEMA, &facts, &report.warnings)?;
         files.write("fragility.json", || json)?;
         files.figure("fragility", || report.figure())?;
-        for &format in &args.format {
-            let request =
-                ExportRequest { format, demand: args.demand.clone(), realizations: args.realizations, beta, site_deg };
-            for (name, bytes) in report.export(&request)? {
-                files.write(&name, || bytes)?;
-            }
-        }
+        export(args, &report, &files)?;
     }
     files.finish_result(FRAGILITY_SCHEMA, &report.warnings)?;
-    printer.result(FRAGILITY_SCHEMA, &facts, &report.warnings, || text(&report))?;
+    printer.result(FRAGILITY_SCHEMA, &facts, &report.warnings, || curves_text(&report))?;
     Ok(Done::OK)
 }
 
-fn text(report: &FragilityReport) -> String {
+/// Writes the folders for other programs.
+pub(super) fn export(args: &FragilityArgs, report: &FragilityReport, files: &Files) -> Result<(), Failure> {
+    let mut values = Values::default();
+    let beta = values.read(&args.beta);
+    let site_deg = values.read(&args.site_coordinates);
+    values.finish()?;
+    for &format in &args.format {
+        let request =
+            ExportRequest { format, demand: args.demand.clone(), realizations: args.realizations, beta, site_deg };
+        for (name, bytes) in report.export(&request)? {
+            files.write(&name, || bytes)?;
+        }
+    }
+    Ok(())
+}
+
+/// The curves by one measure, for people.
+pub(super) fn curves_text(report: &FragilityReport) -> String {
     let measure = report.table.measure.with_unit();
     let rows = report.rows();
     format!("Intensities: {measure} of the {}\n\n{}", report.at.name(), facts_table(&rows, &COLUMNS))

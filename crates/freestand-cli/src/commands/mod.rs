@@ -7,6 +7,7 @@ mod completions;
 mod cushion;
 mod floor;
 mod fragility;
+mod fragility_runs;
 mod inventory;
 mod library;
 mod motion;

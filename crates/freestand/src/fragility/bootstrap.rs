@@ -83,7 +83,7 @@ pub fn bootstrap(
     seed: u64,
 ) -> Option<Bootstrap> {
     let motions = outcomes.motions()?;
-    let whole = fit_counts(outcomes.levels(), &outcomes.counts(None), states, kind);
+    let whole = fit_counts(outcomes.levels(), &outcomes.counts(None), states, kind, &[]);
     let expected = whole.fitted_states();
     let samples: Vec<Vec<Curve>> = (0..replicates)
         .into_par_iter()
@@ -93,7 +93,7 @@ pub fn bootstrap(
             for _ in 0..motions {
                 times[random.random_range(0..motions)] += 1.0;
             }
-            fit_counts(outcomes.levels(), &outcomes.counts(Some(&times)), states, kind).curves
+            fit_counts(outcomes.levels(), &outcomes.counts(Some(&times)), states, kind, &whole.curves).curves
         })
         .collect();
     let fits = |curves: &&Vec<Curve>| {
@@ -142,7 +142,7 @@ pub fn goodness(outcomes: &Outcomes, fit: &Fit, replicates: u32, seed: u64) -> O
     let simulate = |replicate: u32| -> Option<f64> {
         let simulated = simulated(outcomes, fit, &states, seed, replicate);
         let counts = simulated.counts(None);
-        let again = fit_counts(simulated.levels(), &counts, &states, fit.kind);
+        let again = fit_counts(simulated.levels(), &counts, &states, fit.kind, &fit.curves);
         // A sample without β for a state cannot be compared.
         (again.fitted_states() == states).then(|| self::deviance(&simulated, &again, &states).0)
     };

@@ -3,10 +3,12 @@
 
 mod bootstrap;
 mod draws;
+mod incremental;
 mod interval;
 mod maximum;
 mod ordered;
 mod outcomes;
+mod quality;
 mod two_stage;
 
 use std::f64::consts::{SQRT_2, TAU};
@@ -20,9 +22,13 @@ pub use bootstrap::{
     Bootstrap, CurveInterval, Empirical, Goodness, bootstrap, capacity_spread, empirical, goodness, percentiles,
 };
 pub use draws::{draw_stream, log_uniform_draw, lognormal_draw, uniform_draw};
+pub use incremental::{
+    BEYOND_RATIO, BRACKET_RATIO, STEP_RATIO, ScaleRun, level_weights, missing_levels, resurrections, scales_of_motion,
+};
 pub use interval::{clopper_pearson, probability_interval};
 pub use ordered::{Curve, CurveKind, Fit, FitKind, fit_curves};
 pub use outcomes::{LimitState, OutcomeClass, Outcomes, OutcomesError, Run};
+pub use quality::{Line, line_through, trend_p_value};
 pub use two_stage::{ShockDistribution, ShockFitError, ShockRun, TwoStage, fit_shock};
 
 /// Φ, the standard normal distribution.

@@ -190,18 +190,25 @@ impl Fit {
 /// # Ok::<(), freestand::fragility::OutcomesError>(())
 /// ```
 pub fn fit_curves(outcomes: &Outcomes, states: &[LimitState], kind: FitKind) -> Fit {
-    fit_counts(outcomes.levels(), &outcomes.counts(None), states, kind)
+    fit_counts(outcomes.levels(), &outcomes.counts(None), states, kind, &[])
 }
 
-/// As [`fit_curves`], to counts at rising levels; levels without runs are allowed.
-pub(super) fn fit_counts(levels: &[f64], counts: &[Counts], states: &[LimitState], kind: FitKind) -> Fit {
+/// As [`fit_curves`], to counts at rising levels; levels without runs are allowed. `near` are curves
+/// that are close to those that are sought: they save steps, and change no result.
+pub(super) fn fit_counts(
+    levels: &[f64],
+    counts: &[Counts],
+    states: &[LimitState],
+    kind: FitKind,
+    near: &[Curve],
+) -> Fit {
     let mut states = states.to_vec();
     states.sort_unstable();
     states.dedup();
     if kind == FitKind::Ordered {
-        return ordered(levels, counts, &states);
+        return ordered(levels, counts, &states, near);
     }
-    let each: Vec<Fit> = states.iter().map(|state| ordered(levels, counts, &[*state])).collect();
+    let each: Vec<Fit> = states.iter().map(|state| ordered(levels, counts, &[*state], near)).collect();
     Fit {
         kind,
         log_likelihood: each.iter().map(|fit| fit.log_likelihood).sum(),
@@ -232,7 +239,7 @@ fn degenerate(levels: &[f64], counts: &[Counts], state: LimitState) -> Option<Cu
     (lowest >= highest).then_some(CurveKind::Step { lower: highest, upper: lowest })
 }
 
-fn ordered(levels: &[f64], counts: &[Counts], states: &[LimitState]) -> Fit {
+fn ordered(levels: &[f64], counts: &[Counts], states: &[LimitState], near: &[Curve]) -> Fit {
     let mut curves: Vec<Curve> = Vec::new();
     let mut fitted: Vec<LimitState> = Vec::new();
     for &limit_state in states {
@@ -245,7 +252,8 @@ fn ordered(levels: &[f64], counts: &[Counts], states: &[LimitState]) -> Fit {
     }
     let model = Model::new(levels, counts, &fitted);
     let (mut log_likelihood, mut score_per_run) = (0.0, 0.0);
-    if let Some((found, derivatives)) = model.fit() {
+    let found = model.start_near(&fitted, near).and_then(|start| model.fit_from(start)).or_else(|| model.fit());
+    if let Some((found, derivatives)) = found {
         let [slope, ref thresholds @ ..] = found;
         log_likelihood = derivatives.value;
         score_per_run = model.score(&found, &derivatives.gradient) / model.runs;
@@ -337,6 +345,30 @@ impl Model {
             let above: f64 = self.points.iter().map(|(_, groups)| groups[i + 1..].iter().sum::<f64>()).sum();
             *threshold = -std::f64::consts::SQRT_2 * erf_inv(2.0 * above / self.runs - 1.0);
         }
+        self.fit_from(start)
+    }
+
+    /// The parameters of curves close to those that are sought; `None` unless each threshold has
+    /// one and they rise.
+    fn start_near(&self, states: &[LimitState], near: &[Curve]) -> Option<Parameters> {
+        let mut start = [0.0; 4];
+        for (state, group) in states.iter().zip(&self.group_of) {
+            let kind = near.iter().find(|curve| curve.limit_state == *state)?.kind;
+            let CurveKind::Lognormal { median, beta } = kind else { return None };
+            start[0] = self.scale / beta;
+            // Of states that share a threshold the first counts.
+            let threshold = &mut start[group + 1];
+            if *threshold == 0.0 {
+                *threshold = (median.ln() - self.middle) / beta;
+            }
+        }
+        let used = &start[1..=self.thresholds];
+        let is_rising = used.windows(2).all(|pair| pair[0] < pair[1]);
+        (self.thresholds > 0 && is_rising && start.iter().all(|value| value.is_finite())).then_some(start)
+    }
+
+    /// As [`Model::fit`], from other parameters.
+    fn fit_from(&self, start: Parameters) -> Option<(Parameters, Derivatives<4>)> {
         let score = |at: &Parameters, gradient: &Parameters| self.score(at, gradient);
         let target = 1e-8 * self.runs;
         let (found, derivatives) = maximum(start, 1 + self.thresholds, target, |at| self.log_likelihood(at), score)?;

@@ -1,0 +1,163 @@
+//! The runs of an object.
+
+use freestand::fragility::{LimitState, ScaleRun, missing_levels, scales_of_motion};
+use freestand::rocking::Base;
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::shorten;
+use freestand_input::words::number;
+
+use super::super::measure::{At, Measure};
+use super::shaking::Shaking;
+use super::{Method, ObjectRuns, RunsRequest};
+use crate::verdict::NominalRun;
+
+/// One run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Followed {
+    /// Factor on the motion.
+    pub(super) scale_ratio: f64,
+    /// `None`: it could not be followed.
+    pub(super) run: Option<NominalRun>,
+}
+
+/// The classes of runs, as the search for scales sees them.
+pub(super) fn classes(runs: &[Followed]) -> Vec<ScaleRun> {
+    let class =
+        |run: &Followed| ScaleRun { scale_ratio: run.scale_ratio, class: run.run.as_ref().map(|run| run.class) };
+    runs.iter().map(class).collect()
+}
+
+fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ratio: f64) -> Followed {
+    let run = shaking.scaled(scale_ratio).and_then(|(horizontal, vertical)| {
+        let base = Base { horizontal: horizontal.as_ref(), vertical: vertical.as_ref() };
+        one.nominal.run(base, request.rotation_ratio).ok()
+    });
+    Followed { scale_ratio, run }
+}
+
+/// The runs of an object under a motion, by rising scale; those of an adaptive analysis are filled
+/// later.
+pub(super) fn first_runs(
+    request: &RunsRequest,
+    one: &ObjectRuns,
+    shaking: &Shaking,
+    measures: &[(Measure, At)],
+) -> Result<Vec<Followed>, Problems> {
+    let scales_ratio = match (request.method, &request.scales) {
+        (Method::Cloud, _) => vec![1.0],
+        (Method::Incremental, None) => return Ok(adaptive(request, one, shaking)),
+        (Method::Incremental, Some(scales)) => scales.clone(),
+        (Method::Stripes, levels) => stripes(one, shaking, measures, levels.as_deref().unwrap_or_default())?,
+    };
+    let most = scales_ratio.iter().copied().fold(0.0, f64::max);
+    if most > request.max_scale_ratio {
+        let message = format!(
+            "the motion {} would be scaled by {}, above the largest scale of {}",
+            shorten(&shaking.name),
+            number(most, 4),
+            request.max_scale_ratio
+        );
+        let hint = "give smaller `scales`, stronger motions, or a larger `max_scale`";
+        return Err(Problem::value(message, hint).of(&["scales"]).into());
+    }
+    let mut sorted = scales_ratio;
+    sorted.sort_by(f64::total_cmp);
+    sorted.dedup();
+    Ok(sorted.into_iter().map(|scale_ratio| followed(request, one, shaking, scale_ratio)).collect())
+}
+
+/// The scales of a motion that give it these intensities by the first measure.
+fn stripes(
+    one: &ObjectRuns,
+    shaking: &Shaking,
+    measures: &[(Measure, At)],
+    levels: &[f64],
+) -> Result<Vec<f64>, Problems> {
+    let first = measures.first().filter(|_| !levels.is_empty());
+    let Some((measure, at)) = first else {
+        let unit = measures.first().map_or("m/s", |(measure, _)| measure.unit());
+        let example = if unit == "1" { "0.5:4:8".to_owned() } else { format!("0.1 {unit}:2 {unit}:12") };
+        let hint = format!("give the intensities by the first measure as `scales = \"{example}\"`");
+        return Err(Problem::value("stripes need the intensities of their levels", hint).of(&["scales"]).into());
+    };
+    let of_one = shaking.intensity(*measure, 0, *at, one.factors).unwrap_or(f64::NAN);
+    Ok(levels.iter().map(|level| level / of_one).collect())
+}
+
+fn adaptive(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking) -> Vec<Followed> {
+    let mut runs: Vec<Followed> = Vec::new();
+    let start_ratio = shaking.uplift_scale_ratio(one.factors);
+    scales_of_motion(start_ratio, request.max_scale_ratio, &one.states(), |scale_ratio| {
+        let run = followed(request, one, shaking, scale_ratio);
+        runs.push(run);
+        run.run.map(|run| run.class)
+    });
+    sort(&mut runs);
+    runs
+}
+
+fn sort(runs: &mut [Followed]) {
+    runs.sort_by(|a, b| a.scale_ratio.total_cmp(&b.scale_ratio));
+}
+
+/// Normal quantile of 95 %.
+const NORMAL_95: f64 = 1.644_853_626_951_472_6;
+
+/// The intensities over which the runs of all motions are spread: all that were run, and the 5–95 %
+/// band of the capacities.
+fn span(one: &ObjectRuns, shakings: &[Shaking], measure: Measure, place: usize, at: At) -> Option<(f64, f64)> {
+    let units: Vec<Option<f64>> =
+        shakings.iter().map(|shaking| shaking.intensity(measure, place, at, one.factors)).collect();
+    let each = || one.motions.iter().zip(&units).filter_map(|(runs, unit)| Some((runs, (*unit)?)));
+    let all = || each().flat_map(|(runs, unit)| runs.iter().map(move |run| unit * run.scale_ratio));
+    let (mut from, mut to) = (all().reduce(f64::min)?, all().reduce(f64::max)?);
+    for state in one.states() {
+        let reached = |runs: &[Followed]| {
+            runs.iter().find(|run| run.run.is_some_and(|run| state.is_reached(run.class))).map(|run| run.scale_ratio)
+        };
+        let logs: Vec<f64> = each().filter_map(|(runs, unit)| Some((unit * reached(runs)?).ln())).collect();
+        if logs.len() < 2 {
+            continue;
+        }
+        let mean = logs.iter().sum::<f64>() / logs.len() as f64;
+        let sd = (logs.iter().map(|ln| (ln - mean).powi(2)).sum::<f64>() / (logs.len() - 1) as f64).sqrt();
+        from = if state == LimitState::Rocks { from } else { from.min((mean - NORMAL_95 * sd).exp()) };
+        to = to.max((mean + NORMAL_95 * sd).exp());
+    }
+    Some((from, to))
+}
+
+/// Adds the runs that spread every motion over the same intensities by every measure, up to the
+/// largest scale.
+pub(super) fn fill(request: &RunsRequest, one: &mut ObjectRuns, shakings: &[Shaking], measures: &[(Measure, At)]) {
+    use rayon::prelude::*;
+    let spans: Vec<Option<(f64, f64)>> =
+        measures.iter().enumerate().map(|(place, (measure, at))| span(one, shakings, *measure, place, *at)).collect();
+    one.spans.clone_from(&spans);
+    let seen: &ObjectRuns = one;
+    let more: Vec<Vec<Followed>> = shakings
+        .par_iter()
+        .zip(&seen.motions)
+        .map(|(shaking, runs)| {
+            let mut scales_ratio: Vec<f64> = runs.iter().map(|run| run.scale_ratio).collect();
+            let mut added = Vec::new();
+            for (place, ((measure, at), span)) in measures.iter().zip(&spans).enumerate() {
+                let unit = shaking.intensity(*measure, place, *at, seen.factors);
+                let Some((unit, (from, to))) = unit.zip(*span) else { continue };
+                let to_ratio = (to / unit).min(request.max_scale_ratio);
+                if from / unit > to_ratio {
+                    continue;
+                }
+                let missing = missing_levels(&scales_ratio, from / unit, to_ratio);
+                scales_ratio.extend(&missing);
+                scales_ratio.sort_by(f64::total_cmp);
+                added.extend(missing);
+            }
+            added.into_iter().map(|scale_ratio| followed(request, seen, shaking, scale_ratio)).collect()
+        })
+        .collect();
+    for (runs, more) in one.motions.iter_mut().zip(more) {
+        runs.extend(more);
+        sort(runs);
+    }
+}

@@ -1,0 +1,147 @@
+//! How well a measure tells what an object does.
+
+use freestand::fragility::{LimitState, OutcomeClass, capacity_spread, line_through, trend_p_value};
+use freestand_output::facts::Facts;
+
+use super::super::ObjectFragility;
+use super::super::measure::{At, Measure};
+use super::follow::Followed;
+use super::shaking::{Shaking, Strength};
+use super::{Method, ObjectRuns};
+
+/// Rotations over α below this take no part in the line of ln demand: at the intensity that just lifts
+/// an object the rotation is 0, and its logarithm has no end.
+const LEAST_ROTATION_RATIO: f64 = 0.01;
+
+/// A measure and a limit state of one object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quality {
+    /// The limit state.
+    pub limit_state: LimitState,
+    /// β of the capacities; of a cloud the residual standard deviation of ln demand.
+    pub efficiency: Option<f64>,
+    /// Slope of ln demand by ln intensity.
+    pub practicality: Option<f64>,
+    /// p of the residuals against ln of the mean period.
+    pub p_mean_period: Option<f64>,
+    /// p of the residuals against ln of PGV/PGA.
+    pub p_velocity_over_acceleration: Option<f64>,
+    /// ln of the mean period, ln of PGV/PGA and the residual, for each motion that has one.
+    pub(super) residuals: Vec<[f64; 3]>,
+}
+
+impl Quality {
+    /// β/b.
+    pub fn proficiency(&self) -> Option<f64> {
+        let practicality = self.practicality.filter(|slope| *slope > 0.0)?;
+        Some(self.efficiency? / practicality)
+    }
+
+    pub(crate) fn facts(&self) -> Facts<'static> {
+        Facts::default()
+            .key("limit_state", self.limit_state.name())
+            .key("efficiency", self.efficiency)
+            .key("practicality", self.practicality)
+            .key("proficiency", self.proficiency())
+            .key("sufficiency", self.sufficiency())
+    }
+
+    /// p-values; what motions from files do not tell has none.
+    pub(crate) fn sufficiency(&self) -> Facts<'static> {
+        let unknown = None::<f64>;
+        Facts::default()
+            .key("magnitude", unknown)
+            .key("distance", unknown)
+            .key("epsilon", unknown)
+            .key("mean_period", self.p_mean_period)
+            .key("pgv_over_pga", self.p_velocity_over_acceleration)
+    }
+}
+
+/// The qualities of a measure, for each limit state of an object.
+pub(super) fn qualities(
+    method: Method,
+    object: &ObjectFragility,
+    runs: &ObjectRuns,
+    shakings: &[Shaking],
+    (measure, place, at): (Measure, usize, At),
+) -> Vec<Quality> {
+    let states = object.fit.curves.iter().map(|curve| curve.limit_state);
+    states
+        .map(|limit_state| {
+            // (motion, ln intensity, ln demand) of every run that rocked and stayed upright.
+            let demands = demands(limit_state, runs, shakings, (measure, place, at));
+            let line = line_through(&demands.iter().map(|(_, x, y)| (*x, *y)).collect::<Vec<_>>());
+            let (efficiency, left) = match method {
+                Method::Cloud => {
+                    let left = demands.iter().zip(line.iter().flat_map(|line| &line.residuals));
+                    let left: Vec<(usize, f64)> = left.map(|((motion, ..), e)| (*motion, *e)).collect();
+                    (line.as_ref().map(|line| line.residual_sd), left)
+                }
+                Method::Incremental | Method::Stripes => (
+                    capacity_spread(&object.outcomes, limit_state),
+                    capacities(limit_state, runs, shakings, (measure, place, at)),
+                ),
+            };
+            let about = |motion: usize| shakings.get(motion).and_then(|shaking| shaking.at(at));
+            let residuals: Vec<[f64; 3]> = left
+                .iter()
+                .filter_map(|(motion, e)| {
+                    let strength: &Strength = about(*motion)?;
+                    Some([strength.mean_period_s?.ln(), strength.velocity_over_acceleration_s().ln(), *e])
+                })
+                .collect();
+            let trend =
+                |i: usize| trend_p_value(&residuals.iter().map(|one| (one[i], one[2])).collect::<Vec<(f64, f64)>>());
+            Quality {
+                limit_state,
+                efficiency,
+                practicality: line.map(|line| line.slope),
+                p_mean_period: trend(0),
+                p_velocity_over_acceleration: trend(1),
+                residuals,
+            }
+        })
+        .collect()
+}
+
+/// The demand of a limit state: the shock for a tolerance of shocks, otherwise the rotation.
+fn demands(
+    state: LimitState,
+    runs: &ObjectRuns,
+    shakings: &[Shaking],
+    (measure, place, at): (Measure, usize, At),
+) -> Vec<(usize, f64, f64)> {
+    let by_shock = state == LimitState::Exceeds && runs.nominal.compares_shock();
+    let mut demands = Vec::new();
+    for (motion, (runs_of_motion, shaking)) in runs.motions.iter().zip(shakings).enumerate() {
+        let Some(unit) = shaking.intensity(measure, place, at, runs.factors) else { continue };
+        for followed in runs_of_motion {
+            let upright = followed.run.filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
+            let Some(run) = upright.filter(|run| run.rotation_ratio >= LEAST_ROTATION_RATIO) else { continue };
+            let demand = if by_shock { run.edge_acceleration_g } else { Some(run.rotation_ratio) };
+            if let Some(demand) = demand.filter(|demand| *demand > 0.0) {
+                demands.push((motion, (unit * followed.scale_ratio).ln(), demand.ln()));
+            }
+        }
+    }
+    demands
+}
+
+/// ln of the capacity of each motion that reached a limit state, less their mean, with the number of
+/// the motion.
+fn capacities(
+    state: LimitState,
+    runs: &ObjectRuns,
+    shakings: &[Shaking],
+    (measure, place, at): (Measure, usize, At),
+) -> Vec<(usize, f64)> {
+    let known = runs.motions.iter().zip(shakings).enumerate().filter_map(|(motion, (runs_of_motion, shaking))| {
+        let reached = |run: &&Followed| run.run.is_some_and(|run| state.is_reached(run.class));
+        let scale_ratio = runs_of_motion.iter().find(reached)?.scale_ratio;
+        Some((motion, (shaking.intensity(measure, place, at, runs.factors)? * scale_ratio).ln()))
+    });
+    let known: Vec<(usize, f64)> = known.collect();
+    let mean = known.iter().map(|(_, ln)| ln).sum::<f64>() / known.len().max(1) as f64;
+    known.into_iter().map(|(motion, ln)| (motion, ln - mean)).collect()
+}

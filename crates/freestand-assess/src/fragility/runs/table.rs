@@ -1,0 +1,91 @@
+//! The outcomes of runs in the form that the fit reads.
+
+use std::path::Path;
+
+use freestand::fragility::level_weights;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::shortest;
+
+use super::super::measure::{At, Measure};
+use super::super::outcomes::{OutcomeTable, UNRESOLVED};
+use super::{Method, RunsReport};
+
+/// The name of a table by the measure at a place of the request: `outcomes.csv` by the first,
+/// `outcomes_sa_0.5.csv` by another one.
+///
+/// # Example
+/// ```
+/// use freestand_assess::fragility::{Measure, file_name};
+/// assert_eq!(file_name("outcomes", 0, Measure::Pfv), "outcomes.csv");
+/// assert_eq!(file_name("outcomes", 1, Measure::SaAverage { from_s: 0.2, to_s: 2.0 }), "outcomes_sa_avg_0.2_2.csv");
+/// ```
+pub fn file_name(what: &str, place: usize, measure: Measure) -> String {
+    if place == 0 {
+        return format!("{what}.csv");
+    }
+    let plain: String =
+        measure.name().chars().map(|c| if c.is_ascii_alphanumeric() || c == '.' { c } else { '_' }).collect();
+    format!("{what}_{}.csv", plain.trim_matches('_'))
+}
+
+/// The runs of all objects by one measure. Extra columns say how each run came about.
+pub(super) fn outcomes_csv(report: &RunsReport, measure: Measure, place: usize, at: At) -> Result<Vec<u8>, Problem> {
+    let broken = |error: &dyn std::fmt::Display| {
+        Problem::new(ProblemKind::Computation, format!("the outcomes cannot be written: {error}"))
+    };
+    let is_weighted = report.method == Method::Incremental && report.scales.is_none();
+    let intensity = match measure.unit() {
+        "1" => measure.name(),
+        unit => format!("{} [{unit}]", measure.name()),
+    };
+    let heads =
+        ["object", "motion", &intensity, "outcome", "edge_acceleration [g]", "weight", "scale", "rotation_ratio"];
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(heads).map_err(|error| broken(&error))?;
+    for one in &report.objects {
+        let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
+        let units: Vec<Option<f64>> =
+            shakings.iter().map(|shaking| shaking.intensity(measure, place, at, one.factors)).collect();
+        let span = one.spans.get(place).copied().flatten().filter(|_| is_weighted);
+        // A run that could not be followed takes no share of the intensities.
+        let weights: Vec<Vec<f64>> = one
+            .motions
+            .iter()
+            .zip(&units)
+            .map(|(runs, unit)| {
+                let Some(((from, to), unit)) = span.zip(*unit) else { return vec![1.0; runs.len()] };
+                let known: Vec<f64> =
+                    runs.iter().filter(|run| run.run.is_some()).map(|run| unit * run.scale_ratio).collect();
+                let mut weights = level_weights(&known, from, to).into_iter();
+                runs.iter().map(|run| run.run.and_then(|_| weights.next()).unwrap_or(0.0)).collect()
+            })
+            .collect();
+        let known = one.motions.iter().flatten().filter(|run| run.run.is_some()).count() as f64;
+        let all: f64 = weights.iter().flatten().sum();
+        // Together they count as many as there are runs.
+        let factor = if all > 0.0 { known / all } else { 1.0 };
+        for (((runs, weights), shaking), unit) in one.motions.iter().zip(&weights).zip(shakings).zip(&units) {
+            let Some(unit) = unit else { continue };
+            for (run, weight) in runs.iter().zip(weights) {
+                let text = |value: Option<f64>| value.map(shortest).unwrap_or_default();
+                let record = [
+                    one.id.clone(),
+                    shaking.name.clone(),
+                    shortest(unit * run.scale_ratio),
+                    run.run.map_or(UNRESOLVED, |run| run.class.name()).to_owned(),
+                    text(run.run.and_then(|run| run.edge_acceleration_g)),
+                    if is_weighted { shortest(factor * weight) } else { "1".to_owned() },
+                    shortest(run.scale_ratio),
+                    text(run.run.map(|run| run.rotation_ratio)),
+                ];
+                writer.write_record(&record).map_err(|error| broken(&error))?;
+            }
+        }
+    }
+    writer.into_inner().map_err(|error| broken(&error))
+}
+
+/// What the fit reads: the very bytes that are written.
+pub(super) fn read(bytes: &[u8], name: &str) -> Result<OutcomeTable, Problem> {
+    OutcomeTable::read(bytes, Path::new(name))
+}

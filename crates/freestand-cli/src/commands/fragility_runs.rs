@@ -1,0 +1,329 @@
+//! `freestand fragility` from motions, studies and inventories: the objects are run before the fit.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use freestand::rocking::{Base, Restitution};
+use freestand_assess::fragility::{
+    At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, Limits, METHODS, Measure, Method, RunObjects,
+    RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+};
+use freestand_input::file::{InputFile, load};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::Dimension;
+use freestand_input::words::counted;
+use freestand_output::facts::Facts;
+use freestand_output::json::document;
+use freestand_study::restitution::checked;
+use freestand_study::rock::problem;
+
+use super::Done;
+use super::assess::{ListArgs, watched};
+use super::block::ShapeArgs;
+use super::fragility::{FragilityArgs, curves_text, export};
+use crate::args::GlobalArgs;
+use crate::cushion::CushionArgs;
+use crate::failure::Failure;
+use crate::files::Files;
+use crate::printer::{Column, Printer, facts_table};
+use crate::reading::{ReadArgs, VerticalArgs};
+use crate::values::{Given, Reads, Values, choice, name_of};
+
+/// Flags of runs.
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    #[command(flatten)]
+    list: ListArgs,
+    /// Height of one object that is run in place of an inventory
+    #[arg(long, positive = Dimension::Length, help_heading = "One object")]
+    height: Option<Given>,
+    /// Horizontal size of the object in the plane of rocking
+    #[arg(long, positive = Dimension::Length, help_heading = "One object")]
+    thickness: Option<Given>,
+    /// Mass of the object; needed for the shock
+    #[arg(long, positive = Dimension::Mass, help_heading = "One object")]
+    mass: Option<Given>,
+    #[command(flatten)]
+    shape: ShapeArgs,
+    #[command(flatten)]
+    cushion: CushionArgs,
+    /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
+    /// [default: Housner's]
+    #[arg(long, any = Dimension::Ratio, conflicts_with = "restitution_factor", help_heading = "One object")]
+    restitution: Option<Given>,
+    /// Factor that multiplies Housner's restitution
+    #[arg(long, positive = Dimension::Ratio, help_heading = "One object")]
+    restitution_factor: Option<Given>,
+    /// Duration of the half-sine with the peak of --tolerance
+    #[arg(long, positive = Dimension::Time, requires = "tolerance", help_heading = "One object")]
+    tolerance_duration: Option<Given>,
+    /// Velocity change that the object withstands; with --tolerance a damage boundary
+    #[arg(long, positive = Dimension::Velocity, help_heading = "One object")]
+    tolerance_velocity_change: Option<Given>,
+    /// Uplift of the free edge that the object withstands
+    #[arg(long, positive = Dimension::Length, help_heading = "One object")]
+    tolerance_edge_lift: Option<Given>,
+    /// Rotation over α beyond which a tolerance is exceeded, such as 0.4; also for an inventory
+    #[arg(long, positive = Dimension::Ratio, help_heading = "The runs")]
+    tolerance_rotation: Option<Given>,
+    /// Records of the horizontal acceleration of the floor under the object
+    #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
+    motion: Vec<PathBuf>,
+    /// Records of the vertical acceleration of the floor, positive upward: one for each --motion
+    #[arg(long, value_name = "FILE", num_args = 1.., requires = "motion", help_heading = "One object")]
+    vertical: Vec<PathBuf>,
+    #[command(flatten)]
+    vertically: VerticalArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+    /// Intensity measures, such as "pfv, pfa, sa(0.5), sa_avg(0.2:2), velocity_ratio"; the first one
+    /// is that of fragility.csv [default: pfv, with a study pgv]
+    #[arg(long, value_name = "LIST", read = measures, help_heading = "The runs")]
+    im: Option<Given<Vec<Measure>>>,
+    /// How the runs are chosen
+    #[arg(long, value_parser = choice(METHODS), default_value = name_of(METHODS, Method::Incremental), help_heading = "The runs")]
+    method: Method,
+    /// adaptive, or a grid or list: of factors on the motions for ida, such as "0.5:5:10"; of
+    /// intensities by the first measure for stripes, such as "0.1 m/s:2 m/s:12" [default: adaptive]
+    #[arg(long, value_name = "adaptive|GRID", help_heading = "The runs")]
+    scales: Option<String>,
+    /// Largest factor on a motion [default: 10]
+    #[arg(long, positive = Dimension::Ratio, help_heading = "The runs")]
+    max_scale: Option<Given>,
+    /// Number of worlds of a study that generates its motions [default: 40; records are used once each]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000), help_heading = "The runs")]
+    worlds: Option<u32>,
+}
+
+const MEASURE_COLUMNS: [Column; 8] = [
+    ("id", "object", 0),
+    ("limit_state", "limit state", 0),
+    ("im", "measure", 0),
+    ("efficiency", "efficiency", 3),
+    ("practicality", "practicality", 3),
+    ("proficiency", "proficiency", 3),
+    ("p_mean_period", "p mean period", 0),
+    ("p_pgv_over_pga", "p PGV/PGA", 0),
+];
+
+/// Motions, what their readers noted, and their files.
+type Motions = (Vec<FloorMotion>, Vec<String>, Vec<InputFile>);
+
+impl RunArgs {
+    /// What is run: something that names an object.
+    pub(crate) fn is_given(&self) -> bool {
+        self.height.is_some() || self.thickness.is_some() || !self.motion.is_empty() || self.names_list()
+    }
+
+    fn names_list(&self) -> bool {
+        self.list.study.is_some() || self.list.inventory.is_some()
+    }
+
+    fn given_object(&self, args: &FragilityArgs, values: &mut Values) -> Result<GivenObject, Failure> {
+        if self.motion.is_empty() {
+            return Err(Failure::usage(
+                "there are no motions to run",
+                "give --motion FILE…, the motions of the floor under the object; or an inventory with a study",
+            ));
+        }
+        let (height, thickness) = (values.read(&self.height), values.read(&self.thickness));
+        if self.height.is_none() || self.thickness.is_none() {
+            let message = "the size of the object is missing";
+            return Err(Failure::usage(message, "give --height and --thickness, or an inventory with --inventory"));
+        }
+        let mass = values.read(&self.mass);
+        let cushion = self.cushion.edge(mass, values)?;
+        if self.mass.is_none() && self.cushion.is_given() {
+            let message = "the shock needs both the mass and the cushion of the object";
+            values.push(Problem::value(message, "give --mass, or leave the cushion out"));
+        }
+        let block = height.zip(thickness).and_then(|size| self.shape.block(size, mass, values));
+        let factor = values.read(&self.restitution_factor).map_or(Restitution::Housner, Restitution::Factor);
+        let restitution = values.read(&self.restitution).map_or(factor, Restitution::Value);
+        let blocks: Vec<_> = block.into_iter().collect();
+        let restitution = values.take(checked(restitution, &blocks)).unwrap_or_default();
+        let limits = Limits {
+            peak_m_s2: values.read(&args.tolerance),
+            duration_s: values.read(&self.tolerance_duration),
+            velocity_change_m_s: values.read(&self.tolerance_velocity_change),
+            edge_lift_m: values.read(&self.tolerance_edge_lift),
+        };
+        std::mem::take(values).finish()?;
+        let Some(block) = block else {
+            return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
+        };
+        Ok(GivenObject {
+            block,
+            restitution,
+            body: mass.zip(cushion),
+            limits,
+            motions: Vec::new(),
+            is_on_ground: args.at == Some(At::Ground),
+        })
+    }
+
+    /// The motions, with the notes of their readers and their files.
+    fn motions(&self) -> Result<Motions, Failure> {
+        let (mut motions, mut notes, mut files) = (Vec::new(), Vec::new(), Vec::new());
+        for read in self.read.read_all(&self.motion)? {
+            let name = read.motion.name;
+            files.push(InputFile { path: read.motion.path, sha256: read.motion.sha256 });
+            notes.extend(read.notes.iter().map(|note| format!("{name}: {note}")));
+            motions.push(FloorMotion { name, horizontal: read.motion.motion, vertical: None });
+        }
+        let count = self.vertical.len();
+        if count == 0 {
+            return Ok((motions, notes, files));
+        }
+        if count != motions.len() {
+            return Err(Failure::usage(
+                format!("--vertical has {}, --motion {}", counted(count, "file"), motions.len()),
+                "give one vertical record for each horizontal one, in the same order, or none",
+            ));
+        }
+        let verticals = self.vertically.reading(&self.read)?.read_all(&self.vertical)?;
+        for (motion, read) in motions.iter_mut().zip(verticals) {
+            files.push(InputFile { path: read.motion.path.clone(), sha256: read.motion.sha256.clone() });
+            notes.extend(read.notes.iter().map(|note| format!("vertical {}: {note}", read.motion.name)));
+            motion.vertical = Some(read.motion.motion);
+            Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() }
+                .check()
+                .map_err(problem)?;
+        }
+        Ok((motions, notes, files))
+    }
+
+    /// Refuses flags of one object beside an inventory.
+    fn refuse_object(&self, args: &FragilityArgs) -> Result<(), Failure> {
+        let given = [
+            (self.height.is_some(), "--height"),
+            (self.thickness.is_some(), "--thickness"),
+            (self.mass.is_some(), "--mass"),
+            (self.cushion.is_given(), "a cushion"),
+            (self.restitution.is_some(), "--restitution"),
+            (self.restitution_factor.is_some(), "--restitution-factor"),
+            (args.tolerance.is_some(), "--tolerance"),
+            (self.tolerance_velocity_change.is_some(), "--tolerance-velocity-change"),
+            (self.tolerance_edge_lift.is_some(), "--tolerance-edge-lift"),
+            (!self.motion.is_empty(), "--motion"),
+        ];
+        let found = given.into_iter().find_map(|(is_given, name)| is_given.then_some(name)).or(self.shape.given());
+        found.map_or(Ok(()), |name| {
+            Err(Failure::usage(
+                format!("{name} describes one object, and the objects are those of an inventory"),
+                "write it into the inventory, or leave the inventory and the study out; the motions of an inventory \
+                 are those of its study",
+            ))
+        })
+    }
+}
+
+/// The runs of the command, and their fit.
+pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let runs = &args.runs;
+    let mut values = Values::default();
+    let asked = values.read(&runs.im).unwrap_or_default();
+    let max_scale_ratio = values.read(&runs.max_scale).unwrap_or(DEFAULT_MAX_SCALE);
+    let rotation_ratio = values.read(&runs.tolerance_rotation);
+    if args.ceiling.is_some() {
+        let message = "--ceiling belongs to --outcomes: runs calculate the ceiling themselves";
+        values.push(Problem::value(message, "leave it out"));
+    }
+    let listed = runs.names_list();
+    if listed {
+        runs.refuse_object(args)?;
+    }
+    let given = if listed { None } else { Some(runs.given_object(args, &mut values)?) };
+    let first = asked.first().copied().unwrap_or(if listed { Measure::Pgv } else { Measure::Pfv });
+    let grid = runs.scales.as_deref().map(|text| scales(text, runs.method, first)).transpose();
+    let grid = values.take(grid.map_err(|problem| problem.named("scales"))).flatten().flatten();
+    values.finish()?;
+
+    let (mut notes, mut sources) = (Vec::new(), Vec::new());
+    let mut inputs: Vec<PathBuf> =
+        runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
+    inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).cloned());
+    let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
+    let (study, inventory);
+    let objects = match given {
+        Some(object) => {
+            let (motions, read, files) = runs.motions()?;
+            (notes, sources) = (read, files);
+            RunObjects::Given(Box::new(GivenObject { motions, ..object }))
+        }
+        None => {
+            let (of_study, _, of_list) = runs.list.read(global, None)?;
+            (study, inventory) = (of_study, of_list);
+            notes.extend(inventory.warnings.iter().cloned());
+            if let Some(path) = &study.source {
+                sources.push(InputFile::new(path, &load(path)?));
+            }
+            sources.push(InputFile { path: inventory.path.clone(), sha256: inventory.sha256.clone() });
+            sources.extend(inventory.libraries.iter().cloned());
+            let recorded = study.ground.recorded(&study.levels);
+            sources.extend(recorded.map(|one| InputFile { path: one.path.clone(), sha256: one.sha256.clone() }));
+            RunObjects::Listed { study: &study, inventory: &inventory, worlds: runs.worlds }
+        }
+    };
+    let request = RunsRequest {
+        objects,
+        measures: asked,
+        at: args.at,
+        method: runs.method,
+        scales: grid,
+        max_scale_ratio,
+        rotation_ratio,
+        fit: args.fit,
+        replicates: args.bootstrap,
+        seed: global.seed(),
+        inputs: sources,
+    };
+    let found = watched(printer, |progress| fragility_of_runs(&request, progress));
+    let report = found.map_err(|problems| match problems.is_stopped() {
+        true => Failure::Stopped { printed: false },
+        false => problems.into(),
+    })?;
+    let warnings: Vec<String> = notes.into_iter().chain(report.warnings.iter().cloned()).collect();
+    let facts = report.facts(global.seed());
+    if files.wanted() {
+        write(args, &report, &facts, &warnings, &files)?;
+    }
+    files.finish_result(FRAGILITY_SCHEMA, &warnings)?;
+    printer.result(FRAGILITY_SCHEMA, &facts, &warnings, || text(&report))?;
+    Ok(Done::OK)
+}
+
+fn write(
+    args: &FragilityArgs,
+    report: &RunsReport,
+    facts: &Facts,
+    warnings: &[String],
+    files: &Files,
+) -> Result<(), Failure> {
+    for (place, (fit, outcomes)) in report.reports.iter().zip(&report.outcomes).enumerate() {
+        let name = |what: &str| file_name(what, place, fit.table.measure);
+        let table = |what: &str| name(what).trim_end_matches(".csv").to_owned();
+        files.write(&name("outcomes"), || outcomes)?;
+        files.table(&table("fragility"), || fit.table())?;
+        files.table(&table("empirical"), || fit.empirical_table())?;
+    }
+    let json = document(FRAGILITY_SCHEMA, facts, warnings)?;
+    files.write("fragility.json", || json)?;
+    if let Some(first) = report.first() {
+        files.figure("fragility", || first.figure())?;
+        export(args, first, files)?;
+    }
+    files.figure("ida", || report.ida_figure())?;
+    files.figure("measures", || report.measures_figure())?;
+    files.figure("residuals", || report.residuals_figure())
+}
+
+fn text(report: &RunsReport) -> String {
+    let mut text = format!("{}\n", report.summary());
+    for fit in &report.reports {
+        text.push_str(&format!("\n{}", curves_text(fit)));
+    }
+    let rows = report.measure_rows();
+    text.push_str(&format!("\n{}", facts_table(&rows, &MEASURE_COLUMNS)));
+    text
+}
