@@ -11,9 +11,12 @@ use crate::fragility::{ObjectCurves, load_curves};
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
-                    accepted_exceed_annual_rate [1/yr]";
+                    accepted_exceed_annual_rate [1/yr], floor, longitude, latitude";
 const OPTIONS_HINT: &str =
     "the columns are id, option, cost [AUD], one of median_factor and curves, and perhaps life [yr]";
+
+/// The highest floor.
+const MAX_FLOOR: u32 = 1000;
 
 /// What the failures of one object cost, and how often they are accepted.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +31,10 @@ pub(crate) struct CostRow {
     pub(crate) casualty_cost: Option<f64>,
     pub(crate) accepted_rate: Option<f64>,
     pub(crate) accepted_exceed_rate: Option<f64>,
+    /// 0: the ground.
+    pub(crate) floor: Option<u32>,
+    /// Longitude and latitude \[degrees\].
+    pub(crate) site_deg: Option<(f64, f64)>,
 }
 
 impl CostRow {
@@ -130,7 +137,7 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problem> {
         if let (Some(column), true) = (table.column("casualty_probability"), probability.is_some_and(|p| p > 1.0)) {
             return Err(table.cell_problem(row, column, "a probability cannot be above 1"));
         }
-        let positive = |name: &str| match table.column(name).filter(|&column| !table.text(row, column).is_empty()) {
+        let positive = |name: &str| match filled(&table, row, name) {
             Some(column) => table.positive(row, column).map(Some),
             None => Ok(None),
         };
@@ -145,9 +152,49 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problem> {
             casualty_cost: of("casualty_cost")?,
             accepted_rate: positive("accepted_annual_rate")?,
             accepted_exceed_rate: positive("accepted_exceed_annual_rate")?,
+            floor: floor_of(&table, row)?,
+            site_deg: site_of(&table, row)?,
         });
     }
     Ok(Costs { file: InputFile::new(path, bytes), currency, rows })
+}
+
+/// The number of a floor, from 0 for the ground.
+fn floor_of(table: &Table, row: &Row) -> Result<Option<u32>, Problem> {
+    let Some(column) = filled(table, row, "floor") else { return Ok(None) };
+    let text = table.text(row, column);
+    let floor = text.parse::<u32>().ok().filter(|floor| *floor <= MAX_FLOOR);
+    floor.map(Some).ok_or_else(|| {
+        let message = format!("\"{}\" is not the number of a floor", shorten(text));
+        table.cell_problem(row, column, &message).hint("write 0 for the ground, 1 for the first floor above it")
+    })
+}
+
+fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
+    let degrees = |name: &str, most: f64| -> Result<Option<f64>, Problem> {
+        let Some(column) = filled(table, row, name) else { return Ok(None) };
+        let text = table.text(row, column);
+        let value = text.parse::<f64>().ok().filter(|value| value.abs() <= most);
+        value.map(Some).ok_or_else(|| {
+            let message = format!("\"{}\" is not a {name} in degrees", shorten(text));
+            table.cell_problem(row, column, &message)
+        })
+    };
+    match (degrees("longitude", 360.0)?, degrees("latitude", 90.0)?) {
+        (Some(lon), Some(lat)) => Ok(Some((lon, lat))),
+        (None, None) => Ok(None),
+        (one, _) => {
+            let (given, missing) = if one.is_some() { ("longitude", "latitude") } else { ("latitude", "longitude") };
+            let message = format!("the row has a {given} and no {missing}");
+            let column = table.column(given).unwrap_or(0);
+            Err(table.cell_problem(row, column, &message).hint("give both, in degrees, or neither"))
+        }
+    }
+}
+
+/// The place of a column whose cell is not empty.
+fn filled(table: &Table, row: &Row, name: &str) -> Option<usize> {
+    table.column(name).filter(|&column| !table.text(row, column).is_empty())
 }
 
 /// How an option changes the curves of an object.
@@ -259,6 +306,9 @@ mod tests {
             ("id,downtime [h]\na,1\n", "is not in day"),
             ("id,casualty_probability\na,1.5\n", "above 1"),
             ("id,accepted_annual_rate\na,1e-4\n", "is not in 1/yr"),
+            ("id,floor\na,1.5\n", "i.csv:2: column 2 (\"floor\"): \"1.5\" is not the number of a floor"),
+            ("id,longitude,latitude\na,151,-133\n", "i.csv:2: column 3"),
+            ("id,longitude,latitude\na,151,\n", "the row has a longitude and no latitude"),
         ];
         for (text, said) in cases {
             let problem = costs(text).unwrap_err();

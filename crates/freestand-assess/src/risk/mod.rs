@@ -18,13 +18,14 @@ use freestand_output::table::Table;
 
 use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
 
-use costs::{Costs, load_costs, load_options};
-use hazard::{MeasuredHazard, hazard_of};
+use costs::load_options;
 use objects::ObjectRisk;
 use plan::Measures;
 use portfolio::Portfolio;
 
+pub(crate) use costs::{CostRow, Costs, load_costs};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
+pub(crate) use hazard::{MeasuredHazard, hazard_of};
 
 /// The schema of the document.
 pub const RISK_SCHEMA: &str = "freestand.risk/1";

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
+use freestand_assess::export::{ExportFormat, ExportRequest, FORMATS, export};
 use freestand_assess::fragility::{
-    At, ExportFormat, ExportRequest, FITS, FORMATS, FRAGILITY_SCHEMA, FragilityReport, FragilityRequest, ShockLimits,
-    fragility,
+    At, FITS, FRAGILITY_SCHEMA, FragilityReport, FragilityRequest, ShockLimits, fragility,
 };
-use freestand_assess::risk::coordinates;
+use freestand_assess::risk::{HazardSource, coordinates};
 use freestand_input::quantity::Dimension;
 use freestand_input::words::Choices;
 use freestand_output::json::document;
@@ -35,7 +35,7 @@ Examples:
   freestand fragility --outcomes outcomes.csv --tolerance 5g --ceiling 22g
   freestand fragility --outcomes outcomes.csv --format pelicun --demand \"0.4 m/s\" --out export
   freestand fragility --outcomes pgv.csv --format openquake --demand \"0.4 m/s\" \\
-    --site-coordinates \"151.2,-33.9\" --out export")]
+    --site-coordinates \"151.2,-33.9\" --hazard hazard.csv --inventory costs.csv --out export")]
 pub(crate) struct FragilityArgs {
     /// Table of outcomes (CSV)
     #[arg(long, value_name = "FILE")]
@@ -70,9 +70,21 @@ pub(crate) struct FragilityArgs {
     /// β for limit states that have none, such as a step
     #[arg(long, positive = Dimension::Ratio, help_heading = "Other programs")]
     beta: Option<Given>,
-    /// Longitude and latitude of the objects in degrees, for OpenQuake
+    /// Export the shares of runs as points, or the fit of shocks, instead of lognormal curves
+    #[arg(long, help_heading = "Other programs")]
+    discrete: bool,
+    /// Longitude and latitude in degrees, of objects for which the inventory has none
     #[arg(long, value_name = "LON,LAT", read = coordinates, help_heading = "Other programs")]
     site_coordinates: Option<Given<(f64, f64)>>,
+    /// Quantities, costs, floors, longitudes and latitudes of the objects, as for freestand risk (CSV)
+    #[arg(long, value_name = "FILE", requires = "format", help_heading = "Other programs")]
+    inventory: Option<PathBuf>,
+    /// Hazard curve for a second job of OpenQuake, as for freestand risk (CSV)
+    #[arg(long, value_name = "FILE", conflicts_with = "hazard_power", help_heading = "Other programs")]
+    hazard: Option<PathBuf>,
+    /// Power law in place of --hazard, "k0=1e-4 /yr, k=2.5, reference=1 m/s"
+    #[arg(long, value_name = "LAW", help_heading = "Other programs")]
+    hazard_power: Option<String>,
 }
 
 pub(crate) const PLACES: Choices<At> =
@@ -102,9 +114,10 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     if !args.format.is_empty() && global.out.is_none() {
         return Err(Failure::usage("--format writes a folder, and --out is not given", "give --out DIR"));
     }
-    let inputs = [args.outcomes.clone()];
+    let inputs: Vec<PathBuf> =
+        [Some(&args.outcomes), args.inventory.as_ref(), args.hazard.as_ref()].into_iter().flatten().cloned().collect();
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
-    let report = fragility(FragilityRequest {
+    let mut report = fragility(FragilityRequest {
         outcomes: args.outcomes.clone(),
         at: args.at,
         fit: args.fit,
@@ -112,6 +125,34 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         replicates: args.bootstrap,
         seed: global.seed(),
     })?;
+    // Before anything is written, so that what cannot be exported leaves no folder.
+    let measure = report.table.measure;
+    let hazard = match (&args.hazard, &args.hazard_power) {
+        (Some(path), _) => Some(HazardSource::File(path.clone())),
+        (None, Some(text)) => Some(HazardSource::PowerLaw { text: text.clone(), measure }),
+        (None, None) => None,
+    };
+    let mut exported = Vec::new();
+    for &format in &args.format {
+        let request = ExportRequest {
+            format,
+            demand: args.demand.clone(),
+            realizations: args.realizations,
+            beta,
+            is_discrete: args.discrete,
+            site_deg,
+            inventory: args.inventory.clone(),
+            hazard: hazard.clone().filter(|_| format == ExportFormat::OpenQuake),
+        };
+        let folder = export(&report, &request)?;
+        for warning in folder.warnings {
+            // Two programs may say the same of an object.
+            if !report.warnings.contains(&warning) {
+                report.warnings.push(warning);
+            }
+        }
+        exported.extend(folder.files);
+    }
     let facts = report.facts();
     if files.wanted() {
         files.table("fragility", || report.table())?;
@@ -119,12 +160,8 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         let json = document(FRAGILITY_SCHEMA, &facts, &report.warnings)?;
         files.write("fragility.json", || json)?;
         files.figure("fragility", || report.figure())?;
-        for &format in &args.format {
-            let request =
-                ExportRequest { format, demand: args.demand.clone(), realizations: args.realizations, beta, site_deg };
-            for (name, bytes) in report.export(&request)? {
-                files.write(&name, || bytes)?;
-            }
+        for (name, bytes) in exported {
+            files.write(&name, || bytes)?;
         }
     }
     files.finish_result(FRAGILITY_SCHEMA, &report.warnings)?;
