@@ -61,7 +61,7 @@ pub fn fetch_and_compare(root: &Path) -> Result<(), String> {
 pub fn compare(root: &Path) -> Result<(), String> {
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let binary = target.join(if cfg!(windows) { "debug/freestand.exe" } else { "debug/freestand" });
-    run(root, python(root), &["validation/risk_tools/compare.py", &binary.to_string_lossy()])
+    run(root, python(root), &["-u", "validation/risk_tools/compare.py", &binary.to_string_lossy()])
 }
 
 /// Runs a command in the workspace.

@@ -82,25 +82,32 @@ fn demand_of(measure: Measure) -> Result<Demand, Problem> {
     })
 }
 
-/// A pair of points with equal probabilities would be refused.
-const RISE: f64 = 2e-8;
+/// pelicun keeps six digits of a point and refuses two points with equal probabilities.
+const RISE: f64 = 1e-5;
 /// How far beyond the last level pelicun reaches the probability 1 that it asks for: so far that the
 /// curve stays where it is.
 const FAR: f64 = 1e6;
 
-/// A curve of points as pelicun writes it, `x1,x2|0,1`: it rises from 0 to 1.
+/// A curve of points as pelicun writes it, `x1,x2|0,1`: it rises from 0 to 1, and where it would be
+/// level, by 1e-5.
 fn multilinear(levels: &[f64], probabilities: &[f64]) -> String {
     let mut points: Vec<(f64, f64)> = vec![(0.0, 0.0)];
+    let mut is_level = false;
     for (x, p) in levels.iter().copied().zip(probabilities.iter().copied()) {
-        let last = points.last().copied().unwrap_or((0.0, 0.0));
-        if p <= 0.0 && last.1 == 0.0 {
-            // Of several zeros the last one counts.
-            points = vec![(x, 0.0)];
-        } else if p > 1.0 - RISE {
+        let Some(last) = points.last_mut() else { break };
+        if p > 1.0 - 3.0 * RISE {
             points.push((x, 1.0));
             break;
+        } else if p >= last.1 + RISE {
+            points.push((x, p));
+            is_level = false;
+        } else if is_level || p <= 0.0 {
+            // Of points on one level the last one counts.
+            last.0 = x;
         } else {
-            points.push((x, p.max(last.1 + RISE)));
+            let level = last.1 + RISE;
+            points.push((x, level));
+            is_level = true;
         }
     }
     if let Some(&(x, _)) = points.last().filter(|point| point.1 < 1.0) {
@@ -308,11 +315,12 @@ fn config(demand: &Demand, job: &Job) -> Value {
 mod tests {
     use super::*;
 
-    /// pelicun wants 0 at first, 1 at last, and a rise of more than 1e-8 between.
+    /// pelicun wants 0 at first, 1 at last, and a rise that its six digits show between.
     #[test]
     fn points_rise_from_0_to_1() {
         assert_eq!(multilinear(&[0.1, 0.2, 0.4, 0.8], &[0.0, 0.0, 0.5, 1.0]), "0.2,0.4,0.8|0,0.5,1");
-        assert_eq!(multilinear(&[1.0, 2.0, 3.0], &[0.25, 0.25, 0.5]), "0,1,2,3,3000000|0,0.25,0.25000002,0.5,1");
+        assert_eq!(multilinear(&[1.0, 2.0, 3.0], &[0.25, 0.25, 0.5]), "0,1,2,3,3000000|0,0.25,0.25001,0.5,1");
+        assert_eq!(multilinear(&[1.0, 2.0, 3.0, 4.0], &[0.25; 4]), "0,1,4,4000000|0,0.25,0.25001,1");
         assert_eq!(multilinear(&[1.0], &[0.0]), "1,1000000|0,1");
     }
 

@@ -231,19 +231,25 @@ fn read_options(bytes: &[u8], path: &Path, currency: Option<&str>) -> Result<Vec
     let (id, option, cost) = (table.needed("id")?, table.needed("option")?, table.needed("cost")?);
     currency_of(&table, &[("cost", "")], currency)?;
     check_unit(&table, "life", &["yr", "year", "years"])?;
-    for name in ["stiffness", "base_thickness", "mass"] {
-        if table.column(name).is_some() {
-            let message = format!("the column \"{name}\" is a change of the object, which has to be run anew");
-            let hint = "run the changed object, and give its curves in the column curves";
-            return Err(table.header_problem(message).hint(hint));
-        }
-    }
     let (factor, curves) = (table.column("median_factor"), table.column("curves"));
     let mut rows: Vec<OptionRow> = Vec::new();
     for row in &table.rows {
         let (name, choice) = (table.filled(row, id)?.to_owned(), table.filled(row, option)?.to_owned());
         if rows.iter().any(|other| other.id == name && other.option == choice) {
             return Err(table.cell_problem(row, option, "this option of the object is there twice"));
+        }
+        // What the changed object does follows from runs, which are not made here.
+        for change in ["stiffness", "base_thickness", "mass"] {
+            if let Some(column) = filled(&table, row, change) {
+                let message = format!("a change of {change} changes the curves, and they have to come from new runs");
+                let hint = format!(
+                    "run the changed object under the same motions, fit its outcomes with freestand fragility as object \
+                     {}/{}, and name that fragility.csv in the column curves",
+                    shorten(&name),
+                    shorten(&choice)
+                );
+                return Err(table.cell_problem(row, column, &message).hint(hint));
+            }
         }
         let is_filled = |column: Option<usize>| column.filter(|&column| !table.text(row, column).is_empty());
         let effect = match (is_filled(factor), is_filled(curves)) {
@@ -319,7 +325,10 @@ mod tests {
         assert_eq!((fine.len(), fine[0].life_years, fine[1].life_years), (2, Some(15.0), None));
         let cases = [
             ("id,option,cost [USD],median_factor\na,strap,100,3\n", "is in USD"),
-            ("id,option,cost [AUD],stiffness\na,strap,100,3\n", "has to be run anew"),
+            (
+                "id,option,cost [AUD],stiffness [N/mm]\na,pad,100,3\n",
+                "o.csv:2: column 4 (\"stiffness [N/mm]\"): a change of",
+            ),
             ("id,option,cost [AUD],median_factor\na,strap,100,\n", "o.csv:2: column 2"),
             ("id,option,cost [AUD],median_factor\na,strap,100,2\na,strap,100,3\n", "there twice"),
         ];

@@ -1,19 +1,23 @@
 //! How often objects fail, what that costs, and which options are worth their money.
 
 mod costs;
+mod figure;
 mod hazard;
 mod objects;
+mod page;
 mod plan;
 mod portfolio;
 
 use std::path::PathBuf;
 
 use freestand::fragility::LimitState;
+use freestand::risk::Hazard;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, number, percent_significant};
+use freestand_input::words::{counted, number, percent_significant, shortest};
 use freestand_output::facts::{Facts, table};
+use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 
 use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
@@ -191,6 +195,7 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
         let fit = fitted.as_ref().and_then(|report| report.objects.iter().find(|object| object.id == one.id));
         objects.push(ObjectRisk::new(one, fit, cost, &hazard.hazard, years, request.accepted_rate));
     }
+    check_finite(request, &hazard, &objects)?;
     warnings.extend(unmatched(costs.as_ref(), &curves));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let measures = match &request.options {
@@ -231,6 +236,34 @@ fn check_measures(request: &RiskRequest, hazard: &MeasuredHazard, curves: &[Obje
             return Err(match &request.curves {
                 RiskCurves::File(path) => problem.in_file(path).at_line(object.line),
                 RiskCurves::Outcomes(outcomes) => problem.in_file(&outcomes.outcomes),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Numbers beyond those of a computer come from a power law or from costs that no one means.
+fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Result<(), Problem> {
+    let is_finite = |rate: Option<f64>| rate.is_none_or(f64::is_finite);
+    for object in objects {
+        let id = shorten(&object.id);
+        let rates_are_finite =
+            object.states.iter().all(|one| is_finite(one.annual_rate) && is_finite(one.annual_rate_upper));
+        if let (Hazard::PowerLaw { rate, exponent, .. }, false) = (&hazard.hazard, rates_are_finite) {
+            let message = format!(
+                "the annual rate of {id} is too large for a number, with k0 = {} /yr and k = {}",
+                shortest(*rate),
+                shortest(*exponent)
+            );
+            let hint = "correct k0, k or the reference: k0 is how often a year motions reach the reference";
+            return Err(Problem::value(message, hint).of(&["hazard_power"]));
+        }
+        if !is_finite(object.expected_annual_loss) {
+            let message = format!("the loss a year of {id} is too large for a number");
+            let problem = Problem::value(message, "correct its costs or its quantity");
+            return Err(match &request.inventory {
+                Some(path) => problem.in_file(path),
+                None => problem,
             });
         }
     }
@@ -296,6 +329,20 @@ impl RiskReport {
     /// None in practice: see [`table`].
     pub fn table(&self) -> Result<Table, Problem> {
         table(self.objects.iter().flat_map(|object| object.rows(self.years)))
+    }
+
+    /// Losses of all objects against their return periods, and what a budget is worth; `None` without
+    /// either.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn figure(&self) -> Result<Option<Figure>, FigureError> {
+        figure::risk_figure(self)
+    }
+
+    /// `report.html`: one page for the owner, with the figure.
+    pub fn html(&self, figure: Option<&Figure>) -> String {
+        page::owners_page(self, figure)
     }
 
     /// The answer for people.
