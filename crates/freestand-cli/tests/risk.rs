@@ -435,8 +435,16 @@ fn numbers_that_no_one_means_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let (curves, hazard) = (example("curves.csv"), example("hazard.csv"));
     let base = ["risk", "--fragility", &curves];
-    let law = ["--hazard-im", "pgv", "--hazard-power", "k0=1e300 /yr, k=250, reference=1 m/s"];
-    assert!(refused(folder.path(), &[&base[..], &law].concat()).contains("with k0 = 1e300 /yr and k = 250"));
+    for (law, said) in [
+        ("k0=1e300 /yr, k=250, reference=1 m/s", "with k0 = 1e300 /yr and k = 250"),
+        ("k0=1e300 /yr, k=2.5, reference=1 m/s", "with k0 = 1e300 /yr and k = 2.5"),
+    ] {
+        let law = ["--hazard-im", "pgv", "--hazard-power", law];
+        assert!(refused(folder.path(), &[&base[..], &law].concat()).contains(said));
+    }
+    write(folder.path(), "high.csv", "pgv [m/s],annual_rate\n0.01,1e300\n1,1e299\n");
+    let high = refused(folder.path(), &[&base[..], &["--hazard", "high.csv"]].concat());
+    assert!(high.contains("high.csv: the annual rate of cabinet is above"), "{high}");
     write(folder.path(), "costs.csv", "id,quantity,replacement_cost [AUD]\ncabinet,1e200,1e200\n");
     let rich = [&base[..], &["--hazard", &hazard, "--inventory", "costs.csv"]].concat();
     assert!(refused(folder.path(), &rich).contains("costs.csv: the loss a year of cabinet is too large"));

@@ -242,29 +242,36 @@ fn check_measures(request: &RiskRequest, hazard: &MeasuredHazard, curves: &[Obje
     Ok(())
 }
 
-/// Numbers beyond those of a computer come from a power law or from costs that no one means.
+/// No motion is more frequent than this; a larger rate is a slip of the pen, and with costs it leaves
+/// the numbers of a computer \[1/year\].
+const MAX_ANNUAL_RATE: f64 = 1e12;
+
+/// Refuses rates and losses that are too large to be meant.
 fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Result<(), Problem> {
-    let is_finite = |rate: Option<f64>| rate.is_none_or(f64::is_finite);
+    let is_fine = |rate: Option<f64>| rate.is_none_or(|rate| rate < MAX_ANNUAL_RATE);
     for object in objects {
         let id = shorten(&object.id);
-        let rates_are_finite =
-            object.states.iter().all(|one| is_finite(one.annual_rate) && is_finite(one.annual_rate_upper));
-        if let (Hazard::PowerLaw { rate, exponent, .. }, false) = (&hazard.hazard, rates_are_finite) {
-            let message = format!(
-                "the annual rate of {id} is too large for a number, with k0 = {} /yr and k = {}",
-                shortest(*rate),
-                shortest(*exponent)
-            );
-            let hint = "correct k0, k or the reference: k0 is how often a year motions reach the reference";
-            return Err(Problem::value(message, hint).of(&["hazard_power"]));
+        if !object.states.iter().all(|one| is_fine(one.annual_rate) && is_fine(one.annual_rate_upper)) {
+            let limit = shortest(MAX_ANNUAL_RATE);
+            return Err(match &hazard.hazard {
+                Hazard::PowerLaw { rate, exponent, .. } => {
+                    let (k0, k) = (shortest(*rate), shortest(*exponent));
+                    let message =
+                        format!("the annual rate of {id} is above {limit} a year, with k0 = {k0} /yr and k = {k}");
+                    let hint = "correct k0, k or the reference: k0 is how often a year motions reach the reference";
+                    Problem::value(message, hint).of(&["hazard_power"])
+                }
+                Hazard::Points(_) => {
+                    let message = format!("the annual rate of {id} is above {limit} a year");
+                    let problem = Problem::value(message, "correct the rates of the hazard curve");
+                    hazard.file.iter().fold(problem, |problem, file| problem.in_file(&file.path))
+                }
+            });
         }
-        if !is_finite(object.expected_annual_loss) {
+        if !object.expected_annual_loss.is_none_or(f64::is_finite) {
             let message = format!("the loss a year of {id} is too large for a number");
             let problem = Problem::value(message, "correct its costs or its quantity");
-            return Err(match &request.inventory {
-                Some(path) => problem.in_file(path),
-                None => problem,
-            });
+            return Err(request.inventory.iter().fold(problem, |problem, path| problem.in_file(path)));
         }
     }
     Ok(())

@@ -71,7 +71,7 @@ pub(crate) struct FragilityArgs {
     #[arg(long, positive = Dimension::Ratio, help_heading = "Other programs")]
     beta: Option<Given>,
     /// Export the shares of runs as points, or the fit of shocks, instead of lognormal curves
-    #[arg(long, help_heading = "Other programs")]
+    #[arg(long, requires = "format", help_heading = "Other programs")]
     discrete: bool,
     /// Longitude and latitude in degrees, of objects for which the inventory has none
     #[arg(long, value_name = "LON,LAT", read = coordinates, help_heading = "Other programs")]
@@ -132,6 +132,9 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         (None, Some(text)) => Some(HazardSource::PowerLaw { text: text.clone(), measure }),
         (None, None) => None,
     };
+    if hazard.is_some() && !args.format.contains(&ExportFormat::OpenQuake) {
+        return Err(Failure::usage("only OpenQuake takes a hazard curve", "add --format openquake"));
+    }
     let mut exported = Vec::new();
     for &format in &args.format {
         let request = ExportRequest {
