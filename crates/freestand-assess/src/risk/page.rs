@@ -32,14 +32,14 @@ figure { margin: .8rem 0; }
   .boxes small { font-size: 7.8pt; }
   .scroll { margin: .2rem 0 .3rem; }
   figure { margin: .4rem 0; }
-  figure svg { max-width: 100%; max-height: 78mm; }
+  figure svg { max-width: 100%; max-height: 58mm; }
 }
 ";
 
 /// The most objects of the table; the rest is added up.
-const MAX_ROWS: usize = 8;
+const MAX_ROWS: usize = 6;
 /// The most ids that a list names.
-const MAX_NAMED: usize = 4;
+const MAX_NAMED: usize = 2;
 
 /// The page for the owner: loss a year, chances, the plan, what it leaves, what is not counted.
 pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String {
@@ -199,7 +199,7 @@ fn plan(report: &RiskReport) -> String {
     );
     html.push_str(&table("", &[heads.collect()], &rows));
     if plan.chosen.len() > MAX_ROWS {
-        html.push_str(&paragraph(&format!("{} more: risk.json.", counted(plan.chosen.len() - MAX_ROWS, "option"))));
+        html.push_str(&paragraph(&format!("And {} more, in risk.json.", plan.chosen.len() - MAX_ROWS)));
     }
     html
 }
@@ -275,10 +275,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
     if !rest.is_empty() {
         let loss: f64 = rest.iter().filter_map(|object| object.expected_annual_loss).sum();
         let of_losses = if has_losses { format!(", together {} a year", money(loss, currency)) } else { String::new() };
-        html.push_str(&paragraph(&format!(
-            "{} more{of_losses}: risk.csv.",
-            counted(rest.len(), "kind").replace("kind", "row")
-        )));
+        html.push_str(&paragraph(&format!("And {} more{of_losses}, in risk.csv.", rest.len())));
     }
     html
 }
@@ -358,7 +355,7 @@ mod tests {
 
     #[test]
     fn long_lists_name_the_first() {
-        assert_eq!(named(&["a", "b", "c", "d", "e", "f"]), "a, b, c, d and 2 more");
+        assert_eq!(named(&["a", "b", "c", "d", "e", "f"]), "a, b and 4 more");
         assert_eq!(sentence("repair_cost"), "Repair cost");
     }
 }
