@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use crate::python::{self, Trouble};
-use crate::{arrows, page, source, validate_shock};
+use crate::{arrows, page, risk_tools, source, validate_shock};
 
 /// What a check came to.
 enum Outcome {
@@ -68,6 +68,12 @@ pub fn all(root: &Path) -> bool {
         // The tests have just built the program. With other targets cargo would choose other features of dependencies
         // and build everything again.
         of(validate_shock::compare(root))
+    });
+    check("exported fragilities in pelicun and OpenQuake", &mut || {
+        if !risk_tools::is_installed(root) {
+            return Outcome::Skipped("not run, `cargo xtask risk-tools` fetches them".to_owned());
+        }
+        of(risk_tools::compare(root))
     });
     print!("\n{}", table(&rows, &tests));
     rows.iter().all(|row| !matches!(row.outcome, Outcome::Failed))

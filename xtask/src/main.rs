@@ -1,6 +1,7 @@
 //! `cargo xtask test`: everything that has to hold, with all set-up; what the README names and what CI runs.
 //! `cargo xtask arrows`: the first of these checks alone, which takes a second.
 //! `cargo xtask validate-shock`: shock response spectra beside public packages, which it fetches from PyPI.
+//! `cargo xtask risk-tools`: exported fragilities in pelicun and the OpenQuake engine, which it fetches from PyPI.
 //! `cargo xtask ui`: builds the page that `freestand serve` hands out; the result is committed.
 //! `cargo xtask wheel [--out DIR]`: the Python package with the program inside, as it is published.
 //! `cargo xtask python`: its tests alone, on a wheel of the dev profile.
@@ -12,6 +13,7 @@ mod arrows;
 mod checks;
 mod page;
 mod python;
+mod risk_tools;
 mod source;
 mod texts;
 mod validate_shock;
@@ -19,8 +21,8 @@ mod validate_shock;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask test | arrows | ui | wheel [--out DIR] | python | validate-shock | texts [--flagged] \
-                     [PATH…]";
+const USAGE: &str = "usage: cargo xtask test | arrows | ui | wheel [--out DIR] | python | validate-shock | risk-tools | \
+                     texts [--flagged] [PATH…]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -34,6 +36,7 @@ fn main() -> ExitCode {
         ("arrows", []) => checks::arrows(&root).map(|()| true),
         ("ui", []) => page::build(&root).map(|()| true),
         ("validate-shock", []) => validate_shock::fetch_and_compare(&root).map(|()| true),
+        ("risk-tools", []) => risk_tools::fetch_and_compare(&root).map(|()| true),
         ("wheel", []) => wheel(&root, &root.join("target/wheels")),
         ("wheel", [flag, out]) if flag == "--out" => wheel(&root, &PathBuf::from(out)),
         ("python", []) => python::test(&root).map(|()| true).map_err(told),

@@ -5,6 +5,7 @@
 //! makes the motions of its floors, gives every object its verdict and writes the tables and the
 //! report.
 
+pub mod export;
 pub mod fragility;
 pub mod inventory;
 pub mod job;

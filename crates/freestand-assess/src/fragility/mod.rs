@@ -3,9 +3,7 @@
 mod curves;
 mod figure;
 pub mod measure;
-mod openquake;
 mod outcomes;
-mod pelicun;
 mod runs;
 pub(crate) mod table;
 
@@ -16,7 +14,7 @@ use freestand::fragility::{
     bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
 };
 use freestand_input::file::InputFile;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, name_of, significant};
 use freestand_output::facts::{Facts, Value, table};
@@ -26,9 +24,7 @@ use rayon::prelude::*;
 
 pub use curves::{ObjectCurves, load_curves};
 pub use measure::{At, Measure};
-pub use openquake::{OpenQuakeRequest, openquake_files};
 pub use outcomes::OutcomeTable;
-pub use pelicun::{PelicunRequest, pelicun_files};
 pub use runs::{
     DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS, Method, Quality,
     RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
@@ -60,39 +56,6 @@ const MAX_SIMULATED: u32 = 199;
 
 /// The schema of the document.
 pub const FRAGILITY_SCHEMA: &str = "freestand.fragility/1";
-
-/// A program for which fragilities are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ExportFormat {
-    /// `fragility.csv` alone.
-    Csv,
-    /// A folder for pelicun.
-    Pelicun,
-    /// A folder for the OpenQuake engine.
-    OpenQuake,
-}
-
-/// Formats by name.
-pub const FORMATS: Choices<ExportFormat> = &[
-    (ExportFormat::Csv, "csv", "fragility.csv alone"),
-    (ExportFormat::Pelicun, "pelicun", "a folder pelicun/ that pelicun runs as it is"),
-    (ExportFormat::OpenQuake, "openquake", "a folder openquake/ that the OpenQuake engine runs as it is"),
-];
-
-/// A folder for another program.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ExportRequest {
-    /// The program.
-    pub format: ExportFormat,
-    /// Intensity with its unit, of the scenario or of every realization.
-    pub demand: Option<String>,
-    /// Realizations of pelicun; `None`: 10,000.
-    pub realizations: Option<u32>,
-    /// β for states that have none.
-    pub beta: Option<f64>,
-    /// Longitude and latitude for OpenQuake \[degrees\].
-    pub site_deg: Option<(f64, f64)>,
-}
 
 /// Fragilities that are to be fitted.
 #[derive(Debug, Clone, PartialEq)]
@@ -405,32 +368,6 @@ impl ObjectFragility {
 const METHOD: &str = "outcomes";
 
 impl FragilityReport {
-    /// The files for another program, by their paths in the output folder.
-    ///
-    /// # Errors
-    /// Fits or measures that the program cannot take, a demand or a site that is missing.
-    pub fn export(&self, request: &ExportRequest) -> Result<Vec<(String, Vec<u8>)>, Problem> {
-        let demand = request.demand.as_deref().map(|text| self.table.measure.quantity(text)).transpose();
-        let demand = demand.map_err(|problem| problem.named("demand"))?;
-        let (folder, files) = match request.format {
-            ExportFormat::Csv => return Ok(Vec::new()),
-            ExportFormat::Pelicun => {
-                let of = PelicunRequest { demand, realizations: request.realizations, beta: request.beta };
-                ("pelicun", pelicun_files(self, &of)?)
-            }
-            ExportFormat::OpenQuake => {
-                let missing = |key: &'static str, example: &str| {
-                    let message = format!("a scenario of OpenQuake needs `{key}`");
-                    Problem::new(ProblemKind::Missing, message).hint(format!("give `{key} = \"{example}\"`")).of(&[key])
-                };
-                let demand = demand.ok_or_else(|| missing("demand", "0.4 m/s"))?;
-                let site_deg = request.site_deg.ok_or_else(|| missing("site_coordinates", "151.2,-33.9"))?;
-                ("openquake", openquake_files(self, &OpenQuakeRequest { demand, site_deg, beta: request.beta })?)
-            }
-        };
-        Ok(files.into_iter().map(|(name, bytes)| (format!("{folder}/{name}"), bytes)).collect())
-    }
-
     /// The document.
     pub fn facts(&self) -> Facts<'static> {
         Facts::default()

@@ -11,9 +11,12 @@ use crate::fragility::{ObjectCurves, load_curves};
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
-                    accepted_exceed_annual_rate [1/yr]";
+                    accepted_exceed_annual_rate [1/yr], floor, longitude, latitude";
 const OPTIONS_HINT: &str =
     "the columns are id, option, cost [AUD], one of median_factor and curves, and perhaps life [yr]";
+
+/// The highest floor.
+const MAX_FLOOR: u32 = 1000;
 
 /// What the failures of one object cost, and how often they are accepted.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +31,10 @@ pub(crate) struct CostRow {
     pub(crate) casualty_cost: Option<f64>,
     pub(crate) accepted_rate: Option<f64>,
     pub(crate) accepted_exceed_rate: Option<f64>,
+    /// 0: the ground.
+    pub(crate) floor: Option<u32>,
+    /// Longitude and latitude \[degrees\].
+    pub(crate) site_deg: Option<(f64, f64)>,
 }
 
 impl CostRow {
@@ -130,7 +137,7 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problem> {
         if let (Some(column), true) = (table.column("casualty_probability"), probability.is_some_and(|p| p > 1.0)) {
             return Err(table.cell_problem(row, column, "a probability cannot be above 1"));
         }
-        let positive = |name: &str| match table.column(name).filter(|&column| !table.text(row, column).is_empty()) {
+        let positive = |name: &str| match filled(&table, row, name) {
             Some(column) => table.positive(row, column).map(Some),
             None => Ok(None),
         };
@@ -145,9 +152,49 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problem> {
             casualty_cost: of("casualty_cost")?,
             accepted_rate: positive("accepted_annual_rate")?,
             accepted_exceed_rate: positive("accepted_exceed_annual_rate")?,
+            floor: floor_of(&table, row)?,
+            site_deg: site_of(&table, row)?,
         });
     }
     Ok(Costs { file: InputFile::new(path, bytes), currency, rows })
+}
+
+/// The number of a floor, from 0 for the ground.
+fn floor_of(table: &Table, row: &Row) -> Result<Option<u32>, Problem> {
+    let Some(column) = filled(table, row, "floor") else { return Ok(None) };
+    let text = table.text(row, column);
+    let floor = text.parse::<u32>().ok().filter(|floor| *floor <= MAX_FLOOR);
+    floor.map(Some).ok_or_else(|| {
+        let message = format!("\"{}\" is not the number of a floor", shorten(text));
+        table.cell_problem(row, column, &message).hint("write 0 for the ground, 1 for the first floor above it")
+    })
+}
+
+fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
+    let degrees = |name: &str, most: f64| -> Result<Option<f64>, Problem> {
+        let Some(column) = filled(table, row, name) else { return Ok(None) };
+        let text = table.text(row, column);
+        let value = text.parse::<f64>().ok().filter(|value| value.abs() <= most);
+        value.map(Some).ok_or_else(|| {
+            let message = format!("\"{}\" is not a {name} in degrees", shorten(text));
+            table.cell_problem(row, column, &message)
+        })
+    };
+    match (degrees("longitude", 360.0)?, degrees("latitude", 90.0)?) {
+        (Some(lon), Some(lat)) => Ok(Some((lon, lat))),
+        (None, None) => Ok(None),
+        (one, _) => {
+            let (given, missing) = if one.is_some() { ("longitude", "latitude") } else { ("latitude", "longitude") };
+            let message = format!("the row has a {given} and no {missing}");
+            let column = table.column(given).unwrap_or(0);
+            Err(table.cell_problem(row, column, &message).hint("give both, in degrees, or neither"))
+        }
+    }
+}
+
+/// The place of a column whose cell is not empty.
+fn filled(table: &Table, row: &Row, name: &str) -> Option<usize> {
+    table.column(name).filter(|&column| !table.text(row, column).is_empty())
 }
 
 /// How an option changes the curves of an object.
@@ -184,19 +231,25 @@ fn read_options(bytes: &[u8], path: &Path, currency: Option<&str>) -> Result<Vec
     let (id, option, cost) = (table.needed("id")?, table.needed("option")?, table.needed("cost")?);
     currency_of(&table, &[("cost", "")], currency)?;
     check_unit(&table, "life", &["yr", "year", "years"])?;
-    for name in ["stiffness", "base_thickness", "mass"] {
-        if table.column(name).is_some() {
-            let message = format!("the column \"{name}\" is a change of the object, which has to be run anew");
-            let hint = "run the changed object, and give its curves in the column curves";
-            return Err(table.header_problem(message).hint(hint));
-        }
-    }
     let (factor, curves) = (table.column("median_factor"), table.column("curves"));
     let mut rows: Vec<OptionRow> = Vec::new();
     for row in &table.rows {
         let (name, choice) = (table.filled(row, id)?.to_owned(), table.filled(row, option)?.to_owned());
         if rows.iter().any(|other| other.id == name && other.option == choice) {
             return Err(table.cell_problem(row, option, "this option of the object is there twice"));
+        }
+        // What the changed object does follows from runs, which are not made here.
+        for change in ["stiffness", "base_thickness", "mass"] {
+            if let Some(column) = filled(&table, row, change) {
+                let message = format!("a change of {change} changes the curves, and they have to come from new runs");
+                let hint = format!(
+                    "run the changed object under the same motions, fit its outcomes with freestand fragility as object \
+                     {}/{}, and name that fragility.csv in the column curves",
+                    shorten(&name),
+                    shorten(&choice)
+                );
+                return Err(table.cell_problem(row, column, &message).hint(hint));
+            }
         }
         let is_filled = |column: Option<usize>| column.filter(|&column| !table.text(row, column).is_empty());
         let effect = match (is_filled(factor), is_filled(curves)) {
@@ -259,6 +312,9 @@ mod tests {
             ("id,downtime [h]\na,1\n", "is not in day"),
             ("id,casualty_probability\na,1.5\n", "above 1"),
             ("id,accepted_annual_rate\na,1e-4\n", "is not in 1/yr"),
+            ("id,floor\na,1.5\n", "i.csv:2: column 2 (\"floor\"): \"1.5\" is not the number of a floor"),
+            ("id,longitude,latitude\na,151,-133\n", "i.csv:2: column 3"),
+            ("id,longitude,latitude\na,151,\n", "the row has a longitude and no latitude"),
         ];
         for (text, said) in cases {
             let problem = costs(text).unwrap_err();
@@ -269,7 +325,10 @@ mod tests {
         assert_eq!((fine.len(), fine[0].life_years, fine[1].life_years), (2, Some(15.0), None));
         let cases = [
             ("id,option,cost [USD],median_factor\na,strap,100,3\n", "is in USD"),
-            ("id,option,cost [AUD],stiffness\na,strap,100,3\n", "has to be run anew"),
+            (
+                "id,option,cost [AUD],stiffness [N/mm]\na,pad,100,3\n",
+                "o.csv:2: column 4 (\"stiffness [N/mm]\"): a change of",
+            ),
             ("id,option,cost [AUD],median_factor\na,strap,100,\n", "o.csv:2: column 2"),
             ("id,option,cost [AUD],median_factor\na,strap,100,2\na,strap,100,3\n", "there twice"),
         ];

@@ -1,30 +1,35 @@
 //! How often objects fail, what that costs, and which options are worth their money.
 
 mod costs;
+mod figure;
 mod hazard;
 mod objects;
+mod page;
 mod plan;
 mod portfolio;
 
 use std::path::PathBuf;
 
 use freestand::fragility::LimitState;
+use freestand::risk::Hazard;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, number, percent_significant};
+use freestand_input::words::{counted, number, percent_significant, shortest};
 use freestand_output::facts::{Facts, table};
+use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 
 use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
 
-use costs::{Costs, load_costs, load_options};
-use hazard::{MeasuredHazard, hazard_of};
+use costs::load_options;
 use objects::ObjectRisk;
 use plan::Measures;
 use portfolio::Portfolio;
 
+pub(crate) use costs::{CostRow, Costs, load_costs};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
+pub(crate) use hazard::{MeasuredHazard, hazard_of};
 
 /// The schema of the document.
 pub const RISK_SCHEMA: &str = "freestand.risk/1";
@@ -190,6 +195,7 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
         let fit = fitted.as_ref().and_then(|report| report.objects.iter().find(|object| object.id == one.id));
         objects.push(ObjectRisk::new(one, fit, cost, &hazard.hazard, years, request.accepted_rate));
     }
+    check_finite(request, &hazard, &objects)?;
     warnings.extend(unmatched(costs.as_ref(), &curves));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let measures = match &request.options {
@@ -231,6 +237,41 @@ fn check_measures(request: &RiskRequest, hazard: &MeasuredHazard, curves: &[Obje
                 RiskCurves::File(path) => problem.in_file(path).at_line(object.line),
                 RiskCurves::Outcomes(outcomes) => problem.in_file(&outcomes.outcomes),
             });
+        }
+    }
+    Ok(())
+}
+
+/// No motion is more frequent than this; a larger rate is a slip of the pen, and with costs it leaves
+/// the numbers of a computer \[1/year\].
+const MAX_ANNUAL_RATE: f64 = 1e12;
+
+/// Refuses rates and losses that are too large to be meant.
+fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Result<(), Problem> {
+    let is_fine = |rate: Option<f64>| rate.is_none_or(|rate| rate < MAX_ANNUAL_RATE);
+    for object in objects {
+        let id = shorten(&object.id);
+        if !object.states.iter().all(|one| is_fine(one.annual_rate) && is_fine(one.annual_rate_upper)) {
+            let limit = shortest(MAX_ANNUAL_RATE);
+            return Err(match &hazard.hazard {
+                Hazard::PowerLaw { rate, exponent, .. } => {
+                    let (k0, k) = (shortest(*rate), shortest(*exponent));
+                    let message =
+                        format!("the annual rate of {id} is above {limit} a year, with k0 = {k0} /yr and k = {k}");
+                    let hint = "correct k0, k or the reference: k0 is how often a year motions reach the reference";
+                    Problem::value(message, hint).of(&["hazard_power"])
+                }
+                Hazard::Points(_) => {
+                    let message = format!("the annual rate of {id} is above {limit} a year");
+                    let problem = Problem::value(message, "correct the rates of the hazard curve");
+                    hazard.file.iter().fold(problem, |problem, file| problem.in_file(&file.path))
+                }
+            });
+        }
+        if !object.expected_annual_loss.is_none_or(f64::is_finite) {
+            let message = format!("the loss a year of {id} is too large for a number");
+            let problem = Problem::value(message, "correct its costs or its quantity");
+            return Err(request.inventory.iter().fold(problem, |problem, path| problem.in_file(path)));
         }
     }
     Ok(())
@@ -295,6 +336,20 @@ impl RiskReport {
     /// None in practice: see [`table`].
     pub fn table(&self) -> Result<Table, Problem> {
         table(self.objects.iter().flat_map(|object| object.rows(self.years)))
+    }
+
+    /// Losses of all objects against their return periods, and what a budget is worth; `None` without
+    /// either.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn figure(&self) -> Result<Option<Figure>, FigureError> {
+        figure::risk_figure(self)
+    }
+
+    /// `report.html`: one page for the owner, with the figure.
+    pub fn html(&self, figure: Option<&Figure>) -> String {
+        page::owners_page(self, figure)
     }
 
     /// The answer for people.

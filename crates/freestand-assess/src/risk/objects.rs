@@ -74,6 +74,8 @@ pub(crate) struct ObjectRisk {
     pub(crate) is_certain: Option<bool>,
     pub(crate) cost: Option<CostRow>,
     pub(crate) expected_annual_loss: Option<f64>,
+    /// Casualties per year; `None` where their probability or the rate of overturning is not known.
+    pub(crate) expected_annual_casualties: Option<f64>,
     pub(crate) not_counted: Vec<&'static str>,
 }
 
@@ -127,6 +129,10 @@ impl ObjectRisk {
         }
         let expected_annual_loss =
             cost.filter(|cost| cost.has_costs()).map(|cost| loss_of(curves, &Effect::MedianFactor(1.0), cost, hazard));
+        let overturns = states.iter().find(|one| one.limit_state == LimitState::Overturns);
+        let expected_annual_casualties = cost.and_then(|cost| {
+            Some(cost.quantity * cost.casualty_probability? * overturns.and_then(|one| one.annual_rate)?)
+        });
         let deaggregation = curves.curves.last().map_or(Vec::new(), |curve| deaggregation(hazard, curve.kind));
         Self {
             id: curves.id.clone(),
@@ -139,6 +145,7 @@ impl ObjectRisk {
             is_certain,
             cost: cost.cloned(),
             expected_annual_loss,
+            expected_annual_casualties,
             not_counted,
         }
     }
@@ -177,6 +184,7 @@ impl ObjectRisk {
             .key("verdict", self.verdict.map(RiskVerdict::name))
             .key("certain", self.is_certain)
             .key("expected_annual_loss", self.expected_annual_loss)
+            .key("expected_annual_casualties", self.expected_annual_casualties)
             .key("not_counted", self.not_counted.clone())
     }
 

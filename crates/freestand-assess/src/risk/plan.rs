@@ -20,19 +20,19 @@ const PLAN_TIME: Duration = Duration::from_secs(10);
 
 /// What one option is worth.
 #[derive(Debug, Clone, PartialEq)]
-struct Worth {
-    id: String,
-    option: String,
+pub(super) struct Worth {
+    pub(super) id: String,
+    pub(super) option: String,
     object: usize,
-    cost: f64,
+    pub(super) cost: f64,
     /// With renewals.
     cost_present_value: f64,
-    benefit_present_value: f64,
+    pub(super) benefit_present_value: f64,
 }
 
 impl Worth {
     /// `None` for what costs nothing.
-    fn ratio(&self) -> Option<f64> {
+    pub(super) fn ratio(&self) -> Option<f64> {
         (self.cost_present_value > 0.0).then(|| self.benefit_present_value / self.cost_present_value)
     }
 
@@ -56,16 +56,20 @@ impl Worth {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Measures {
     ranking: Vec<Worth>,
-    plan: Option<Chosen>,
+    pub(super) plan: Option<Chosen>,
+    pub(super) horizon_years: f64,
+    pub(super) discount_ratio: f64,
+    /// Present value of 1 per year over the horizon \[years\].
+    pub(super) years: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-struct Chosen {
-    budget: f64,
-    plan: Plan,
-    chosen: Vec<Worth>,
+pub(super) struct Chosen {
+    pub(super) budget: f64,
+    pub(super) plan: Plan,
+    pub(super) chosen: Vec<Worth>,
     /// Budget, cost and net present value of the best plan within it.
-    frontier: Vec<(f64, f64, f64)>,
+    pub(super) frontier: Vec<(f64, f64, f64)>,
 }
 
 pub(crate) fn measures(
@@ -119,7 +123,7 @@ pub(crate) fn measures(
     let key = |worth: &Worth| worth.ratio().unwrap_or(if worth.net() > 0.0 { f64::INFINITY } else { 0.0 });
     ranking.sort_by(|a, b| key(b).total_cmp(&key(a)));
     let plan = request.budget.as_ref().map(|(budget, _)| chosen(&ranking, objects.len(), *budget));
-    Ok(Measures { ranking, plan })
+    Ok(Measures { ranking, plan, horizon_years: horizon, discount_ratio: discount, years })
 }
 
 /// Whether a search that begins now may go on.

@@ -30,9 +30,9 @@ const NO_STRIPES: f64 = 0.5;
 pub(crate) struct Portfolio {
     worlds: usize,
     expected_annual_loss: f64,
-    curve: Vec<LossPoint>,
-    independent: Vec<LossPoint>,
-    is_at_least: bool,
+    pub(super) curve: Vec<LossPoint>,
+    pub(super) independent: Vec<LossPoint>,
+    pub(super) is_at_least: bool,
 }
 
 /// A motion at a level: the classes of the objects with costs.

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
+use freestand_assess::export::{ExportFormat, ExportRequest, FORMATS, check_export, export};
 use freestand_assess::fragility::{
-    At, ExportFormat, ExportRequest, FITS, FORMATS, FRAGILITY_SCHEMA, FragilityReport, FragilityRequest, ShockLimits,
-    fragility,
+    At, FITS, FRAGILITY_SCHEMA, FragilityReport, FragilityRequest, ShockLimits, fragility,
 };
-use freestand_assess::risk::coordinates;
+use freestand_assess::risk::{HazardSource, coordinates};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::words::Choices;
@@ -47,12 +47,13 @@ Examples:
     freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --method stripes \\
       --scales \"0.1 m/s:1.5 m/s:10\" --out stripes
   The fit alone:
-  freestand fragility --outcomes outcomes.csv --out fragility
-  freestand fragility --outcomes outcomes.csv --fit separate --json
-  freestand fragility --outcomes outcomes.csv --tolerance 5g --ceiling 22g
-  freestand fragility --outcomes outcomes.csv --format pelicun --demand \"0.4 m/s\" --out export
-  freestand fragility --outcomes pgv.csv --format openquake --demand \"0.4 m/s\" \\
-    --site-coordinates \"151.2,-33.9\" --out export")]
+    freestand fragility --outcomes outcomes.csv --out fragility
+    freestand fragility --outcomes outcomes.csv --fit separate --json
+    freestand fragility --outcomes outcomes.csv --tolerance 5g --ceiling 22g
+  Folders for other programs; --inventory then has quantities, costs, floors and coordinates:
+    freestand fragility --outcomes outcomes.csv --format pelicun --demand \"0.4 m/s\" --out export
+    freestand fragility --outcomes pgv.csv --format openquake --demand \"0.4 m/s\" \\
+      --site-coordinates \"151.2,-33.9\" --hazard hazard.csv --inventory costs.csv --out export")]
 pub(crate) struct FragilityArgs {
     /// Table of outcomes (CSV), in place of runs
     #[arg(long, value_name = "FILE")]
@@ -91,9 +92,18 @@ pub(crate) struct FragilityArgs {
     /// β for limit states that have none, such as a step
     #[arg(long, positive = Dimension::Ratio, help_heading = "Other programs")]
     beta: Option<Given>,
-    /// Longitude and latitude of the objects in degrees, for OpenQuake
+    /// Export the shares of runs as points, or the fit of shocks, instead of lognormal curves
+    #[arg(long, requires = "format", help_heading = "Other programs")]
+    discrete: bool,
+    /// Longitude and latitude in degrees, of objects for which the inventory has none
     #[arg(long, value_name = "LON,LAT", read = coordinates, help_heading = "Other programs")]
     site_coordinates: Option<Given<(f64, f64)>>,
+    /// Hazard curve for a second job of OpenQuake, as for freestand risk (CSV)
+    #[arg(long, value_name = "FILE", conflicts_with = "hazard_power", help_heading = "Other programs")]
+    hazard: Option<PathBuf>,
+    /// Power law in place of --hazard, "k0=1e-4 /yr, k=2.5, reference=1 m/s"
+    #[arg(long, value_name = "LAW", help_heading = "Other programs")]
+    hazard_power: Option<String>,
 }
 
 pub(crate) const PLACES: Choices<At> =
@@ -116,7 +126,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         return Err(Failure::usage("--format writes a folder, and --out is not given", "give --out DIR"));
     }
     match &args.outcomes {
-        Some(_) if args.runs.is_given() => Err(Failure::usage(
+        Some(_) if args.runs.is_given_beside_outcomes() => Err(Failure::usage(
             "--outcomes has the runs already, and others are asked for",
             "leave out --outcomes, or the objects and the motions",
         )),
@@ -146,9 +156,11 @@ fn run_table(
     let shock = tolerance
         .zip(ceiling)
         .map(|(tolerance, ceiling)| ShockLimits { tolerance_g: tolerance / G0_M_S2, ceiling_g: ceiling / G0_M_S2 });
-    let inputs = [outcomes.clone()];
+    let costs = args.runs.inventory();
+    let mut exports = Exports::new(args, costs)?;
+    let inputs: Vec<PathBuf> = [Some(outcomes), costs, args.hazard.as_ref()].into_iter().flatten().cloned().collect();
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
-    let report = fragility(FragilityRequest {
+    let mut report = fragility(FragilityRequest {
         outcomes: outcomes.clone(),
         at: args.at,
         fit: args.fit,
@@ -156,6 +168,9 @@ fn run_table(
         replicates: args.bootstrap,
         seed: global.seed(),
     })?;
+    // Before anything is written, so that what cannot be exported leaves no folder.
+    exports.make(&report)?;
+    report.warnings.append(&mut exports.warnings);
     let facts = report.facts();
     if files.wanted() {
         files.table("fragility", || report.table())?;
@@ -163,27 +178,72 @@ fn run_table(
         let json = document(FRAGILITY_SCHEMA, &facts, &report.warnings)?;
         files.write("fragility.json", || json)?;
         files.figure("fragility", || report.figure())?;
-        export(args, &report, &files)?;
+        exports.write(&files)?;
     }
     files.finish_result(FRAGILITY_SCHEMA, &report.warnings)?;
     printer.result(FRAGILITY_SCHEMA, &facts, &report.warnings, || curves_text(&report))?;
     Ok(Done::OK)
 }
 
-/// Writes the folders for other programs.
-pub(super) fn export(args: &FragilityArgs, report: &FragilityReport, files: &Files) -> Result<(), Failure> {
-    let mut values = Values::default();
-    let beta = values.read(&args.beta);
-    let site_deg = values.read(&args.site_coordinates);
-    values.finish()?;
-    for &format in &args.format {
-        let request =
-            ExportRequest { format, demand: args.demand.clone(), realizations: args.realizations, beta, site_deg };
-        for (name, bytes) in report.export(&request)? {
-            files.write(&name, || bytes)?;
+/// The folders for other programs.
+pub(super) struct Exports {
+    requests: Vec<ExportRequest>,
+    hazard: Option<PathBuf>,
+    power_law: Option<String>,
+    made: Vec<(String, Vec<u8>)>,
+    /// What to know beside them.
+    pub(super) warnings: Vec<String>,
+}
+
+impl Exports {
+    /// What is asked for, checked as far as it can be without fits.
+    pub(super) fn new(args: &FragilityArgs, inventory: Option<&PathBuf>) -> Result<Self, Failure> {
+        let mut values = Values::default();
+        let beta = values.read(&args.beta);
+        let site_deg = values.read(&args.site_coordinates);
+        values.finish()?;
+        if (args.hazard.is_some() || args.hazard_power.is_some()) && !args.format.contains(&ExportFormat::OpenQuake) {
+            return Err(Failure::usage("only OpenQuake takes a hazard curve", "add --format openquake"));
         }
+        let request = |&format| ExportRequest {
+            format,
+            demand: args.demand.clone(),
+            realizations: args.realizations,
+            beta,
+            is_discrete: args.discrete,
+            site_deg,
+            inventory: inventory.cloned(),
+            hazard: None,
+        };
+        let requests: Vec<ExportRequest> = args.format.iter().map(request).collect();
+        requests.iter().try_for_each(check_export)?;
+        let (hazard, power_law) = (args.hazard.clone(), args.hazard_power.clone());
+        Ok(Self { requests, hazard, power_law, made: Vec::new(), warnings: Vec::new() })
     }
-    Ok(())
+
+    /// Makes the files.
+    pub(super) fn make(&mut self, report: &FragilityReport) -> Result<(), Failure> {
+        let measure = report.table.measure;
+        let file = self.hazard.clone().map(HazardSource::File);
+        let hazard = file.or(self.power_law.clone().map(|text| HazardSource::PowerLaw { text, measure }));
+        for request in &self.requests {
+            let hazard = hazard.clone().filter(|_| request.format == ExportFormat::OpenQuake);
+            let folder = export(report, &ExportRequest { hazard, ..request.clone() })?;
+            for warning in folder.warnings {
+                // Two programs may say the same of an object.
+                if !report.warnings.contains(&warning) && !self.warnings.contains(&warning) {
+                    self.warnings.push(warning);
+                }
+            }
+            self.made.extend(folder.files);
+        }
+        Ok(())
+    }
+
+    /// Writes them.
+    pub(super) fn write(self, files: &Files) -> Result<(), Failure> {
+        self.made.into_iter().try_for_each(|(name, bytes)| files.write(&name, || bytes).map(drop))
+    }
 }
 
 /// The curves by one measure, for people.

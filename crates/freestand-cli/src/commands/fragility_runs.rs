@@ -20,7 +20,7 @@ use freestand_study::rock::problem;
 use super::Done;
 use super::assess::{ListArgs, watched};
 use super::block::ShapeArgs;
-use super::fragility::{FragilityArgs, curves_text, export};
+use super::fragility::{Exports, FragilityArgs, curves_text};
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -64,7 +64,7 @@ pub(crate) struct RunArgs {
     #[arg(long, positive = Dimension::Length, help_heading = "One object")]
     tolerance_edge_lift: Option<Given>,
     /// Rotation over α beyond which a tolerance is exceeded, such as 0.4; also for an inventory
-    #[arg(long, positive = Dimension::Ratio, help_heading = "The runs")]
+    #[arg(long, conflicts_with = "outcomes", positive = Dimension::Ratio, help_heading = "The runs")]
     tolerance_rotation: Option<Given>,
     /// Records of the horizontal acceleration of the floor under the object
     #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
@@ -78,20 +78,20 @@ pub(crate) struct RunArgs {
     read: ReadArgs,
     /// Intensity measures, such as "pfv, pfa, sa(0.5), sa_avg(0.2:2), velocity_ratio"; the first one
     /// is that of fragility.csv [default: pfv, with a study pgv]
-    #[arg(long, value_name = "LIST", read = measures, help_heading = "The runs")]
+    #[arg(long, conflicts_with = "outcomes", value_name = "LIST", read = measures, help_heading = "The runs")]
     im: Option<Given<Vec<Measure>>>,
     /// How the runs are chosen
     #[arg(long, value_parser = choice(METHODS), default_value = name_of(METHODS, Method::Incremental), help_heading = "The runs")]
     method: Method,
     /// adaptive, or a grid or list: of factors on the motions for ida, such as "0.5:5:10"; of
     /// intensities by the first measure for stripes, such as "0.1 m/s:2 m/s:12" [default: adaptive]
-    #[arg(long, value_name = "adaptive|GRID", help_heading = "The runs")]
+    #[arg(long, conflicts_with = "outcomes", value_name = "adaptive|GRID", help_heading = "The runs")]
     scales: Option<String>,
     /// Largest factor on a motion [default: 10]
-    #[arg(long, positive = Dimension::Ratio, help_heading = "The runs")]
+    #[arg(long, conflicts_with = "outcomes", positive = Dimension::Ratio, help_heading = "The runs")]
     max_scale: Option<Given>,
     /// Number of worlds of a study that generates its motions [default: 40; records are used once each]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000), help_heading = "The runs")]
+    #[arg(long, conflicts_with = "outcomes", value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000), help_heading = "The runs")]
     worlds: Option<u32>,
 }
 
@@ -112,7 +112,17 @@ type Motions = (Vec<FloorMotion>, Vec<String>, Vec<InputFile>);
 impl RunArgs {
     /// What is run: something that names an object.
     pub(crate) fn is_given(&self) -> bool {
-        self.height.is_some() || self.thickness.is_some() || !self.motion.is_empty() || self.names_list()
+        self.is_given_beside_outcomes() || self.list.inventory.is_some()
+    }
+
+    /// As [`RunArgs::is_given`] beside a table of outcomes, for which the inventory has costs.
+    pub(crate) fn is_given_beside_outcomes(&self) -> bool {
+        self.height.is_some() || self.thickness.is_some() || !self.motion.is_empty() || self.list.study.is_some()
+    }
+
+    /// The list of the objects.
+    pub(crate) fn inventory(&self) -> Option<&PathBuf> {
+        self.list.inventory.as_ref()
     }
 
     fn names_list(&self) -> bool {
@@ -239,6 +249,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let grid = values.take(grid.map_err(|problem| problem.named("scales"))).flatten().flatten();
     values.finish()?;
 
+    let mut exports = Exports::new(args, runs.inventory())?;
     let (mut notes, mut sources) = (Vec::new(), Vec::new());
     let mut inputs: Vec<PathBuf> =
         runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
@@ -252,7 +263,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
             RunObjects::Given(Box::new(GivenObject { motions, ..object }))
         }
         None => {
-            let (of_study, _, of_list) = runs.list.read(global, None)?;
+            let (of_study, _, of_list) = runs.list.read(global, None, Vec::new())?;
             (study, inventory) = (of_study, of_list);
             notes.extend(inventory.warnings.iter().cloned());
             if let Some(path) = &study.source {
@@ -283,23 +294,23 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         true => Failure::Stopped { printed: false },
         false => problems.into(),
     })?;
-    let warnings: Vec<String> = notes.into_iter().chain(report.warnings.iter().cloned()).collect();
+    // Before anything is written, so that what cannot be exported leaves no folder.
+    if let Some(first) = report.first() {
+        exports.make(first)?;
+    }
+    let of_runs = notes.into_iter().chain(report.warnings.iter().cloned());
+    let warnings: Vec<String> = of_runs.chain(exports.warnings.iter().cloned()).collect();
     let facts = report.facts(global.seed());
     if files.wanted() {
-        write(args, &report, &facts, &warnings, &files)?;
+        write(&report, &facts, &warnings, &files)?;
+        exports.write(&files)?;
     }
     files.finish_result(FRAGILITY_SCHEMA, &warnings)?;
     printer.result(FRAGILITY_SCHEMA, &facts, &warnings, || text(&report))?;
     Ok(Done::OK)
 }
 
-fn write(
-    args: &FragilityArgs,
-    report: &RunsReport,
-    facts: &Facts,
-    warnings: &[String],
-    files: &Files,
-) -> Result<(), Failure> {
+fn write(report: &RunsReport, facts: &Facts, warnings: &[String], files: &Files) -> Result<(), Failure> {
     for (place, (fit, outcomes)) in report.reports.iter().zip(&report.outcomes).enumerate() {
         let name = |what: &str| file_name(what, place, fit.table.measure);
         let table = |what: &str| name(what).trim_end_matches(".csv").to_owned();
@@ -311,7 +322,6 @@ fn write(
     files.write("fragility.json", || json)?;
     if let Some(first) = report.first() {
         files.figure("fragility", || first.figure())?;
-        export(args, first, files)?;
     }
     files.figure("ida", || report.ida_figure())?;
     files.figure("measures", || report.measures_figure())?;

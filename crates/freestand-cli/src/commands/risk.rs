@@ -138,6 +138,11 @@ pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Re
         files.table("risk", || report.table())?;
         let json = document(RISK_SCHEMA, &facts, &report.warnings)?;
         files.write("risk.json", || json)?;
+        let figure = report.figure()?;
+        if let Some(figure) = &figure {
+            files.drawn("risk", figure)?;
+        }
+        files.write("report.html", || report.html(figure.as_ref()))?;
     }
     files.finish_result(RISK_SCHEMA, &report.warnings)?;
     printer.result(RISK_SCHEMA, &facts, &report.warnings, || report.text())?;

@@ -1,0 +1,299 @@
+//! Fragilities as folders for other programs: pelicun and the OpenQuake engine.
+
+mod openquake;
+mod pelicun;
+mod points;
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use freestand::fragility::{CurveKind, FitKind, LimitState};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::shorten;
+use freestand_input::words::Choices;
+use serde_json::{Value, json};
+
+use crate::fragility::{FragilityReport, ObjectFragility};
+use crate::risk::{CostRow, Costs, HazardSource, hazard_of, load_costs};
+
+use points::Points;
+
+/// A program for which fragilities are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExportFormat {
+    /// `fragility.csv` alone.
+    Csv,
+    /// A folder for pelicun.
+    Pelicun,
+    /// A folder for the OpenQuake engine.
+    OpenQuake,
+}
+
+/// Formats by name.
+pub const FORMATS: Choices<ExportFormat> = &[
+    (ExportFormat::Csv, "csv", "fragility.csv alone"),
+    (ExportFormat::Pelicun, "pelicun", "a folder pelicun/ that pelicun runs as it is"),
+    (ExportFormat::OpenQuake, "openquake", "a folder openquake/ that the OpenQuake engine runs as it is"),
+];
+
+/// A folder for another program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExportRequest {
+    /// The program.
+    pub format: ExportFormat,
+    /// Intensity with its unit, of the scenario or of every realization.
+    pub demand: Option<String>,
+    /// Realizations of pelicun; `None`: 10,000.
+    pub realizations: Option<u32>,
+    /// β for states that have none.
+    pub beta: Option<f64>,
+    /// Points in place of lognormal curves: the shares of runs, or the probability of exceeding a
+    /// tolerance that was fitted to the shocks.
+    pub is_discrete: bool,
+    /// Longitude and latitude for OpenQuake where the inventory has none \[degrees\].
+    pub site_deg: Option<(f64, f64)>,
+    /// Quantities, costs, floors and coordinates (CSV).
+    pub inventory: Option<PathBuf>,
+    /// How often the ground shakes, for a second job of OpenQuake.
+    pub hazard: Option<HazardSource>,
+}
+
+/// A folder for another program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Exported {
+    /// Its files, by their paths in the output folder.
+    pub files: Vec<(String, Vec<u8>)>,
+    /// What to know beside it.
+    pub warnings: Vec<String>,
+}
+
+/// Files of a folder, by their names in it.
+type Files = Vec<(String, Vec<u8>)>;
+
+/// What can be checked of a request before there is a fit: its inventory.
+///
+/// # Errors
+/// An inventory that cannot be read as one of quantities and costs.
+pub fn check_export(request: &ExportRequest) -> Result<(), Problems> {
+    if request.format != ExportFormat::Csv {
+        request.inventory.as_deref().map(load_costs).transpose()?;
+    }
+    Ok(())
+}
+
+/// The files for another program.
+///
+/// # Errors
+/// Fits or measures that the program cannot take; a demand, a site or an inventory that is missing or
+/// wrong.
+pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Exported, Problems> {
+    let demand = request.demand.as_deref().map(|text| report.table.measure.quantity(text)).transpose();
+    let demand = demand.map_err(|problem| problem.named("demand"))?;
+    let mut warnings = Vec::new();
+    let (folder, start, fine) = match request.format {
+        ExportFormat::Csv => return Ok(Exported { files: Vec::new(), warnings }),
+        // A hyphen in an id breaks pelicun.
+        ExportFormat::Pelicun => ("pelicun", "FS.", "_."),
+        ExportFormat::OpenQuake => ("openquake", "", "_-"),
+    };
+    check_fit(report, request)?;
+    let costs = request.inventory.as_deref().map(load_costs).transpose()?;
+    let objects = objects(report, request, costs.as_ref(), (start, fine), &mut warnings)?;
+    let listed = Listed { objects: &objects, currency: costs.as_ref().and_then(|costs| costs.currency.as_deref()) };
+    let files = match request.format {
+        ExportFormat::Csv => Vec::new(),
+        ExportFormat::Pelicun => {
+            if request.hazard.is_some() {
+                let message = "pelicun has no hazard curves";
+                let hint = "leave out the hazard, or export for OpenQuake";
+                return Err(Problem::value(message, hint).of(&["hazard"]).into());
+            }
+            pelicun::files(report, request, &listed, demand, &mut warnings)?
+        }
+        ExportFormat::OpenQuake => {
+            let hazard = request
+                .hazard
+                .as_ref()
+                .map(|source| hazard_of(source, Some(report.at), request.site_deg))
+                .transpose()?;
+            warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
+            openquake::files(report, request, &listed, demand, hazard.as_ref())?
+        }
+    };
+    let files = files.into_iter().map(|(name, bytes)| (format!("{folder}/{name}"), bytes)).collect();
+    Ok(Exported { files, warnings })
+}
+
+/// The objects of a folder, and the currency of their costs.
+struct Listed<'a> {
+    objects: &'a [ExportObject<'a>],
+    currency: Option<&'a str>,
+}
+
+/// The curves of an object, as another program gets them.
+enum Shape {
+    /// Median and β of exceeding, if it has a tolerance, and of overturning.
+    Lognormal { exceeds: Option<(f64, f64)>, overturns: (f64, f64) },
+    /// Probabilities at common intensities.
+    Points(Points),
+}
+
+impl Shape {
+    fn has_exceeds(&self) -> bool {
+        match self {
+            Self::Lognormal { exceeds, .. } => exceeds.is_some(),
+            Self::Points(points) => points.exceeds.is_some(),
+        }
+    }
+}
+
+/// An object with all that the folders of other programs state about it.
+struct ExportObject<'a> {
+    object: &'a ObjectFragility,
+    /// Its id there.
+    id: String,
+    shape: Shape,
+    quantity: f64,
+    /// 0: the ground.
+    floor: u32,
+    site_deg: Option<(f64, f64)>,
+    cost: Option<&'a CostRow>,
+}
+
+impl ExportObject<'_> {
+    /// What `metadata.json` says of it.
+    fn metadata(&self, report: &FragilityReport) -> Value {
+        let curves = match &self.shape {
+            Shape::Lognormal { exceeds, overturns } => json!({"exceeds": exceeds, "overturns": overturns}),
+            Shape::Points(points) => json!({"points": points.levels.len()}),
+        };
+        json!({
+            "id": self.object.id, "exported_id": self.id, "im": report.table.measure.name(),
+            "im_unit": report.table.measure.unit(), "at": report.at.name(),
+            "fit": if matches!(self.shape, Shape::Points(_)) { "discrete" } else { "ordered" },
+            "limit_states": if self.shape.has_exceeds() { &["exceeds", "overturns"][..] } else { &["overturns"] },
+            "median_and_beta": curves, "motions": self.object.outcomes.motions(), "quantity": self.quantity,
+        })
+    }
+}
+
+fn objects<'a>(
+    report: &'a FragilityReport,
+    request: &ExportRequest,
+    costs: Option<&'a Costs>,
+    (start, fine): (&str, &str),
+    warnings: &mut Vec<String>,
+) -> Result<Vec<ExportObject<'a>>, Problem> {
+    let ids = plain_ids(report.objects.iter().map(|object| object.id.as_str()), start, fine);
+    let mut objects = Vec::new();
+    for (object, id) in report.objects.iter().zip(ids) {
+        let cost = costs.and_then(|costs| costs.rows.iter().find(|row| row.id == object.id));
+        if costs.is_some() && cost.is_none() {
+            warnings.push(format!("{}: not in the inventory, so one object without costs is exported", object.id));
+        }
+        let quantity = cost.map_or(1.0, |cost| cost.quantity);
+        if quantity == 0.0 {
+            warnings.push(format!("{}: its quantity is 0, so it is not exported", object.id));
+            continue;
+        }
+        let shape = if request.is_discrete {
+            Shape::Points(Points::of(object, report.request.shock.is_some()))
+        } else {
+            let overturns = exported(object, LimitState::Overturns, request.beta)?.ok_or_else(|| {
+                let message = format!("object {} has no curve of overturning", shorten(&object.id));
+                Problem::value(message, "run more levels, or leave out the object")
+            })?;
+            Shape::Lognormal { exceeds: exported(object, LimitState::Exceeds, request.beta)?, overturns }
+        };
+        objects.push(ExportObject {
+            object,
+            id,
+            shape,
+            quantity,
+            floor: cost.and_then(|cost| cost.floor).unwrap_or(0),
+            site_deg: cost.and_then(|cost| cost.site_deg),
+            cost,
+        });
+    }
+    if objects.is_empty() {
+        return Err(Problem::new(ProblemKind::Missing, "no object is left to export").hint("correct the quantities"));
+    }
+    Ok(objects)
+}
+
+/// Ids as another program accepts them: a start, letters, digits and the characters in `fine`.
+fn plain_ids<'a>(ids: impl Iterator<Item = &'a str>, start: &str, fine: &str) -> Vec<String> {
+    let mut used = BTreeSet::new();
+    ids.map(|id| {
+        let is_fine = |c: char| c.is_ascii_alphanumeric() || fine.contains(c);
+        let plain: String = id.chars().map(|c| if is_fine(c) { c } else { '_' }).collect();
+        let base = format!("{start}{plain}");
+        let unique = std::iter::once(base.clone())
+            .chain((2..).map(|i| format!("{base}_{i}")))
+            .find(|id| !used.contains(id))
+            .unwrap_or(base);
+        used.insert(unique.clone());
+        unique
+    })
+    .collect()
+}
+
+/// Median and β of a limit state for another program; a state without β takes that of the user.
+///
+/// # Errors
+/// A state without a median, or without β where the user gives none.
+fn exported(object: &ObjectFragility, state: LimitState, beta: Option<f64>) -> Result<Option<(f64, f64)>, Problem> {
+    let Some(kind) = object.fit.curve(state) else { return Ok(None) };
+    if let CurveKind::Lognormal { median, beta } = kind {
+        return Ok(Some((median, beta)));
+    }
+    let (id, state) = (shorten(&object.id), state.name());
+    match (kind.median(), beta) {
+        (Some(median), Some(beta)) => Ok(Some((median, beta))),
+        (Some(_), None) => {
+            let message = format!("object {id}: {state} is a step, which has no beta");
+            Err(Problem::value(message, "give `beta = 0.25` for states whose beta is not known, or run more levels"))
+        }
+        (None, _) => {
+            let message = format!("object {id}: {state} has no curve ({})", kind.name());
+            Err(Problem::value(
+                message,
+                "run more levels, leave out the object, or export its points: `discrete = true`",
+            ))
+        }
+    }
+}
+
+/// Refuses curves that may cross, which both programs mend silently, and curves that are not
+/// lognormal. Shares of runs cannot cross.
+fn check_fit(report: &FragilityReport, request: &ExportRequest) -> Result<(), Problem> {
+    if request.is_discrete {
+        return Ok(());
+    }
+    if report.request.shock.is_some() {
+        let message = "a fit of shocks has no lognormal curve of exceeding";
+        let hint = "export its points with `discrete = true`, or the fit of the classes, without `tolerance`";
+        return Err(Problem::value(message, hint).of(&["tolerance"]));
+    }
+    if report.request.fit == FitKind::Ordered {
+        return Ok(());
+    }
+    let message = "separate fits may cross, and other programs would mend them silently";
+    Err(Problem::value(message, "export with `fit = \"ordered\"`").of(&["fit"]))
+}
+
+/// Where the outcomes came from, for `metadata.json`.
+fn sources(report: &FragilityReport) -> Value {
+    json!([{"path": report.table.file.path.display().to_string(), "sha256": report.table.file.sha256}])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_are_plain_and_unique() {
+        let ids = ["CAB-01", "CAB_01", "Schrank Ä", "a.b"];
+        assert_eq!(plain_ids(ids.into_iter(), "FS.", "_."), ["FS.CAB_01", "FS.CAB_01_2", "FS.Schrank__", "FS.a.b"]);
+    }
+}

@@ -1,0 +1,129 @@
+//! Curves as points, for programs that join them by straight lines.
+
+use freestand::fragility::{Empirical, LimitState, empirical};
+
+use crate::fragility::ObjectFragility;
+
+/// The largest step of a sampled curve: with 2 % the straight line between two points is off by
+/// 0.0003 at most for β ≥ 0.25, with 10 % by 0.005.
+const STEP: f64 = 1.02;
+/// How far a sampled curve goes beyond the levels of the runs.
+const BEYOND: f64 = 5.0;
+
+/// Probabilities at common intensities, rising, from 0 at the intensity 0; beyond the last one they
+/// stay as they are there.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Points {
+    /// Intensities above 0, in the unit of the measure.
+    pub(super) levels: Vec<f64>,
+    /// P(exceeds or overturns); `None` without a tolerance.
+    pub(super) exceeds: Option<Vec<f64>>,
+    /// P(overturns).
+    pub(super) overturns: Vec<f64>,
+}
+
+impl Points {
+    /// The shares of runs of an object, made to rise; or, where shocks were fitted, samples of the
+    /// fitted probabilities.
+    pub(super) fn of(object: &ObjectFragility, is_by_shock: bool) -> Self {
+        match object.two_stage.filter(|_| is_by_shock) {
+            Some(two_stage) => {
+                let overturns = object.fit.curve(LimitState::Overturns);
+                let levels = sampled(object.outcomes.levels());
+                let of = |p: &dyn Fn(f64) -> f64| -> Vec<f64> {
+                    // Rounding alone would make a curve fall.
+                    levels.iter().scan(0.0_f64, |most, x| Some(raise(most, p(*x)))).collect()
+                };
+                let overturns = of(&|x| overturns.and_then(|kind| kind.probability(x)).unwrap_or(0.0));
+                let exceeds = of(&|x| two_stage.probability(x));
+                let exceeds = exceeds.iter().zip(&overturns).map(|(one, other)| one.max(*other)).collect();
+                Self { levels, exceeds: Some(exceeds), overturns }
+            }
+            None => {
+                let seen = |state| rising(&empirical(&object.outcomes, state));
+                let overturns = seen(LimitState::Overturns);
+                let exceeds = object.fit.curve(LimitState::Exceeds).map(|_| seen(LimitState::Exceeds));
+                let mut levels: Vec<f64> =
+                    overturns.iter().chain(exceeds.iter().flatten()).map(|point| point.0).collect();
+                if levels.is_empty() {
+                    levels = object.outcomes.levels().to_vec();
+                }
+                levels.sort_by(f64::total_cmp);
+                levels.dedup();
+                let of = |curve: &[(f64, f64)]| levels.iter().map(|x| between(curve, *x)).collect::<Vec<f64>>();
+                let overturned = of(&overturns);
+                let exceeded = exceeds
+                    .map(|curve| of(&curve).iter().zip(&overturned).map(|(one, other)| one.max(*other)).collect());
+                Self { exceeds: exceeded, overturns: overturned, levels }
+            }
+        }
+    }
+}
+
+fn raise(most: &mut f64, value: f64) -> f64 {
+    *most = most.max(value);
+    *most
+}
+
+fn sampled(levels: &[f64]) -> Vec<f64> {
+    let (from, to) = (levels.first().copied().unwrap_or(1.0) / BEYOND, levels.last().copied().unwrap_or(1.0) * BEYOND);
+    let count = ((to / from).ln() / STEP.ln()).ceil();
+    (0..=count as usize).map(|i| from * (to / from).powf(i as f64 / count)).collect()
+}
+
+/// Shares that rise with the intensity, nearest to those that were seen: neighbours that fall are
+/// joined at their mean, weighted by their trials (pool adjacent violators). Limit states with the
+/// same levels and trials keep their order.
+fn rising(seen: &[Empirical]) -> Vec<(f64, f64)> {
+    // Trials, those that reached the state, and how many levels they are of.
+    let mut pools: Vec<(f64, f64, usize)> = Vec::new();
+    for one in seen {
+        let mut pool = (one.trials, one.reached, 1);
+        while let Some(&(trials, reached, levels)) = pools.last() {
+            if reached * pool.0 <= pool.1 * trials {
+                break;
+            }
+            pool = (trials + pool.0, reached + pool.1, levels + pool.2);
+            pools.pop();
+        }
+        pools.push(pool);
+    }
+    let shares = pools.iter().flat_map(|&(trials, reached, levels)| std::iter::repeat_n(reached / trials, levels));
+    seen.iter().map(|one| one.intensity).zip(shares).collect()
+}
+
+/// The probability on straight lines, from 0 at the intensity 0.
+fn between(curve: &[(f64, f64)], x: f64) -> f64 {
+    let after = curve.partition_point(|point| point.0 < x);
+    let low = after.checked_sub(1).and_then(|i| curve.get(i)).copied().unwrap_or((0.0, 0.0));
+    match curve.get(after) {
+        Some(&(to, p)) if to > low.0 => low.1 + (p - low.1) * (x - low.0) / (to - low.0),
+        Some(&(_, p)) => p,
+        None => low.1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(of: &[(f64, f64)]) -> Vec<Empirical> {
+        of.iter().map(|&(intensity, reached)| Empirical { intensity, trials: 10.0, reached }).collect()
+    }
+
+    /// 2, 5, 3, 4 of 10: the last three are joined at their mean, 4 of 10.
+    #[test]
+    fn shares_that_fall_are_joined() {
+        let risen = rising(&seen(&[(1.0, 2.0), (2.0, 5.0), (3.0, 3.0), (4.0, 4.0), (5.0, 9.0)]));
+        assert_eq!(risen, [(1.0, 0.2), (2.0, 0.4), (3.0, 0.4), (4.0, 0.4), (5.0, 0.9)]);
+        assert_eq!((between(&risen, 0.5), between(&risen, 4.5), between(&risen, 50.0)), (0.1, 0.65, 0.9));
+        assert_eq!(between(&[], 1.0), 0.0);
+    }
+
+    #[test]
+    fn samples_are_near_each_other() {
+        let levels = sampled(&[0.1, 1.0]);
+        assert!((levels[0] - 0.02).abs() < 1e-15 && (levels[levels.len() - 1] - 5.0).abs() < 1e-12);
+        assert!(levels.windows(2).all(|pair| pair[1] / pair[0] < 1.0200001 && pair[1] > pair[0]));
+    }
+}

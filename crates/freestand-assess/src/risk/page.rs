@@ -1,0 +1,361 @@
+//! `report.html`: one page for the owner.
+
+use freestand::fragility::LimitState;
+use freestand::risk::probability_in_years;
+use freestand_input::quantity::shorten;
+use freestand_input::words::{counted, number, percent_significant};
+use freestand_output::figure::Figure;
+use freestand_output::html::{CLOSING, Cell, escape, figure, heading, list, opening, paragraph, table, words};
+
+use super::objects::{ObjectRisk, RiskVerdict};
+use super::{RiskReport, rounded};
+
+/// The page fits on one page, A4 or Letter.
+const CSS: &str = "\
+@page { margin: 12mm 14mm 12mm; }
+.boxes { display: flex; flex-wrap: wrap; gap: .8rem; margin: 1.1rem 0; }
+.boxes > div { flex: 1 1 13rem; border: 1px solid #bbb; border-top: 4px solid #0072b2; padding: .45rem .8rem .6rem; }
+.boxes strong { display: block; font-size: 1.35rem; line-height: 1.35; }
+.boxes small { display: block; font-size: .88rem; line-height: 1.35; color: #444; }
+thead th, thead th.n { white-space: normal; }
+tbody th { white-space: nowrap; }
+figure { margin: .8rem 0; }
+@media print {
+  body { font-size: 8.6pt; line-height: 1.28; }
+  h1 { font-size: 16pt; margin: 0; }
+  h3 { margin: .5rem 0 .15rem; }
+  p, ul { margin: .25rem 0 .35rem; }
+  .sub { margin-bottom: .4rem; }
+  .boxes { margin: .5rem 0; flex-wrap: nowrap; }
+  .boxes > div { flex-basis: 0; }
+  .boxes strong { font-size: 13pt; }
+  .boxes small { font-size: 7.8pt; }
+  .scroll { margin: .2rem 0 .3rem; }
+  figure { margin: .4rem 0; }
+  figure svg { max-width: 100%; max-height: 58mm; }
+}
+";
+
+/// The most objects of the table; the rest is added up.
+const MAX_ROWS: usize = 6;
+/// The most ids that a list names.
+const MAX_NAMED: usize = 2;
+
+/// The page for the owner: loss a year, chances, the plan, what it leaves, what is not counted.
+pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String {
+    let years = number(report.years, 4);
+    let hazard = format!("{} of the {}", report.hazard.measure.name(), report.hazard.at.name());
+    let file = report.hazard.file.as_ref().and_then(|file| file.path.file_name());
+    let source = file.map_or(hazard.clone(), |name| format!("{} ({hazard})", name.to_string_lossy()));
+    let kinds = counted(report.objects.len(), "kind");
+    let subtitle = format!("{kinds} of object. Hazard: {source}. freestand {}.", env!("CARGO_PKG_VERSION"));
+    let mut html = opening("What earthquakes may cost", &subtitle, CSS);
+    html.push_str("<div class=\"boxes\">\n");
+    for (value, what) in boxes(report, &years) {
+        html.push_str(&format!("<div><strong>{}</strong><small>{}</small></div>\n", escape(&value), escape(&what)));
+    }
+    html.push_str("</div>\n");
+    html.push_str(&plan(report));
+    html.push_str(&objects(report, &years));
+    if let Some(drawn) = drawn {
+        let label = format!("<svg role=\"img\" aria-label=\"{}\" ", escape(&drawn.title));
+        html.push_str(&format!(
+            "<figure>\n<div class=\"scroll\" tabindex=\"0\">{}</div>\n<figcaption>{}</figcaption>\n</figure>\n",
+            drawn.svg.replacen("<svg ", &label, 1),
+            escape(&drawn.caption)
+        ));
+    }
+    html.push_str(&heading("What is not counted"));
+    html.push_str(&list(&not_counted(report)));
+    html.push_str(CLOSING);
+    html
+}
+
+/// An amount of money with its digits in groups: 259 000 AUD.
+fn money(value: f64, currency: &str) -> String {
+    format!("{} {currency}", grouped(value))
+}
+
+/// Three significant digits, in groups.
+fn grouped(value: f64) -> String {
+    let text = rounded(value, 3);
+    let (sign, digits) = text.strip_prefix(['-', '−']).map_or(("", text.as_str()), |digits| ("−", digits));
+    if digits.len() < 5 || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return text;
+    }
+    let groups: Vec<&str> = {
+        let first = digits.len() % 3;
+        let starts = (first..digits.len()).step_by(3).map(|i| &digits[i..i + 3]);
+        std::iter::once(&digits[..first]).filter(|group| !group.is_empty()).chain(starts).collect()
+    };
+    format!("{sign}{}", groups.join("\u{202f}"))
+}
+
+fn state(object: &ObjectRisk, limit_state: LimitState) -> Option<(f64, f64)> {
+    let one = object.states.iter().find(|one| one.limit_state == limit_state)?;
+    one.annual_rate.zip(one.probability)
+}
+
+/// The numbers at the top, each with what it is.
+fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
+    let currency = report.currency.as_deref().unwrap_or("");
+    let mut boxes = Vec::new();
+    if let Some(loss) = report.expected_annual_loss() {
+        boxes.push((
+            format!("{} a year", money(loss, currency)),
+            "Expected loss: the mean over very many years. Most years cost nothing, a few cost much.".to_owned(),
+        ));
+    }
+    match &report.portfolio {
+        Some(portfolio) => {
+            let rate = portfolio.curve.first().map_or(0.0, |point| point.annual_rate);
+            let chance = probability_in_years(rate, report.years);
+            let least = if portfolio.is_at_least { "at least " } else { "" };
+            boxes.push((
+                format!("{least}{}", percent_significant(chance, 2)),
+                format!("Chance that an earthquake causes a loss within {years} years."),
+            ));
+        }
+        None => {
+            let likely = report
+                .objects
+                .iter()
+                .filter_map(|object| Some((object, state(object, LimitState::Overturns)?.1)))
+                .reduce(|a, b| if b.1 > a.1 { b } else { a });
+            if let Some((object, chance)) = likely {
+                let what = format!(
+                    "Chance that an earthquake overturns a {} within {years} years, the most likely of all objects.",
+                    shorten(&object.id)
+                );
+                boxes.push((percent_significant(chance, 2), what));
+            }
+        }
+    }
+    if let Some((measures, plan)) = report.measures.as_ref().and_then(|all| Some((all, all.plan.as_ref()?))) {
+        let saved: f64 = plan.chosen.iter().map(|worth| worth.benefit_present_value).sum::<f64>() / measures.years;
+        let left = report.expected_annual_loss().unwrap_or(0.0) - saved;
+        boxes.push((
+            money(plan.plan.cost, currency),
+            format!(
+                "Cost of the plan below, of a budget of {}. It avoids {} a year.",
+                money(plan.budget, currency),
+                money(saved, currency)
+            ),
+        ));
+        boxes.push((
+            format!("{} a year", money(left.max(0.0), currency)),
+            "Expected loss that the plan leaves.".to_owned(),
+        ));
+    }
+    let casualties: Vec<f64> = report.objects.iter().filter_map(|object| object.expected_annual_casualties).collect();
+    if !casualties.is_empty() {
+        boxes.push((
+            format!("{} a year", number(casualties.iter().sum(), 2)),
+            "Expected casualties: the mean over very many years, without the plan.".to_owned(),
+        ));
+    }
+    boxes
+}
+
+fn plan(report: &RiskReport) -> String {
+    let currency = report.currency.as_deref().unwrap_or("");
+    let Some((measures, plan)) = report.measures.as_ref().and_then(|all| Some((all, all.plan.as_ref()?))) else {
+        return String::new();
+    };
+    let mut html = heading("The plan");
+    if plan.chosen.is_empty() {
+        html.push_str(&paragraph("Within the budget, no option saves more than it costs."));
+        return html;
+    }
+    let proven = if plan.plan.is_optimal {
+        "No other choice within the budget is worth more"
+    } else {
+        "A good plan; the search for a better one was stopped"
+    };
+    html.push_str(&paragraph(&format!(
+        "{proven}. Over {} years at a discount rate of {} a year, the plan saves {} more than it costs.",
+        number(measures.horizon_years, 4),
+        percent_significant(measures.discount_ratio, 2),
+        money(plan.plan.value, currency)
+    )));
+    let rows: Vec<Vec<Cell>> = plan
+        .chosen
+        .iter()
+        .take(MAX_ROWS)
+        .map(|worth| {
+            vec![
+                words(&shorten(&worth.id)),
+                words(&shorten(&worth.option)),
+                figure(grouped(worth.cost)),
+                figure(grouped(worth.benefit_present_value)),
+                figure(worth.ratio().map_or("–".to_owned(), |ratio| number(ratio, 2))),
+            ]
+        })
+        .collect();
+    let heads = ["object", "option"].map(words).into_iter();
+    let heads = heads.chain(
+        [format!("cost ({currency})"), format!("saves, present value ({currency})"), "benefit/cost".to_owned()]
+            .map(figure),
+    );
+    html.push_str(&table("", &[heads.collect()], &rows));
+    if plan.chosen.len() > MAX_ROWS {
+        html.push_str(&paragraph(&format!("And {} more, in risk.json.", plan.chosen.len() - MAX_ROWS)));
+    }
+    html
+}
+
+fn objects(report: &RiskReport, years: &str) -> String {
+    let currency = report.currency.as_deref().unwrap_or("");
+    let chosen = report.measures.as_ref().and_then(|measures| measures.plan.as_ref());
+    let has_plan = chosen.is_some();
+    let has_verdicts = report.objects.iter().any(|object| object.verdict.is_some());
+    let has_losses = report.expected_annual_loss().is_some();
+    let mut sorted: Vec<&ObjectRisk> = report.objects.iter().collect();
+    let key = |object: &ObjectRisk| {
+        let rate = state(object, LimitState::Overturns).map_or(0.0, |one| one.0);
+        (object.expected_annual_loss.unwrap_or(-1.0), rate)
+    };
+    // Stable: what is equal stays in the order of the file.
+    sorted.sort_by(|a, b| key(b).0.total_cmp(&key(a).0).then(key(b).1.total_cmp(&key(a).1)));
+    let mut heads = vec![
+        words("object"),
+        figure("number"),
+        figure("overturns once in (years)"),
+        figure(format!("chance of overturning in {years} years")),
+        figure(format!("chance of damage in {years} years")),
+    ];
+    if has_losses {
+        heads.push(figure(format!("loss a year ({currency})")));
+    }
+    if has_plan {
+        heads.push(figure(format!("with the plan ({currency})")));
+    }
+    if has_verdicts {
+        heads.push(words("accepted rate"));
+    }
+    let left = |object: &ObjectRisk| {
+        let loss = object.expected_annual_loss?;
+        let measures = report.measures.as_ref()?;
+        let saved = measures.plan.as_ref()?.chosen.iter().find(|worth| worth.id == object.id);
+        Some((loss - saved.map_or(0.0, |worth| worth.benefit_present_value / measures.years)).max(0.0))
+    };
+    let row = |object: &&ObjectRisk| {
+        let overturns = state(object, LimitState::Overturns);
+        let chance = |one: Option<(f64, f64)>| figure(one.map_or("–".to_owned(), |one| percent_significant(one.1, 2)));
+        let loss = |loss: Option<f64>| figure(loss.map_or("–".to_owned(), grouped));
+        let every = overturns.filter(|one| one.0 > 0.0).map_or("–".to_owned(), |one| grouped(1.0 / one.0));
+        let mut cells = vec![
+            words(&shorten(&object.id)),
+            figure(number(object.cost.as_ref().map_or(1.0, |cost| cost.quantity), 4)),
+            figure(every),
+            chance(overturns),
+            chance(state(object, LimitState::Exceeds)),
+        ];
+        if has_losses {
+            cells.push(loss(object.expected_annual_loss));
+        }
+        if has_plan {
+            cells.push(loss(left(object)));
+        }
+        if has_verdicts {
+            cells.push(words(match (object.verdict, object.is_certain) {
+                (None, _) => "–",
+                (Some(RiskVerdict::Accepted), Some(false)) => "kept, not certain",
+                (Some(RiskVerdict::Accepted), _) => "kept",
+                (Some(RiskVerdict::Exceeds), Some(false)) => "exceeded, not certain",
+                (Some(RiskVerdict::Exceeds), _) => "exceeded",
+            }));
+        }
+        cells
+    };
+    let mut html = heading("The objects");
+    let rows: Vec<Vec<Cell>> = sorted.iter().take(MAX_ROWS).map(row).collect();
+    html.push_str(&table("", &[heads], &rows));
+    let rest = sorted.get(MAX_ROWS..).unwrap_or_default();
+    if !rest.is_empty() {
+        let loss: f64 = rest.iter().filter_map(|object| object.expected_annual_loss).sum();
+        let of_losses = if has_losses { format!(", together {} a year", money(loss, currency)) } else { String::new() };
+        html.push_str(&paragraph(&format!("And {} more{of_losses}, in risk.csv.", rest.len())));
+    }
+    html
+}
+
+/// What the numbers leave out: first what this report misses, then what every one does.
+fn not_counted(report: &RiskReport) -> Vec<String> {
+    let mut missing: Vec<(&str, Vec<&str>)> = Vec::new();
+    for object in report.objects.iter().filter(|object| object.expected_annual_loss.is_some()) {
+        for what in &object.not_counted {
+            match missing.iter_mut().find(|(known, _)| known == what) {
+                Some((_, ids)) => ids.push(&object.id),
+                None => missing.push((what, vec![&object.id])),
+            }
+        }
+    }
+    let mut lines: Vec<String> = missing
+        .into_iter()
+        .map(|(what, ids)| {
+            // What is missing for another reason than its amount says so between brackets.
+            let why = if what.contains('(') { "" } else { ", for which no amount was given" };
+            format!("{}{why}: {}.", sentence(what), named(&ids))
+        })
+        .collect();
+    let unpriced: Vec<&str> = report
+        .objects
+        .iter()
+        .filter(|object| object.expected_annual_loss.is_none())
+        .map(|object| object.id.as_str())
+        .collect();
+    if !unpriced.is_empty() {
+        lines.push(format!("All costs of objects without any price: {}.", named(&unpriced)));
+    }
+    if report.portfolio.as_ref().is_some_and(|portfolio| portfolio.is_at_least) {
+        lines.push(
+            "Earthquakes weaker than the weakest of the calculation, which also cause losses: those of all objects \
+             together are at least as large as stated."
+                .to_owned(),
+        );
+    }
+    if report.objects.iter().flat_map(|object| &object.states).any(|one| one.ci95.is_some()) {
+        lines.push(
+            "The uncertainty of the hazard: intervals of the rates (risk.json) are those of the fragilities alone."
+                .to_owned(),
+        );
+    } else {
+        lines.push("The uncertainty of the hazard and of the fragilities.".to_owned());
+    }
+    lines.push("Damage to the building, and whatever falls on the objects or out of them.".to_owned());
+    lines
+}
+
+/// The name of a column or a phrase as the beginning of a sentence.
+fn sentence(what: &str) -> String {
+    let words = what.replace('_', " ");
+    let mut characters = words.chars();
+    characters.next().map_or(String::new(), |first| first.to_uppercase().chain(characters).collect())
+}
+
+fn named(ids: &[&str]) -> String {
+    let first: Vec<String> = ids.iter().take(MAX_NAMED).map(|id| shorten(id)).collect();
+    let more = ids.len().saturating_sub(MAX_NAMED);
+    if more > 0 { format!("{} and {more} more", first.join(", ")) } else { first.join(", ") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn amounts_are_grouped() {
+        let cases = [(392.1, "392"), (9000.0, "9000"), (259_200.0, "259 000"), (1_234_567.0, "1 230 000"), (0.0, "0")];
+        for (value, expected) in cases {
+            assert_eq!(grouped(value), expected.replace(' ', "\u{202f}"), "{value}");
+        }
+        assert_eq!(grouped(-25_900.0), "−25\u{202f}900");
+    }
+
+    #[test]
+    fn long_lists_name_the_first() {
+        assert_eq!(named(&["a", "b", "c", "d", "e", "f"]), "a, b and 4 more");
+        assert_eq!(sentence("repair_cost"), "Repair cost");
+    }
+}
