@@ -173,9 +173,9 @@ fn what_cannot_be_run_is_refused() {
     assert!(said(&["--im", "pfv,pfv"]).contains("twice"));
     assert!(said(&["--scales", "1, 20"]).contains("scaled by 20, above the largest scale of 10"));
     assert!(said(&["--method", "stripes"]).contains("stripes need the intensities"));
-    assert!(said(&["--method", "cloud", "--scales", "1,2"]).contains("a cloud has every motion as it is"));
+    assert!(said(&["--method", "cloud", "--scales", "1,2"]).contains("a cloud uses every motion unscaled"));
     assert!(said(&["--scales", "0:5:6"]).contains("not above 0"));
-    assert!(said(&["--outcomes", "o.csv"]).contains("--outcomes has the runs already"));
+    assert!(said(&["--outcomes", "o.csv"]).contains("--outcomes contains the runs"));
     assert!(said(&["--ceiling", "9g", "--tolerance", "2g"]).contains("--ceiling belongs to --outcomes"));
     assert!(said(&["--inventory", "list.csv"]).contains("describes one object"));
     let alone = |flags: &[&str]| refused(folder, &[&["fragility"], flags].concat());

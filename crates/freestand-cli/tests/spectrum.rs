@@ -342,7 +342,8 @@ fn motions_come_from_records_or_from_a_place() {
     assert!(at(&[]).contains("no motion is named"));
     assert!(at(&["--level-ratio", "1"]).contains("no motion is named"));
     assert!(
-        at(&["--place", "Athens", "--motion", "r.csv"]).contains("--place belongs to a place, but records are given")
+        at(&["--place", "Athens", "--motion", "r.csv"])
+            .contains("--place applies to motions of a place, but --motion names records")
     );
     assert!(
         at(&["--place", "Athens", "--level-ratio", "1.2"]).contains("--level-ratio: 1.2 is not a share of the height")

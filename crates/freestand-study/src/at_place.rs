@@ -60,7 +60,7 @@ pub fn motions_at(
 ) -> Result<FloorMotions, Problems> {
     if !(0.0..=1.0).contains(&place.level_ratio) {
         let message = format!("`level_ratio`: {} is not a share of the height", place.level_ratio);
-        return Err(Problem::value(message, "give 0 for the ground, 1 for the roof, or what is between").into());
+        return Err(Problem::value(message, "give 0 for the ground, 1 for the roof, or a value between them").into());
     }
     let overrides = Overrides { seed: place.seed, hazard: place.hazard.clone(), ..Overrides::default() };
     let study = resolve_with(&text(place), None, Path::new(""), &overrides)?;

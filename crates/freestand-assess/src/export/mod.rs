@@ -32,8 +32,8 @@ pub enum ExportFormat {
 /// Formats by name.
 pub const FORMATS: Choices<ExportFormat> = &[
     (ExportFormat::Csv, "csv", "fragility.csv alone"),
-    (ExportFormat::Pelicun, "pelicun", "a folder pelicun/ that pelicun runs as it is"),
-    (ExportFormat::OpenQuake, "openquake", "a folder openquake/ that the OpenQuake engine runs as it is"),
+    (ExportFormat::Pelicun, "pelicun", "a folder pelicun/ with a complete calculation for pelicun"),
+    (ExportFormat::OpenQuake, "openquake", "a folder openquake/ with complete jobs for the OpenQuake engine"),
 ];
 
 /// A folder for another program.
@@ -278,7 +278,7 @@ fn check_fit(report: &FragilityReport, request: &ExportRequest) -> Result<(), Pr
     if report.request.fit == FitKind::Ordered {
         return Ok(());
     }
-    let message = "separate fits may cross, and other programs would mend them silently";
+    let message = "separate fits may cross, and other programs change crossing curves without a warning";
     Err(Problem::value(message, "export with `fit = \"ordered\"`").of(&["fit"]))
 }
 

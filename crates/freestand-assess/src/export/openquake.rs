@@ -189,8 +189,8 @@ pub(super) fn files(
     if let Some(hazard) = hazard.filter(|one| one.measure != report.table.measure || one.at != report.at) {
         let named = |measure: Measure, at: At| format!("{} of the {}", measure.name(), at.name());
         let (of_hazard, of_table) = (named(hazard.measure, hazard.at), named(report.table.measure, report.at));
-        let message = format!("the hazard is that of {of_hazard}, and the outcomes are against {of_table}");
-        return Err(Problem::value(message, "give the hazard of the measure of the outcomes").of(&["hazard"]));
+        let message = format!("the hazard curve is for {of_hazard}, and the outcomes are for {of_table}");
+        return Err(Problem::value(message, "give a hazard curve for the measure of the outcomes").of(&["hazard"]));
     }
     let mut functions = String::new();
     let (mut assets, mut sites) = (Vec::new(), Vec::new());

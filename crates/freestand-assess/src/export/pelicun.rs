@@ -227,7 +227,7 @@ pub(super) fn files(
         files.push(("consequence_repair.csv".to_owned(), table(&header, consequences)?));
         if let Some(currency) = listed.currency.filter(|currency| *currency != DOLLARS) {
             warnings.push(format!(
-                "pelicun knows {DOLLARS} only: the numbers of its costs are in {currency}, as in the inventory"
+                "pelicun writes every cost as {DOLLARS}, but these costs are in {currency}, as in the inventory"
             ));
         }
     }

@@ -212,7 +212,11 @@ fn gathered(objects: &[ObjectFragility]) -> Vec<String> {
 fn warnings(object: &ObjectFragility) -> Vec<String> {
     let mut warnings = Vec::new();
     if object.unresolved > 0 {
-        warnings.push(format!("{} could not be followed and left out", counted(object.unresolved, "run")));
+        let verb = if object.unresolved == 1 { "was" } else { "were" };
+        warnings.push(format!(
+            "{} could not be calculated and {verb} left out of the fit",
+            counted(object.unresolved, "run")
+        ));
     }
     let levels = object.outcomes.levels();
     let ends = levels.first().zip(levels.last());

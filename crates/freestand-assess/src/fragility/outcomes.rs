@@ -114,7 +114,7 @@ impl OutcomeTable {
                 let names = OutcomeClass::ALL.map(OutcomeClass::name);
                 let near = nearest(text, &names).map(|near| format!("; is it {near}?")).unwrap_or_default();
                 let message = format!("\"{}\" is not an outcome{near}", shorten(text));
-                let hint = format!("write {}, or unresolved for a run that could not be followed", names.join(", "));
+                let hint = format!("write {}, or unresolved for a run that could not be calculated", names.join(", "));
                 return Err(table.cell_problem(row, outcome, &message).hint(hint));
             };
             self.runs.push(OutcomeRun { object, run: Run { motion: Some(motion), intensity, class, weight }, shock_g });

@@ -83,7 +83,7 @@ impl HazardGiven {
                 measure: self.measure.ok_or_else(needed("hazard_im", "pga"))?,
             }),
             (None, None, None) => Err(Problem::value(
-                "nothing says how often the ground shakes",
+                "there is no hazard curve, which says how often motions reach an intensity",
                 "give one of `hazard`, `hazard_power` and `hazard_code`",
             )),
             _ => {

@@ -124,7 +124,8 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
                 .reduce(|a, b| if b.1 > a.1 { b } else { a });
             if let Some((object, chance)) = likely {
                 let what = format!(
-                    "Chance that an earthquake overturns a {} within {years} years, the most likely of all objects.",
+                    "Chance that an earthquake overturns the object {} within {years} years. No other object is \
+                     more likely to overturn.",
                     shorten(&object.id)
                 );
                 boxes.push((percent_significant(chance, 2), what));
@@ -170,7 +171,7 @@ fn plan(report: &RiskReport) -> String {
     let proven = if plan.plan.is_optimal {
         "No other choice within the budget is worth more"
     } else {
-        "A good plan; the search for a better one was stopped"
+        "The best plan that was found in the time allowed; there may be a better one"
     };
     html.push_str(&paragraph(&format!(
         "{proven}. Over {} years at a discount rate of {} a year, the plan saves {} more than it costs.",
@@ -260,8 +261,8 @@ fn objects(report: &RiskReport, years: &str) -> String {
         if has_verdicts {
             cells.push(words(match (object.verdict, object.is_certain) {
                 (None, _) => "–",
-                (Some(RiskVerdict::Accepted), Some(false)) => "kept, not certain",
-                (Some(RiskVerdict::Accepted), _) => "kept",
+                (Some(RiskVerdict::Accepted), Some(false)) => "met, not certain",
+                (Some(RiskVerdict::Accepted), _) => "met",
                 (Some(RiskVerdict::Exceeds), Some(false)) => "exceeded, not certain",
                 (Some(RiskVerdict::Exceeds), _) => "exceeded",
             }));
@@ -306,18 +307,18 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
         .map(|object| object.id.as_str())
         .collect();
     if !unpriced.is_empty() {
-        lines.push(format!("All costs of objects without any price: {}.", named(&unpriced)));
+        lines.push(format!("Any loss of these objects, for which no cost was given: {}.", named(&unpriced)));
     }
     if report.portfolio.as_ref().is_some_and(|portfolio| portfolio.is_at_least) {
         lines.push(
-            "Earthquakes weaker than the weakest of the calculation, which also cause losses: those of all objects \
-             together are at least as large as stated."
+            "Earthquakes weaker than the weakest that was calculated. They cause losses too, so the losses of all \
+             objects together are at least as large as stated."
                 .to_owned(),
         );
     }
     if report.objects.iter().flat_map(|object| &object.states).any(|one| one.ci95.is_some()) {
         lines.push(
-            "The uncertainty of the hazard: intervals of the rates (risk.json) are those of the fragilities alone."
+            "The uncertainty of the hazard: the intervals of the rates (risk.json) include that of the fragilities alone."
                 .to_owned(),
         );
     } else {

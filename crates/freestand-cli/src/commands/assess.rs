@@ -56,7 +56,7 @@ docs/assessment.md.")]
 pub(crate) struct AssessArgs {
     #[command(flatten)]
     list: ListArgs,
-    /// Read a cell as if it contained this; give it once for each cell. The file is not changed
+    /// Read a cell as if it contained TEXT; may be given several times. The file is not changed
     #[arg(long, value_name = "CELL=TEXT")]
     edit: Vec<String>,
     /// Continue an earlier run in the same folder

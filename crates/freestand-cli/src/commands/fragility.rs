@@ -23,11 +23,11 @@ use crate::files::{Files, TableArgs};
 use crate::printer::{Column, Printer, facts_table};
 use crate::values::{Given, Reads, Values, choice, name_of};
 
-/// Calculate fragilities: how likely an object rocks, is damaged or overturns at an intensity
+/// Calculate fragilities: how likely it is that an object rocks, is damaged or overturns
 ///
-/// Objects are run under motions at many scales, and curves are fitted to how the runs end: one
-/// object by its size under --motion, or the objects of an inventory on the floors of a study. With
-/// --outcomes the runs are those of a table, and only the fit is made.
+/// The command runs objects under motions at many scales and fits curves to the outcomes. Give one
+/// object by its size with --motion, or the objects of an inventory on the floors of a study. With
+/// --outcomes, a table has the outcomes, and the command only fits the curves.
 ///
 /// A table of outcomes has one row per run, with the headings object, motion, pfv [m/s], outcome
 /// (no-uplift, rocked, exceeded or overturned), or one row of counts per level, with object, pfv
@@ -55,20 +55,20 @@ Examples:
     freestand fragility --outcomes pgv.csv --format openquake --demand \"0.4 m/s\" \\
       --site-coordinates \"151.2,-33.9\" --hazard hazard.csv --inventory costs.csv --out export")]
 pub(crate) struct FragilityArgs {
-    /// Table of outcomes (CSV), in place of runs
+    /// Table of outcomes (CSV) of earlier runs; nothing is run
     #[arg(long, value_name = "FILE")]
     outcomes: Option<PathBuf>,
     #[command(flatten)]
     pub(super) runs: RunArgs,
-    /// Where a spectral acceleration is taken; with --motion, ground: the object stands on the ground
-    /// [default: ground, with --motion floor]
+    /// Motion of which a spectral acceleration is taken. With --motion, `ground` says that the object
+    /// is on the ground [default: ground; with --motion, floor]
     #[arg(long, value_parser = choice(PLACES))]
     pub(super) at: Option<At>,
     /// How the limit states of an object are fitted
     #[arg(long, value_parser = choice(FITS), default_value = name_of(FITS, FitKind::Ordered))]
     pub(super) fit: FitKind,
-    /// Peak acceleration of a landing that the object withstands; with --outcomes and --ceiling,
-    /// exceeding it is fitted to the column edge_acceleration [g] instead of the classes
+    /// Peak acceleration of a landing that the object withstands. With --outcomes and --ceiling, the
+    /// fit of `exceeds` uses the shocks of the column edge_acceleration [g], not the outcomes
     #[arg(long, positive = Dimension::Acceleration, help_heading = "One object")]
     pub(super) tolerance: Option<Given>,
     /// Largest shock without overturning, the ceiling_g of freestand shock; with --outcomes
@@ -92,16 +92,16 @@ pub(crate) struct FragilityArgs {
     /// β for limit states that have none, such as a step
     #[arg(long, positive = Dimension::Ratio, help_heading = "Other programs")]
     beta: Option<Given>,
-    /// Export the shares of runs as points, or the fit of shocks, instead of lognormal curves
+    /// Export curves as points (shares of runs, or the fit of the shocks) instead of lognormal curves
     #[arg(long, requires = "format", help_heading = "Other programs")]
     discrete: bool,
-    /// Longitude and latitude in degrees, of objects for which the inventory has none
+    /// Longitude and latitude in degrees, for objects without them in the inventory
     #[arg(long, value_name = "LON,LAT", read = coordinates, help_heading = "Other programs")]
     site_coordinates: Option<Given<(f64, f64)>>,
     /// Hazard curve for a second job of OpenQuake, as for freestand risk (CSV)
     #[arg(long, value_name = "FILE", conflicts_with = "hazard_power", help_heading = "Other programs")]
     hazard: Option<PathBuf>,
-    /// Power law in place of --hazard, "k0=1e-4 /yr, k=2.5, reference=1 m/s"
+    /// Power law instead of --hazard, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
     #[arg(long, value_name = "LAW", help_heading = "Other programs")]
     hazard_power: Option<String>,
 }
@@ -127,8 +127,8 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     }
     match &args.outcomes {
         Some(_) if args.runs.is_given_beside_outcomes() => Err(Failure::usage(
-            "--outcomes has the runs already, and others are asked for",
-            "leave out --outcomes, or the objects and the motions",
+            "--outcomes contains the runs, so there is nothing else to run",
+            "leave out --outcomes, or leave out the size, the motions and the study",
         )),
         Some(outcomes) => run_table(outcomes, args, global, printer),
         None if args.runs.is_given() => fragility_runs::run(args, global, printer),
@@ -149,8 +149,8 @@ fn run_table(
     let mut values = Values::default();
     let (tolerance, ceiling) = (values.read(&args.tolerance), values.read(&args.ceiling));
     if args.tolerance.is_some() && args.ceiling.is_none() {
-        let message = "--tolerance with --outcomes is compared with the shocks, which have a ceiling";
-        values.push(Problem::value(message, "give --ceiling, the ceiling_g of freestand shock"));
+        let message = "--tolerance with --outcomes needs the ceiling of the shocks";
+        values.push(Problem::value(message, "give --ceiling, the ceiling_g that freestand shock states"));
     }
     values.finish()?;
     let shock = tolerance

@@ -34,7 +34,7 @@ use crate::values::{Given, Reads, Values, choice, name_of};
 pub(crate) struct RunArgs {
     #[command(flatten)]
     list: ListArgs,
-    /// Height of one object that is run in place of an inventory
+    /// Height of one object, instead of an inventory
     #[arg(long, positive = Dimension::Length, help_heading = "One object")]
     height: Option<Given>,
     /// Horizontal size of the object in the plane of rocking
@@ -54,7 +54,7 @@ pub(crate) struct RunArgs {
     /// Factor that multiplies Housner's restitution
     #[arg(long, positive = Dimension::Ratio, help_heading = "One object")]
     restitution_factor: Option<Given>,
-    /// Duration of the half-sine with the peak of --tolerance
+    /// Duration of the half-sine pulse whose peak is --tolerance
     #[arg(long, positive = Dimension::Time, requires = "tolerance", help_heading = "One object")]
     tolerance_duration: Option<Given>,
     /// Velocity change that the object withstands; with --tolerance a damage boundary
@@ -63,7 +63,7 @@ pub(crate) struct RunArgs {
     /// Uplift of the free edge that the object withstands
     #[arg(long, positive = Dimension::Length, help_heading = "One object")]
     tolerance_edge_lift: Option<Given>,
-    /// Rotation over α beyond which a tolerance is exceeded, such as 0.4; also for an inventory
+    /// Rotation divided by α beyond which `exceeds` is reached, such as 0.4; also for an inventory
     #[arg(long, conflicts_with = "outcomes", positive = Dimension::Ratio, help_heading = "The runs")]
     tolerance_rotation: Option<Given>,
     /// Records of the horizontal acceleration of the floor under the object
@@ -83,14 +83,15 @@ pub(crate) struct RunArgs {
     /// How the runs are chosen
     #[arg(long, value_parser = choice(METHODS), default_value = name_of(METHODS, Method::Incremental), help_heading = "The runs")]
     method: Method,
-    /// adaptive, or a grid or list: of factors on the motions for ida, such as "0.5:5:10"; of
-    /// intensities by the first measure for stripes, such as "0.1 m/s:2 m/s:12" [default: adaptive]
+    /// `adaptive`, or a grid FROM:TO:COUNT or a list. For ida these are factors on the motions, such
+    /// as "0.5:5:10"; for stripes intensities by the first measure, such as "0.1 m/s:2 m/s:12"
+    /// [default: adaptive]
     #[arg(long, conflicts_with = "outcomes", value_name = "adaptive|GRID", help_heading = "The runs")]
     scales: Option<String>,
     /// Largest factor on a motion [default: 10]
     #[arg(long, conflicts_with = "outcomes", positive = Dimension::Ratio, help_heading = "The runs")]
     max_scale: Option<Given>,
-    /// Number of worlds of a study that generates its motions [default: 40; records are used once each]
+    /// Number of worlds, if the study generates its motions; records are used once each [default: 40]
     #[arg(long, conflicts_with = "outcomes", value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000), help_heading = "The runs")]
     worlds: Option<u32>,
 }
@@ -220,7 +221,7 @@ impl RunArgs {
         let found = given.into_iter().find_map(|(is_given, name)| is_given.then_some(name)).or(self.shape.given());
         found.map_or(Ok(()), |name| {
             Err(Failure::usage(
-                format!("{name} describes one object, and the objects are those of an inventory"),
+                format!("{name} describes one object, but an inventory or a study is given"),
                 "write it into the inventory, or leave the inventory and the study out; the motions of an inventory \
                  are those of its study",
             ))
@@ -236,7 +237,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let max_scale_ratio = values.read(&runs.max_scale).unwrap_or(DEFAULT_MAX_SCALE);
     let rotation_ratio = values.read(&runs.tolerance_rotation);
     if args.ceiling.is_some() {
-        let message = "--ceiling belongs to --outcomes: runs calculate the ceiling themselves";
+        let message = "--ceiling is for --outcomes only: runs calculate the ceiling";
         values.push(Problem::value(message, "leave it out"));
     }
     let listed = runs.names_list();

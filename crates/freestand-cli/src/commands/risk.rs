@@ -21,23 +21,23 @@ use crate::files::{Files, TableArgs};
 use crate::printer::Printer;
 use crate::values::{Given, Reads, Values, choice, name_of};
 
-/// Calculate how often objects fail, what that costs a year, and which options pay
+/// Calculate how often objects fail, what that costs a year, and which options are worth their cost
 ///
-/// The hazard says how often motions are as strong, the fragility how likely the object fails then;
-/// their integral is exact. Costs are those of the inventory, and nothing is assumed: what is
-/// missing is listed. Exit status 1: an object fails more often than accepted.
+/// The hazard curve says how often a year motions reach an intensity, and the fragility how likely
+/// the object fails at it. Costs come from the inventory; the program assumes none, and lists those
+/// that are missing. Exit status 1: an object fails more often than accepted.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  How often, with a hazard curve of a seismologist:
+  How often objects fail, with the hazard curve of a seismologist:
     freestand risk --fragility fragility.csv --hazard hazard.csv
-  By a power law:
+  With a power law as hazard curve:
     freestand risk --fragility fragility.csv --hazard-im pgv \\
       --hazard-power \"k0=1e-4 /yr, k=2.5, reference=1 m/s\"
-  By the return periods of a code, for peak ground acceleration:
+  With the return periods of a code, for the peak ground acceleration:
     freestand risk --fragility fragility.csv --hazard-code as1170.4 --hazard-im pga \\
       --site De --hazard-factor 0.12 --accepted \"1e-3 /yr\"
-  What it costs, and what to restrain first:
+  What failures cost, and what to restrain first:
     freestand risk --outcomes outcomes.csv --hazard hazard.csv --inventory costs.csv \\
       --options options.csv --budget \"20000 AUD\" --horizon \"40 yr\" --discount \"3 %\"")]
 pub(crate) struct RiskArgs {
@@ -50,7 +50,8 @@ pub(crate) struct RiskArgs {
         help_heading = "Fragility"
     )]
     fragility: Option<PathBuf>,
-    /// Table of outcomes, which is fitted first (CSV); stripes also give the losses of all objects
+    /// Table of outcomes (CSV), which is fitted first; stripes also give the losses of all objects
+    /// under the same motions
     #[arg(long, value_name = "FILE", help_heading = "Fragility")]
     outcomes: Option<PathBuf>,
     /// How the limit states of an object are fitted
@@ -59,14 +60,14 @@ pub(crate) struct RiskArgs {
     /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
     #[arg(long, value_name = "N", help_heading = "Fragility")]
     bootstrap: Option<u32>,
-    /// Where a spectral acceleration is taken [default: ground]
+    /// Motion of which a spectral acceleration is taken [default: ground]
     #[arg(long, value_parser = choice(PLACES), help_heading = "Fragility")]
     at: Option<At>,
 
     /// Hazard curve: "pgv [m/s],annual_rate", or a hazard_curve-*.csv of OpenQuake
     #[arg(long, value_name = "FILE", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     hazard: Option<PathBuf>,
-    /// Power law, "k0=1e-4 /yr, k=2.5, reference=1 m/s", of --hazard-im
+    /// Power law by --hazard-im, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
     #[arg(long, value_name = "LAW", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     hazard_power: Option<String>,
     /// Return periods of a code, for pga or sa(T)
@@ -97,7 +98,7 @@ pub(crate) struct RiskArgs {
     /// The most that options may cost, such as "20000 AUD"
     #[arg(long, value_name = "AMOUNT", read = amount, help_heading = "Money")]
     budget: Option<Given<(f64, String)>>,
-    /// Over which options pay, such as "40 yr"
+    /// Years over which the savings of options count, such as "40 yr"
     #[arg(long, value_name = "YEARS", read = years, help_heading = "Money")]
     horizon: Option<Given>,
     /// Discount rate per year, such as "3 %"

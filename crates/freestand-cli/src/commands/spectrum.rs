@@ -119,14 +119,14 @@ pub(crate) struct SpectrumArgs {
 
 /// A floor of a building at a place, in place of records.
 #[derive(Debug, Clone, Args)]
-#[command(next_help_heading = "A place, in place of records")]
+#[command(next_help_heading = "A place instead of records")]
 struct PlaceArgs {
     #[command(flatten)]
     hazard: Keys<HazardKeys>,
     /// Number of synthetic motions [default: 10]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
     count: Option<u16>,
-    /// Height of the floor over that of the building: 0 is the ground, 1 the roof [default: 0]
+    /// Height of the floor divided by that of the building: 0 is the ground, 1 the roof [default: 0]
     #[arg(long, any = Dimension::Ratio)]
     level_ratio: Option<Given>,
     /// Number of storeys of the building [default: 30]
@@ -142,7 +142,7 @@ struct HazardKeys;
 
 impl KeySet for HazardKeys {
     const KEYS: &'static [(&'static str, &'static [Key])] = &[(
-        "A place, in place of records",
+        "A place instead of records",
         &[
             key("place", "NAME", "Place, which brings its code: freestand place list"),
             key("site", "CLASS", "Site class of the code"),
@@ -250,8 +250,8 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         values.push(Problem::value(message, "leave it out"));
     }
     if let Some(flag) = args.place.given.first().filter(|_| !args.motion.is_empty()) {
-        let message = format!("--{flag} belongs to a place, but records are given");
-        values.push(Problem::value(message, "leave it out, or leave --motion out"));
+        let message = format!("--{flag} applies to motions of a place, but --motion names records");
+        values.push(Problem::value(message, "leave out one of the two"));
     }
     if args.sliding.is_given() && (args.mass.is_some() || args.sensitivity) {
         let message = "the shock and the sensitivity are those of rocking objects, and these slide or roll";
@@ -316,7 +316,7 @@ struct Followed {
 fn followed(request: &SpectrumRequest, motions: &[SpectrumMotion], follow: &Follow) -> Result<Followed, Failure> {
     let [block] = request.grid.blocks(0..request.grid.objects().min(2)).collect::<Vec<_>>()[..] else {
         let hint = "give one height and one thickness, or leave the history out";
-        return Err(Failure::usage("a history is that of one object", hint));
+        return Err(Failure::usage("a history can be calculated for one object only", hint));
     };
     if request.surface.is_some() {
         return Err(Failure::usage("an object that slides has no rocking history", "leave the history out"));
@@ -341,7 +341,7 @@ fn followed(request: &SpectrumRequest, motions: &[SpectrumMotion], follow: &Foll
     let found = reports.into_iter().max_by(|a, b| farthest(&a.1).total_cmp(&farthest(&b.1)));
     let (name, report) = found.ok_or_else(|| {
         let names: Vec<&str> = motions.iter().map(|motion| motion.name.as_str()).collect();
-        Failure::usage("no motion has this name", format!("motions: {}", names.join(", ")))
+        Failure::usage("no motion has this name", format!("choose one of {}", names.join(", ")))
     })?;
     let floor = motions.iter().find(|motion| motion.name == name).map(|motion| &motion.horizontal);
     Ok(Followed { history: drawn(&report, floor), followed: name })

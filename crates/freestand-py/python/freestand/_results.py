@@ -495,7 +495,7 @@ class FragilityResult(Result):
         found = next((one for one in curves if one["limit_state"] == limit_state), None)
         if found is None:
             known = sorted({f"{item['id']}: {one['limit_state']}" for item in self._document["objects"] for one in item["curves"]})
-            raise bad(f"there is no curve of {id} for {limit_state}", f"there are {', '.join(known[:12])}")
+            raise bad(f"there is no curve of {id} for {limit_state}", f"the curves are {', '.join(known[:12])}")
         return dict(found)
 
     def probability(self, id: str, limit_state: str, intensity: Numbers) -> Array:
@@ -506,7 +506,7 @@ class FragilityResult(Result):
         return np.frombuffer(_freestand.lognormal(curve["median"], curve["beta"], at.tobytes()), "f8")
 
     def plot(self, id: str | None = None, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
-        """The curves of an object with what was seen: `freestand.plot.fragility`."""
+        """The curves of an object with the observed shares of runs: `freestand.plot.fragility`."""
         from . import plot
 
         return plot.fragility(self, id, ax=ax)

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 __all__ = ["assess"]
 
-#: So many shards for each thread of the workers, so that none waits long for the last shard.
+#: Shards for each thread of the workers: several, so that none waits long for the last shard.
 SHARDS_PER_THREAD = 4
 #: Objects below which a shard spends a noticeable part of its time on its start.
 OBJECTS_PER_SHARD = 200
@@ -100,7 +100,7 @@ def _count(name: str, value: Any, least: int) -> int | None:
     is_whole = hasattr(value, "__index__") and not isinstance(value, bool)
     if not is_whole or value.__index__() < least:
         hint = f"give {name} as an int, or leave it out"
-        raise bad(f"{name} must be a whole number from {least}, not {value!r}", hint)
+        raise bad(f"{name} must be a whole number, at least {least}, not {value!r}", hint)
     return int(value.__index__())
 
 

@@ -133,7 +133,7 @@ def srs(table: Table, ax: Axes | None = None, *, motion: str | None = None) -> A
 
 
 def fragility(result: FragilityResult, id: str | None = None, ax: Axes | None = None) -> Axes:
-    """The fragility curves of one object (the first one by default), with the shares of runs that were seen.
+    """The fragility curves of one object (the first one by default), with the observed shares of runs.
 
     A vertical bar is the 95 % interval of a share.
     """

@@ -196,9 +196,9 @@ pub(super) fn measures(report: &RunsReport) -> Result<Figure, FigureError> {
     let count = panels.len();
     draw(Page {
         name: "measures".to_owned(),
-        title: "Spread by measure".to_owned(),
-        caption: "Standard deviation of ln of the capacities of the motions (of a cloud: of ln of the demand), by \
-                  measure. Small is good: the measure tells more."
+        title: "Dispersion by measure".to_owned(),
+        caption: "Dispersion β of the capacities of the motions, by measure (for a cloud: of the demands about the \
+                  line). Smaller is better: the measure alone predicts more."
             .to_owned(),
         panels,
         columns: if count > 1 { 1 } else { columns(count) },
@@ -228,10 +228,11 @@ pub(super) fn residuals(report: &RunsReport) -> Result<Figure, FigureError> {
     let rows = shown.len().max(1);
     draw(Page {
         name: "residuals".to_owned(),
-        title: format!("What {} leaves", plain(&measure)),
+        title: format!("What {} does not explain", plain(&measure)),
         caption: format!(
-            "ln of the capacity of each motion by {measure} less the mean (of a cloud: of the demand less the line), \
-             against the mean period and PGV/PGA of the motion. p below 0.05: the property matters beside the measure."
+            "ln of the capacity of each motion by {measure} minus the mean (for a cloud: ln of the demand minus the \
+             line), against the mean period and PGV/PGA of the motion. p below 0.05: the outcome depends on that \
+             property, too."
         ),
         panels,
         columns: 2,

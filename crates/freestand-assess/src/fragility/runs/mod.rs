@@ -54,7 +54,7 @@ pub enum Method {
 pub const METHODS: Choices<Method> = &[
     (Method::Incremental, "ida", "every motion is scaled up until it overturns the object"),
     (Method::Stripes, "stripes", "every motion is scaled to each intensity of --scales"),
-    (Method::Cloud, "cloud", "every motion as it is"),
+    (Method::Cloud, "cloud", "every motion is used once, unscaled"),
 ];
 
 /// Scales above this are marked: a motion that is scaled so much hardly is one of an earthquake that
@@ -97,7 +97,7 @@ pub fn scales(text: &str, method: Method, first: Measure) -> Result<Option<Vec<f
         Method::Stripes => first.quantities(text)?,
         Method::Cloud => {
             let hint = "leave the scales out, or give `method = \"ida\"`";
-            return Err(Problem::value("a cloud has every motion as it is", hint).of(&["scales"]));
+            return Err(Problem::value("a cloud uses every motion unscaled", hint).of(&["scales"]));
         }
     };
     if let Some(bad) = values.iter().find(|value| **value <= 0.0) {
@@ -351,7 +351,7 @@ fn measures_of(request: &RunsRequest) -> Result<Vec<(Measure, At)>, Problems> {
         return Err(Problem::value(message, format!("give at most {MAX_MEASURES}")).of(&["im"]).into());
     }
     if let Some((i, twice)) = asked.iter().enumerate().find(|(i, one)| asked[..*i].contains(one)) {
-        let message = format!("the measure {} is there twice (number {})", twice.name(), i + 1);
+        let message = format!("the measure {} is given twice (number {} in the list)", twice.name(), i + 1);
         return Err(Problem::value(message, "name each measure once").of(&["im"]).into());
     }
     let placed = |measure: Measure| -> Result<(Measure, At), Problem> {
@@ -470,12 +470,15 @@ impl RunsReport {
             let rest = self.left_out.len().saturating_sub(NAMED_LEFT_OUT);
             let rest = if rest > 0 { format!(" and {rest} more") } else { String::new() };
             let objects = counted(self.left_out.len(), "object");
-            warnings.push(format!("{objects} not run: {}{rest}", named.join(", ")));
+            let verb = if self.left_out.len() == 1 { "was" } else { "were" };
+            warnings.push(format!("{objects} {verb} not run: {}{rest}", named.join(", ")));
         }
         let lacking = self.objects.iter().filter(|one| one.nominal.lacks_shock()).count();
         if lacking > 0 {
+            let (verb, them) = if lacking == 1 { ("has", "its shock is") } else { ("have", "their shocks are") };
             warnings.push(format!(
-                "{} with a tolerance, but without mass or cushion: its shock is not known, so it has no `exceeds`",
+                "{} {verb} a tolerance, but no mass or no cushion: {them} not known, so `exceeds` is not fitted; add \
+                 the mass and the cushion",
                 counted(lacking, "object")
             ));
         }
@@ -593,7 +596,7 @@ impl RunsReport {
             self.objects.iter().flat_map(|one| &one.motions).map(|runs| resurrections(&follow::classes(runs))).sum();
         if survived > 0 {
             let plural = if survived == 1 { "run stays" } else { "runs stay" };
-            text.push_str(&format!("; {survived} {plural} upright above a scale that overturns"));
+            text.push_str(&format!("; {survived} {plural} upright above a scale that overturns the object"));
         }
         text
     }

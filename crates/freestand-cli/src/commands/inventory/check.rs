@@ -60,7 +60,7 @@ pub(crate) struct CheckArgs {
     /// Count every doubt as an error
     #[arg(long)]
     strict: bool,
-    /// Read a cell as if it contained this; give it once for each cell. The file is not changed
+    /// Read a cell as if it contained TEXT; may be given several times. The file is not changed
     #[arg(long, value_name = "CELL=TEXT")]
     edit: Vec<String>,
     /// Also list the text of every cell (with --json)
