@@ -41,10 +41,10 @@ overturned = roof.groupby("height_m")["outcome"].agg(lambda outcomes: (outcomes 
 print(overturned.index[overturned >= 0.5].min())    # → 0.9
 
 # %% [markdown]
-# The paper reads 3.5 g at mid-height and 5 g on the roof from its figure, and overturned objects of
-# 200 mm on the roof from a height of 1.5 m. On the roof the largest shocks agree. At mid-height
-# these motions give less, and on the roof at least half of them overturn objects of 200 mm from 0.9
-# m: overturning depends on details of the motion.
+# In the figure of the paper, the largest shocks are 3.5 g at mid-height and 5 g on the roof. Objects
+# of 200 mm overturn on the roof from a height of 1.5 m. On the roof the largest shocks agree. At
+# mid-height these ten motions give smaller shocks. On the roof at least half of them overturn objects
+# of 200 mm from a height of 0.9 m, because overturning depends on details of the motion.
 
 # %%
 import matplotlib.pyplot as plt

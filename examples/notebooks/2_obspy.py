@@ -2,9 +2,9 @@
 # # From an ObsPy record to a shock
 #
 # ObsPy reads the records of seismological networks, removes the response of the instrument and
-# filters. What it returns is an acceleration against time, which freestand takes as it is. This
-# notebook writes a miniSEED file first, so that it needs no network; a record of yours comes from
-# `obspy.read` or from a client of FDSN.
+# filters. It returns an acceleration against time, which freestand reads directly. This notebook
+# first writes a miniSEED file, so that it needs no network. Read your own record with `obspy.read`,
+# or load it with ObsPy's FDSN client.
 
 # %%
 import tempfile

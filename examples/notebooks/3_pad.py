@@ -35,7 +35,7 @@ landing.edge_acceleration_g                             # → 4.53
 # %% [markdown]
 # ## How soft must the pads be?
 #
-# Let the contents withstand 3 g. The largest stiffness under an edge is then, in N/mm:
+# If the contents withstand 3 g, the largest stiffness under an edge is, in N/mm:
 
 # %%
 required = cabinet.shock(cushion=pad, pads_per_edge=2, cg_rise_m=0.016, tolerance_g=3)

@@ -1,9 +1,9 @@
 # %% [markdown]
 # # A hospital: which objects must be restrained?
 #
-# The list of [the hospital](../hospital) is used as it came from the ward. So that the notebook
-# takes seconds, it asks at most 160 worlds and the rigid base alone; the verdicts of the full study
-# are in the page of the example.
+# The list of [the hospital](../hospital) is used as it came from the ward. To finish in seconds, the
+# notebook calculates at most 160 worlds, on a rigid base only. The verdicts of the full study are on
+# the page of the example.
 
 # %%
 from pathlib import Path

@@ -1,7 +1,7 @@
 # %% [markdown]
-# # Beside SciPy's `solve_ivp`
+# # A rocking block compared with SciPy's `solve_ivp`
 #
-# The equation of a rocking block is short, so it can be solved with SciPy for a check. With the
+# The equation of a rocking block is short, so SciPy can solve it as a check. With the
 # rotation θ, the slenderness angle α, the frequency parameter p and the acceleration a of the
 # floor,
 #
@@ -57,7 +57,8 @@ def _crossing(index):
 
 # %% [markdown]
 # The events of `solve_ivp` are found on its interpolant, so the method needs one of high order:
-# with RK45 the times of impacts differ by 4e-7 s. `largest` is that of the steps, of at most 5 ms.
+# with RK45 the times of impacts differ by 4e-7 s. `largest` is the largest rotation at the steps,
+# which are at most 5 ms long.
 
 # %%
 begun = time.perf_counter()

@@ -104,7 +104,7 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
         ExportFormat::Csv => Vec::new(),
         ExportFormat::Pelicun => {
             if request.hazard.is_some() {
-                let message = "pelicun has no hazard curves";
+                let message = "pelicun does not read hazard curves";
                 let hint = "leave out the hazard, or export for OpenQuake";
                 return Err(Problem::value(message, hint).of(&["hazard"]).into());
             }
@@ -272,7 +272,8 @@ fn check_fit(report: &FragilityReport, request: &ExportRequest) -> Result<(), Pr
     }
     if report.request.shock.is_some() {
         let message = "a fit of shocks has no lognormal curve of exceeding";
-        let hint = "export its points with `discrete = true`, or the fit of the classes, without `tolerance`";
+        let hint =
+            "export its points with `discrete = true`, or leave out `tolerance`, so that the outcomes are fitted";
         return Err(Problem::value(message, hint).of(&["tolerance"]));
     }
     if report.request.fit == FitKind::Ordered {

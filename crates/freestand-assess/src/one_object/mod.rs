@@ -230,7 +230,7 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
         && (mass_kg.is_none() || rests_on.is_none() || upper.mass_kg.is_none())
     {
         note(
-            "an object with another one on it needs `mass`, `upper_mass` and `on`: the two are followed on pads",
+            "an object with another one on it needs `mass`, `upper_mass` and `on`: both are calculated on pads",
             "add what is missing, such as `on = \"rubber-foot\"`, or leave out what stands on it",
         );
     }
@@ -314,8 +314,7 @@ fn unused(object: &Object, subject: &Subject) -> Vec<String> {
     let mut warnings = Vec::new();
     if around.clearance_m.is_some() && subject.rocks() {
         warnings.push(
-            "`clearance` has no effect: this object neither slides nor rolls to a stop; a wall beside it is `wall_gap`"
-                .to_owned(),
+            "`clearance` has no effect on an object that rocks: for a wall beside it, give `wall_gap`".to_owned(),
         );
     }
     if around.wall_stiffness_n_m.is_some() && object.mass_kg.is_none() {

@@ -39,8 +39,8 @@ pub(super) fn risk_figure(report: &RiskReport) -> Result<Option<Figure>, FigureE
         legend.push(entry(curve_style(0), "all objects under the same motions"));
         legend.push(entry(curve_style(1), "if objects failed independently"));
         sentences.push(
-            "Loss of all objects together that is reached or exceeded once in so many years on average; the gap \
-             between the lines is the effect of the motions that all objects share.",
+            "Loss of all objects together that is reached or exceeded once in this many years on average. The lines \
+             differ because all objects have the same motions, so they tend to fail together.",
         );
     }
     if let Some(plan) = report.measures.as_ref().and_then(|measures| measures.plan.as_ref()) {

@@ -138,14 +138,14 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
         boxes.push((
             money(plan.plan.cost, currency),
             format!(
-                "Cost of the plan below, of a budget of {}. It avoids {} a year.",
+                "Cost of the plan below, within a budget of {}. It avoids a loss of {} a year.",
                 money(plan.budget, currency),
                 money(saved, currency)
             ),
         ));
         boxes.push((
             format!("{} a year", money(left.max(0.0), currency)),
-            "Expected loss that the plan leaves.".to_owned(),
+            "Expected loss that remains with the plan.".to_owned(),
         ));
     }
     let casualties: Vec<f64> = report.objects.iter().filter_map(|object| object.expected_annual_casualties).collect();
@@ -229,7 +229,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
         heads.push(figure(format!("loss a year ({currency})")));
     }
     if has_plan {
-        heads.push(figure(format!("with the plan ({currency})")));
+        heads.push(figure(format!("loss a year with the plan ({currency})")));
     }
     if has_verdicts {
         heads.push(words("accepted rate"));

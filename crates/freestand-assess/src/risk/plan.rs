@@ -86,7 +86,8 @@ pub(crate) fn measures(
     };
     let Some(currency) = currency else {
         let hint = "give an inventory with replacement_cost [AUD], or other costs";
-        return Err(Problem::value("options are worth nothing without the cost of failures", hint).of(&["inventory"]));
+        return Err(Problem::value("the benefit of an option cannot be calculated without the cost of failures", hint)
+            .of(&["inventory"]));
     };
     if let Some((_, other)) = request.budget.as_ref().filter(|(_, other)| other != currency) {
         let message = format!("the budget is in {}, and the costs are in {currency}", shorten(other));

@@ -722,7 +722,7 @@ def fragility(
 
     `outcomes` is a path (CSV; `outcomes.csv` of an assessment) or a table of pandas, polars or pyarrow with its
     headings. `at`: "ground" or "floor", where a spectral acceleration is taken; `fit`: "ordered" (default) or
-    "separate"; `tolerance_g` with `ceiling_g`: from the shocks; `bootstrap`: samples of motions for the 95 %
+    "separate"; `tolerance_g` with `ceiling_g`: fit `exceeds` to the shocks; `bootstrap`: samples of motions for the 95 %
     intervals, 0 for none.
     """
     values = given(

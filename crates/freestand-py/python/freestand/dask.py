@@ -66,12 +66,12 @@ def assess(
 ) -> AssessResult:
     """Which objects of an inventory must be restrained, calculated by the workers of a Dask cluster.
 
-    `study` and `inventory` are those of `freestand.assess`; so are the files in `out`, with
+    `study` and `inventory` are as in `freestand.assess`. The files in `out` are the same as its files, with
     objects.parquet. The folder `out` and `<out>-plan` beside it must be on a file system that this process
     and all workers access under the same path. `client` is a `distributed.Client`: by default the current
     one, or else one with a local worker. Each thread of a worker calculates one shard at a time, in a child
     process with `threads` threads (default 1). `shards`: by default 4 for each thread of the workers that
-    are there now, of 200 objects or more. A shard that fails is calculated again; after `retries` failures
+    are connected now, each of at least 200 objects. A shard that fails is calculated again; after `retries` failures
     it is reported, when the other shards are finished. Call the function again with the same arguments to
     continue: finished shards are kept in `<out>-plan`, which is removed at the end.
     """
