@@ -239,7 +239,7 @@ def points(program, folder, scratch, random_, check):
 def main():
     program = str(Path(sys.argv[1]).resolve())
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else random.SystemRandom().randrange(2**32)
-    print(f"pelicun and OpenQuake beside the closed forms; seed {seed}")
+    print(f"pelicun and OpenQuake compared with the closed forms; seed {seed}")
     random_ = random.Random(seed)
     check = Checks()
     with tempfile.TemporaryDirectory() as name:

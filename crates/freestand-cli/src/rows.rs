@@ -24,7 +24,7 @@ pub(crate) struct Rows {
     tables: Vec<StreamedFile>,
     documents: Vec<StreamedFile>,
     parquet: Option<Parquet>,
-    /// The document by columns, for whoever asked for it in that shape.
+    /// The document by columns, if the request asked for that shape.
     columns: Option<Vec<JsonColumn>>,
     print: bool,
     printer: Printer,

@@ -28,8 +28,8 @@ impl Stop {
         Self(wanted)
     }
 
-    /// Also stops when the terminal is closed (SIGHUP), unless whoever started the program asked
-    /// otherwise (`nohup`): for a program that leaves nothing behind.
+    /// Also stops when the terminal is closed (SIGHUP), unless the program was started to
+    /// ignore that (`nohup`): for a program that leaves no files.
     #[cfg(feature = "page")]
     pub(crate) fn listen_to_hangup(&self) {
         #[cfg(unix)]

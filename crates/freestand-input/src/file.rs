@@ -44,7 +44,7 @@ pub fn sha256_hex(bytes: &[u8]) -> String {
 /// The only folder from which this process reads input files, where there is one.
 static ONLY_FOLDER: OnceLock<PathBuf> = OnceLock::new();
 
-/// From now on this process reads input files from this folder alone, whoever names them: a flag, a
+/// From now on this process reads input files from this folder only, wherever they are named: a flag, a
 /// study, or a file that a study names. A program that answers others calls it before it answers.
 ///
 /// The first folder counts; a process has one.

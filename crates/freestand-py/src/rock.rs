@@ -144,7 +144,7 @@ struct Shaken<'a> {
     history: bool,
 }
 
-/// Samples of a motion above which a history is calculated beside the thread that looks for Ctrl-C:
+/// Samples of a motion above which a history has its own thread, next to the one that looks for Ctrl-C:
 /// shorter ones take a few milliseconds, and starting a thread costs more than the history of a
 /// small object.
 const MANY_SAMPLES: usize = 50_000;

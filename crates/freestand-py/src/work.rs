@@ -99,8 +99,8 @@ pub(crate) fn watched_with<T: Send>(
     result.map_err(|_| defect())
 }
 
-/// Does work that cannot be stopped, beside this thread, which looks for signals: Ctrl-C raises at
-/// once, and what the work still finds is thrown away.
+/// Does work that cannot be stopped in a thread of its own, while this one looks for signals: Ctrl-C
+/// raises at once, and the result of the work is discarded.
 pub(crate) fn abandoned_on_signal<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
@@ -123,7 +123,7 @@ pub(crate) fn abandoned_on_signal<T: Send + 'static>(
 
 /// A calculation that ended by a panic.
 fn defect() -> PyErr {
-    let message = "the calculation ended in a way that it should never end";
+    let message = "the calculation ended unexpectedly";
     let hint = "this is a defect of freestand; please report it";
     raised(Problem::new(ProblemKind::Computation, message).hint(hint))
 }

@@ -1,4 +1,4 @@
-//! The motions of one floor of a building at a place, for whoever has no records.
+//! The motions of one floor of a building at a place, for users without records.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -29,7 +29,7 @@ pub struct AtPlace {
     pub seed: Option<u64>,
 }
 
-/// The ground motions of the last place: whoever moves a slider asks for another floor above the
+/// The ground motions of the last place: a user who moves a slider asks for another floor above the
 /// same ground, and to match ten motions to a spectrum takes longer than to carry them to a floor.
 #[derive(Debug, Default)]
 pub struct LastGround(Mutex<Option<Kept>>);

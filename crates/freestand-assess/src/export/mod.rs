@@ -63,7 +63,7 @@ pub struct ExportRequest {
 pub struct Exported {
     /// Its files, by their paths in the output folder.
     pub files: Vec<(String, Vec<u8>)>,
-    /// What to know beside it.
+    /// Warnings about them.
     pub warnings: Vec<String>,
 }
 
@@ -252,7 +252,7 @@ fn exported(object: &ObjectFragility, state: LimitState, beta: Option<f64>) -> R
         (Some(median), Some(beta)) => Ok(Some((median, beta))),
         (Some(_), None) => {
             let message = format!("object {id}: {state} is a step, which has no beta");
-            Err(Problem::value(message, "give `beta = 0.25` for states whose beta is not known, or run more levels"))
+            Err(Problem::value(message, "give a β for such states, such as `beta = 0.25`, or run more levels"))
         }
         (None, _) => {
             let message = format!("object {id}: {state} has no curve ({})", kind.name());

@@ -1,4 +1,4 @@
-//! Cells that somebody corrects while reading a list: the file itself is never changed.
+//! Cells that the user corrects while a list is read: the file itself is never changed.
 
 use std::fmt::{Display, Formatter};
 

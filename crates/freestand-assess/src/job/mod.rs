@@ -223,7 +223,7 @@ pub fn assess_into(
     assess_telling(study, inventory, target, job, (progress, None))
 }
 
-/// As [`assess_into`], for somebody who watches: each object is told when it is finished.
+/// As [`assess_into`], but reports each object when it is finished, for a user who watches.
 ///
 /// # Errors
 /// As [`assess_into`].

@@ -41,7 +41,7 @@ Examples:
       --out assessment
   Continue after Ctrl-C or a crash, in the same folder:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment --resume
-  With a cell read as corrected; the file is not changed:
+  With one cell corrected; the file itself is not changed:
     freestand assess --inventory objects.csv --edit \"D7=900 mm\"
   Also a Parquet table, for pandas:
     freestand assess --inventory objects.csv --format csv,parquet
@@ -134,7 +134,7 @@ impl FailOn {
     }
 }
 
-/// Objects of a part where somebody watches.
+/// Objects of a part while a user watches the page.
 const WATCHED_ROWS: usize = 32;
 
 /// The folder where no `--out` is given.
@@ -161,7 +161,7 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     let (study, _, inventory) = args.list.read(global, args.pages, edits(&args.edit)?)?;
     let out = global.folder(FOLDER);
     let parquet = args.format.contains(&Format::Parquet);
-    // Somebody watches the page: few objects at a time.
+    // A user watches the page: few objects at a time.
     let part_rows = printer.session().map(|_| WATCHED_ROWS);
     let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes, part_rows };
 

@@ -191,7 +191,7 @@ pub(super) struct Exports {
     hazard: Option<PathBuf>,
     power_law: Option<String>,
     made: Vec<(String, Vec<u8>)>,
-    /// What to know beside them.
+    /// Warnings about them.
     pub(super) warnings: Vec<String>,
 }
 

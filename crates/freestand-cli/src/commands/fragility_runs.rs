@@ -83,7 +83,7 @@ pub(crate) struct RunArgs {
     /// How the runs are chosen
     #[arg(long, value_parser = choice(METHODS), default_value = name_of(METHODS, Method::Incremental), help_heading = "The runs")]
     method: Method,
-    /// `adaptive`, or a grid FROM:TO:COUNT or a list. For ida these are factors on the motions, such
+    /// `adaptive`, or a grid "from:to:count" or a list. For ida these are factors on the motions, such
     /// as "0.5:5:10"; for stripes intensities by the first measure, such as "0.1 m/s:2 m/s:12"
     /// [default: adaptive]
     #[arg(long, conflicts_with = "outcomes", value_name = "adaptive|GRID", help_heading = "The runs")]
@@ -116,7 +116,7 @@ impl RunArgs {
         self.is_given_beside_outcomes() || self.list.inventory.is_some()
     }
 
-    /// As [`RunArgs::is_given`] beside a table of outcomes, for which the inventory has costs.
+    /// As [`RunArgs::is_given`] with a table of outcomes, for which the inventory has costs.
     pub(crate) fn is_given_beside_outcomes(&self) -> bool {
         self.height.is_some() || self.thickness.is_some() || !self.motion.is_empty() || self.list.study.is_some()
     }
@@ -204,7 +204,7 @@ impl RunArgs {
         Ok((motions, notes, files))
     }
 
-    /// Refuses flags of one object beside an inventory.
+    /// Refuses flags of one object if an inventory is given.
     fn refuse_object(&self, args: &FragilityArgs) -> Result<(), Failure> {
         let given = [
             (self.height.is_some(), "--height"),

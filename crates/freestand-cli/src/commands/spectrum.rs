@@ -59,10 +59,10 @@ Examples:
     freestand spectrum --motion record.AT2 --heights \"0.3 m:4 m:1000\" \\
       --thicknesses \"0.1 m:1 m:1000\" --parquet rows.parquet
   Trolleys with brakes on half of their wheels, which slide or rock according to their size:
-    freestand spectrum --motion record.AT2 --heights \"0.8 m:1.6 m:9\" --thicknesses \"0.4 m\" \
+    freestand spectrum --motion record.AT2 --heights \"0.8 m:1.6 m:9\" --thicknesses \"0.4 m\" \\
       --casters --brakes --friction 0.25
 
-Rows are written as they are computed: a large grid needs time and disk space, not memory.")]
+Rows are written as they are calculated: a large grid needs time and disk space, not memory.")]
 pub(crate) struct SpectrumArgs {
     /// Records of the horizontal acceleration of the floor
     #[arg(long, value_name = "FILE", num_args = 1..)]
@@ -117,7 +117,7 @@ pub(crate) struct SpectrumArgs {
     parquet: Option<PathBuf>,
 }
 
-/// A floor of a building at a place, in place of records.
+/// A floor of a building at a place, instead of records.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "A place instead of records")]
 struct PlaceArgs {
@@ -144,7 +144,7 @@ impl KeySet for HazardKeys {
     const KEYS: &'static [(&'static str, &'static [Key])] = &[(
         "A place instead of records",
         &[
-            key("place", "NAME", "Place, which brings its code: freestand place list"),
+            key("place", "NAME", "Place, with its code and hazard; see freestand place list"),
             key("site", "CLASS", "Site class of the code"),
             key("return_period_years", "YEARS", "Return period in years, of AS 1170.4 and NZS 1170.5"),
         ],
@@ -305,7 +305,7 @@ fn at_place(args: &SpectrumArgs, global: &GlobalArgs, stop: &Stop) -> Result<Rea
     Ok(Reading { motions: made.motions, processing, warnings: made.warnings })
 }
 
-/// What goes beside the document of who wants to draw the history of an object.
+/// What the page gets next to the document to draw the history of an object.
 #[derive(Debug, Serialize)]
 struct Followed {
     followed: String,

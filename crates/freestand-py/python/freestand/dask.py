@@ -67,7 +67,7 @@ def assess(
     """Which objects of an inventory must be restrained, calculated by the workers of a Dask cluster.
 
     `study` and `inventory` are as in `freestand.assess`. The files in `out` are the same as its files, with
-    objects.parquet. The folder `out` and `<out>-plan` beside it must be on a file system that this process
+    objects.parquet. The folder `out` and `<out>-plan` next to it must be on a file system that this process
     and all workers access under the same path. `client` is a `distributed.Client`: by default the current
     one, or else one with a local worker. Each thread of a worker calculates one shard at a time, in a child
     process with `threads` threads (default 1). `shards`: by default 4 for each thread of the workers that
@@ -88,7 +88,7 @@ def assess(
         _run_all(client, plan, shards, threads, retries)
     result = AssessResult._of(_merge(plan, target))
     result._in(target, None)
-    # What the shards left behind is in the results.
+    # The results contain all that the shards wrote.
     shutil.rmtree(plan, ignore_errors=True)
     warn(result.warnings)
     return result
@@ -288,14 +288,14 @@ def _merge(plan: Path, out: Path) -> str:
 
 
 def _program() -> str:
-    """The command that the wheel puts beside Python."""
+    """The command that the wheel puts into the folder of Python."""
     name = "freestand.exe" if sys.platform == "win32" else "freestand"
     for folder in (os.path.dirname(sys.executable), sysconfig.get_path("scripts")):
         if os.access(os.path.join(folder, name), os.X_OK):
             return os.path.join(folder, name)
     found = shutil.which(name)
     if found is None:
-        message = f"the program {name} is neither beside {sys.executable} nor on PATH"
+        message = f"the program {name} is neither in the folder of {sys.executable} nor on PATH"
         raise SolveError([(message, None, None, 'pip install "freestand[dask]" in the environment of the worker')])
     return found
 

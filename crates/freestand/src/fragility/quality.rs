@@ -67,7 +67,7 @@ fn squares(points: &[(f64, f64)]) -> f64 {
 
 /// How probable a slope as steep as that of these points would be if y did not depend on x: the
 /// *sufficiency* of a measure, where y is what the measure left and x is another property of the
-/// motions. A small p (below 0.05) means that the property matters beside the measure. `None` for
+/// motions. A small p (below 0.05) means that the outcome depends on the property, too. `None` for
 /// fewer than three points, or where all x are equal.
 ///
 /// # Reference

@@ -119,7 +119,7 @@ pub struct GivenObject {
     pub limits: Limits,
     /// The motions.
     pub motions: Vec<FloorMotion>,
-    /// Whether it stands on the ground, so that these are ground motions.
+    /// Whether the object is on the ground, so that its motions are ground motions.
     pub is_on_ground: bool,
 }
 
@@ -217,7 +217,7 @@ pub struct RunsReport {
     pub reports: Vec<FragilityReport>,
     /// The tables of outcomes, for each measure.
     pub outcomes: Vec<Vec<u8>>,
-    /// What to know beside the result.
+    /// Warnings about the result.
     pub warnings: Vec<String>,
     method: Method,
     max_scale_ratio: f64,
@@ -406,7 +406,8 @@ fn prepare(
             let nominal = Nominal::of_block(object.block, object.restitution, object.body.as_ref(), tolerance.as_ref());
             if nominal.lacks_shock() {
                 let hint = "give `mass` and `stiffness` (or another cushion), or leave the tolerance out";
-                let message = "the tolerance is compared with the shock of a landing, which is not known";
+                let message =
+                    "the tolerance needs the shock of a landing, and so the mass and the cushion of the object";
                 return Err(Problem::value(message, hint).of(&["tolerance"]).into());
             }
             let floors = vec![shaking::given(&object.motions, object.is_on_ground, &asked)?];

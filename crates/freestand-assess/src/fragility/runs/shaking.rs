@@ -155,7 +155,7 @@ impl Shaking {
     }
 }
 
-/// Motions of one floor that were given; `is_ground`: the object stands on the ground.
+/// Motions of one floor that the user gave; `is_ground`: the object is on the ground.
 pub(super) fn given(motions: &[FloorMotion], is_ground: bool, asked: &[Measure]) -> Result<Vec<Shaking>, Problems> {
     let shaking = |motion: &FloorMotion| {
         let strength = Strength::new(&motion.horizontal, asked).map_err(|problem| of_motion(problem, &motion.name))?;

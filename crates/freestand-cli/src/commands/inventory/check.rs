@@ -29,7 +29,7 @@ use crate::printer::{Printer, pairs, table};
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Reads CSV, TSV and XLSX with headings in English, German, French, Spanish, Italian or Japanese;
-see docs/inventory.md. Exit status: 0 no errors, 1 some cells have errors, 2 the file is no list.
+see docs/inventory.md. Exit status: 0 no errors, 1 some cells have errors, 2 the file is not a list.
 
 Examples:
   freestand inventory check objects.csv
