@@ -176,7 +176,7 @@ fn what_cannot_be_run_is_refused() {
     assert!(said(&["--method", "cloud", "--scales", "1,2"]).contains("a cloud uses every motion unscaled"));
     assert!(said(&["--scales", "0:5:6"]).contains("not above 0"));
     assert!(said(&["--outcomes", "o.csv"]).contains("--outcomes contains the runs"));
-    assert!(said(&["--ceiling", "9g", "--tolerance", "2g"]).contains("--ceiling belongs to --outcomes"));
+    assert!(said(&["--ceiling", "9g", "--tolerance", "2g"]).contains("--ceiling is for --outcomes only"));
     assert!(said(&["--inventory", "list.csv"]).contains("describes one object"));
     let alone = |flags: &[&str]| refused(folder, &[&["fragility"], flags].concat());
     assert!(alone(&[]).contains("nothing to run and nothing to fit"));

@@ -47,14 +47,14 @@ pub struct ExportRequest {
     pub realizations: Option<u32>,
     /// β for states that have none.
     pub beta: Option<f64>,
-    /// Points in place of lognormal curves: the shares of runs, or the probability of exceeding a
+    /// Points instead of lognormal curves: the shares of runs, or the probability of exceeding a
     /// tolerance that was fitted to the shocks.
     pub is_discrete: bool,
     /// Longitude and latitude for OpenQuake where the inventory has none \[degrees\].
     pub site_deg: Option<(f64, f64)>,
     /// Quantities, costs, floors and coordinates (CSV).
     pub inventory: Option<PathBuf>,
-    /// How often the ground shakes, for a second job of OpenQuake.
+    /// The hazard curve, for a second job of OpenQuake.
     pub hazard: Option<HazardSource>,
 }
 
@@ -84,7 +84,7 @@ pub fn check_export(request: &ExportRequest) -> Result<(), Problems> {
 /// The files for another program.
 ///
 /// # Errors
-/// Fits or measures that the program cannot take; a demand, a site or an inventory that is missing or
+/// Fits or measures that the program does not have; a demand, a site or an inventory that is missing or
 /// wrong.
 pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Exported, Problems> {
     let demand = request.demand.as_deref().map(|text| report.table.measure.quantity(text)).transpose();
@@ -264,8 +264,8 @@ fn exported(object: &ObjectFragility, state: LimitState, beta: Option<f64>) -> R
     }
 }
 
-/// Refuses curves that may cross, which both programs mend silently, and curves that are not
-/// lognormal. Shares of runs cannot cross.
+/// Refuses curves that may cross, which both programs change without a warning, and curves that are
+/// not lognormal. Shares of runs cannot cross.
 fn check_fit(report: &FragilityReport, request: &ExportRequest) -> Result<(), Problem> {
     if request.is_discrete {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Fragilities as a folder that the OpenQuake engine runs as it is.
+//! Fragilities as a folder with complete jobs for the OpenQuake engine.
 
 use freestand::risk::Hazard;
 use freestand_input::problem::{Problem, ProblemKind};

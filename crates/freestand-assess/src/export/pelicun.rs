@@ -1,4 +1,4 @@
-//! Fragilities as a folder that pelicun runs as it is.
+//! Fragilities as a folder with a complete calculation for pelicun.
 
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
@@ -15,7 +15,7 @@ use super::{ExportObject, ExportRequest, Files, Listed, Shape, sources};
 const DEFAULT_REALIZATIONS: u32 = 10_000;
 /// The most objects of one row: pelicun draws a capacity for each of them in every realization.
 const MAX_BLOCKS: f64 = 10_000.0;
-/// The currency that pelicun knows.
+/// The only currency of pelicun.
 const DOLLARS: &str = "USD";
 
 /// Where pelicun looks for the demand of a component.
@@ -263,7 +263,7 @@ fn demands(demand: &Demand, locations: &[u32], levels: &[f64]) -> Result<Vec<u8>
     table(&header, std::iter::once(units).chain(rows).collect())
 }
 
-/// What `config.json` says besides the measure.
+/// What `config.json` contains in addition to the measure.
 struct Job {
     realizations: usize,
     seed: u64,

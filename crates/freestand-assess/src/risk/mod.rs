@@ -242,11 +242,11 @@ fn check_measures(request: &RiskRequest, hazard: &MeasuredHazard, curves: &[Obje
     Ok(())
 }
 
-/// No motion is more frequent than this; a larger rate is a slip of the pen, and with costs it leaves
-/// the numbers of a computer \[1/year\].
+/// No motion is more frequent than this: a larger rate is a mistake, and the loss that follows from it
+/// may be infinite \[1/year\].
 const MAX_ANNUAL_RATE: f64 = 1e12;
 
-/// Refuses rates and losses that are too large to be meant.
+/// Refuses rates and losses that are implausibly large.
 fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Result<(), Problem> {
     let is_fine = |rate: Option<f64>| rate.is_none_or(|rate| rate < MAX_ANNUAL_RATE);
     for object in objects {

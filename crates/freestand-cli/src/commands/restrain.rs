@@ -119,7 +119,7 @@ impl KeySet for HazardKeys {
         (
             "The earthquake (one of --place, --code, --study, --floor-acceleration)",
             &[
-                key("place", "NAME", "Place, which brings its code: freestand place list"),
+                key("place", "NAME", "Place, with its code and hazard; see freestand place list"),
                 key("code", "CODE", "Design code, with its values: as1170.4, eurocode8, asce7, nzs1170.5"),
             ],
         ),

@@ -46,7 +46,7 @@ pub enum Method {
     Incremental,
     /// Every motion is scaled to the same intensities.
     Stripes,
-    /// Every motion as it is.
+    /// Every motion is used once, unscaled.
     Cloud,
 }
 
@@ -57,11 +57,11 @@ pub const METHODS: Choices<Method> = &[
     (Method::Cloud, "cloud", "every motion is used once, unscaled"),
 ];
 
-/// Scales above this are marked: a motion that is scaled so much hardly is one of an earthquake that
-/// strong.
+/// Scales above this are marked: a motion that is scaled so far is a poor model of a stronger
+/// earthquake.
 const DOUBTFUL_SCALE: f64 = 4.0;
 
-/// The largest scale, where the user does not say.
+/// The largest scale, if the user gives none.
 pub const DEFAULT_MAX_SCALE: f64 = 10.0;
 
 /// The most measures of one request.
@@ -453,7 +453,7 @@ impl ObjectRuns {
         LimitState::ALL.into_iter().filter(can_tell).collect()
     }
 
-    /// Number of runs with a motion that was scaled up very much.
+    /// Number of runs whose scale is above [`DOUBTFUL_SCALE`].
     fn marked(&self) -> usize {
         self.motions.iter().flatten().filter(|run| run.scale_ratio > DOUBTFUL_SCALE).count()
     }

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use super::super::measure::{At, Measure};
 use crate::worlds::{Again, FloorOfWorld, Worlds};
 
-/// Worlds of a study whose ground motions are generated, where the user does not say how many.
+/// Worlds of a study whose ground motions are generated, if the user gives no number.
 pub const DEFAULT_WORLDS: u32 = 40;
 
 /// Number of periods of an average spectral acceleration.
