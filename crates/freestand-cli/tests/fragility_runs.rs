@@ -214,3 +214,56 @@ fn an_inventory_is_run_on_the_floors_of_its_study() {
     let short = done(folder, &[&call[..], &["--im", "pgv, pfv"]].concat());
     assert_eq!(found["objects"][0], short["objects"][0]);
 }
+
+/// A wider base is run as an object of its own, and pays as an option does whose curves are in a file.
+#[test]
+fn an_option_that_changes_its_object_is_run_and_worth_what_its_curves_say() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let list = "id,floor,height [m],thickness [m],base_thickness [m],quantity,replacement_cost [AUD]\n\
+                shelf,2,1.8,0.7,0.35,3,9000\nrack,1,2,0.6,,1,5000\n";
+    fs::write(folder.join("list.csv"), list).unwrap();
+    let study = "[building]\nstoreys = 4\nstorey_height = \"3 m\"\n";
+    fs::write(folder.join("study.toml"), study).unwrap();
+    let options = "id,option,cost [AUD],base_thickness [mm],curves\nshelf,feet,200,700,\n";
+    fs::write(folder.join("options.csv"), options).unwrap();
+    let runs = ["fragility", "study.toml", "--inventory", "list.csv", "--worlds", "4", "--bootstrap", "0"];
+    let stripes = ["--im", "pgv", "--method", "stripes", "--scales", "0.2 m/s:2 m/s:5", "--max-scale", "30"];
+    let call = [&runs[..], &stripes[..]].concat();
+    let found = done(folder, &[&call[..], &["--options", "options.csv", "--out", "runs"]].concat());
+    let overturned = |i: usize| found["objects"][i]["counts"]["overturned"].as_f64().unwrap();
+    let ids: Vec<&Value> = found["objects"].as_array().unwrap().iter().map(|one| &one["id"]).collect();
+    assert_eq!(ids, ["shelf", "rack", "shelf/feet"]);
+    // On a base that is twice as wide it overturns under fewer of the 20 runs.
+    assert!(overturned(2) < overturned(0), "{} {}", overturned(0), overturned(2));
+    // The object itself is run as without options.
+    let plain = done(folder, &[&call[..], &["--out", "plain"]].concat());
+    assert_eq!(found["objects"][0], plain["objects"][0]);
+
+    let hazard = ["--hazard-power", "k0=1e-3 /yr, k=2.5, reference=1 m/s", "--hazard-im", "pgv"];
+    let money = ["--inventory", "list.csv", "--horizon", "40 yr", "--discount", "3 %"];
+    let risk = |runs: &str, options: &str| {
+        let outcomes = format!("{runs}/outcomes.csv");
+        let flags = ["risk", "--outcomes", &outcomes, "--bootstrap", "0", "--options", options];
+        done(folder, &[&flags[..], &hazard[..], &money[..]].concat())
+    };
+    let changed = risk("runs", "options.csv");
+    let in_file = "id,option,cost [AUD],base_thickness [mm],curves\nshelf,feet,200,,runs/fragility.csv\n";
+    fs::write(folder.join("in_file.csv"), in_file).unwrap();
+    let named = risk("plain", "in_file.csv");
+    assert_eq!(changed["portfolio"]["worlds"], 20);
+    for key in ["objects", "portfolio", "ranking"] {
+        assert_eq!(changed[key], named[key], "{key}");
+    }
+    assert!(changed["ranking"][0]["benefit_present_value"].as_f64().unwrap() > 0.0);
+    let args = ["risk", "--outcomes", "plain/outcomes.csv", "--bootstrap", "0", "--options", "options.csv"];
+    let missing = refused(folder, &[&args[..], &hazard[..], &money[..]].concat());
+    assert!(missing.contains("options.csv:2: ") && missing.contains("shelf/feet"), "{missing}");
+    fs::write(folder.join("wide.csv"), "id,option,cost [AUD],base_thickness [mm]\nshelf,arms,50,900\n").unwrap();
+    let wide = refused(folder, &[&call[..], &["--options", "wide.csv"]].concat());
+    assert!(wide.contains("0.9 m wide"), "{wide}");
+    let nobody = "id,option,cost [AUD],mass [kg]\nshelve,ballast,50,400\n";
+    fs::write(folder.join("nobody.csv"), nobody).unwrap();
+    let nobody = refused(folder, &[&call[..], &["--options", "nobody.csv"]].concat());
+    assert!(nobody.contains("shelve"), "{nobody}");
+}

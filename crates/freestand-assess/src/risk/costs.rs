@@ -4,7 +4,7 @@ use std::path::Path;
 
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
-use freestand_input::quantity::shorten;
+use freestand_input::quantity::{Dimension, parse_positive, shorten};
 
 use crate::fragility::table::{Row, Table};
 use crate::fragility::{ObjectCurves, load_curves};
@@ -12,8 +12,8 @@ use crate::fragility::{ObjectCurves, load_curves};
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
                     accepted_exceed_annual_rate [1/yr], floor, longitude, latitude";
-const OPTIONS_HINT: &str =
-    "the columns are id, option, cost [AUD], one of median_factor and curves, and perhaps life [yr]";
+const OPTIONS_HINT: &str = "the columns are id, option, cost [AUD], perhaps life [yr], and one effect: median_factor, \
+                            curves, or a change of stiffness [N/mm], base_thickness [mm] or mass [kg]";
 
 /// The highest floor.
 const MAX_FLOOR: u32 = 1000;
@@ -202,8 +202,32 @@ fn filled(table: &Table, row: &Row, name: &str) -> Option<usize> {
 pub(crate) enum Effect {
     /// All medians are multiplied.
     MedianFactor(f64),
-    /// Other curves.
+    /// Other curves, such as those of the object that `freestand fragility --options` changed.
     Curves(ObjectCurves),
+}
+
+/// What an option changes of an object; `None`: that stays.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Change {
+    /// Stiffness under one edge \[N/m\].
+    pub stiffness_n_m: Option<f64>,
+    /// Distance between the edges in the direction of the thickness \[m\].
+    pub base_thickness_m: Option<f64>,
+    /// Mass \[kg\].
+    pub mass_kg: Option<f64>,
+}
+
+/// An object as an option changes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChangedObject {
+    /// Of the object.
+    pub id: String,
+    /// Of its curves, `ID/option`.
+    pub curve_id: String,
+    /// What changes.
+    pub change: Change,
+    /// Its line in the file of the options.
+    pub line: usize,
 }
 
 /// An option for one object: a pad, a strap, an anchor.
@@ -216,17 +240,56 @@ pub(crate) struct OptionRow {
     pub(crate) effect: Effect,
 }
 
-/// Reads the options; `currency` is that of the costs.
+/// Reads the options; `currency` is that of the costs, and `curves` those of all objects, with those of
+/// changed objects as `ID/option`.
 ///
 /// # Errors
-/// Another currency, no effect or two, a physical change, an option that is there twice.
-pub(crate) fn load_options(path: &Path, currency: Option<&str>) -> Result<(InputFile, Vec<OptionRow>), Problem> {
+/// Another currency, no effect or two, an option that is there twice, a changed object without
+/// curves.
+pub(crate) fn load_options(
+    path: &Path,
+    currency: Option<&str>,
+    curves: &[ObjectCurves],
+) -> Result<(InputFile, Vec<OptionRow>), Problem> {
     let bytes = load(path)?;
-    let rows = read_options(&bytes, path, currency)?;
+    let rows = read_options(&bytes, path, currency, |object| {
+        let found = curves.iter().find(|one| one.id == object.curve_id).ok_or_else(|| {
+            let wanted = shorten(&object.curve_id);
+            let message = format!("the option changes the object itself, and no curves have the id \"{wanted}\"");
+            let hint = "run the changed objects with freestand fragility, its list and these options, and give its \
+                        fragility.csv or outcomes.csv here; or name a file in the column curves";
+            Problem::value(message, hint).in_file(path).at_line(object.line)
+        })?;
+        Ok(Some(Effect::Curves(found.clone())))
+    })?;
     Ok((InputFile::new(path, &bytes), rows))
 }
 
-fn read_options(bytes: &[u8], path: &Path, currency: Option<&str>) -> Result<Vec<OptionRow>, Problem> {
+/// The objects that options change, of a file of options.
+///
+/// # Errors
+/// As for the options of `risk`, or none that changes an object.
+pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Problem> {
+    let bytes = load(path)?;
+    let mut objects: Vec<ChangedObject> = Vec::new();
+    read_options(&bytes, path, None, |object| {
+        objects.push(object);
+        Ok(None)
+    })?;
+    if objects.is_empty() {
+        let hint = "give a column stiffness [N/mm], base_thickness [mm] or mass [kg], or leave the options out";
+        return Err(Problem::value("no option changes an object, so there is nothing to run", hint).in_file(path));
+    }
+    Ok((InputFile::new(path, &bytes), objects))
+}
+
+/// `changed` gives the effect of an option that changes its object; `None`: the option is left out.
+fn read_options(
+    bytes: &[u8],
+    path: &Path,
+    currency: Option<&str>,
+    mut changed: impl FnMut(ChangedObject) -> Result<Option<Effect>, Problem>,
+) -> Result<Vec<OptionRow>, Problem> {
     let table = Table::read(bytes, path, OPTIONS_HINT)?;
     let (id, option, cost) = (table.needed("id")?, table.needed("option")?, table.needed("cost")?);
     currency_of(&table, &[("cost", "")], currency)?;
@@ -238,25 +301,17 @@ fn read_options(bytes: &[u8], path: &Path, currency: Option<&str>) -> Result<Vec
         if rows.iter().any(|other| other.id == name && other.option == choice) {
             return Err(table.cell_problem(row, option, "this option of the object is there twice"));
         }
-        // What the changed object does follows from runs, which are not made here.
-        for change in ["stiffness", "base_thickness", "mass"] {
-            if let Some(column) = filled(&table, row, change) {
-                let message = format!("a change of {change} changes the curves, and they have to come from new runs");
-                let hint = format!(
-                    "run the changed object under the same motions, fit its outcomes with freestand fragility as object \
-                     {}/{}, and name that fragility.csv in the column curves",
-                    shorten(&name),
-                    shorten(&choice)
-                );
-                return Err(table.cell_problem(row, column, &message).hint(hint));
-            }
-        }
         let is_filled = |column: Option<usize>| column.filter(|&column| !table.text(row, column).is_empty());
-        let effect = match (is_filled(factor), is_filled(curves)) {
-            (Some(column), None) => Effect::MedianFactor(table.positive(row, column)?),
-            (None, Some(column)) => Effect::Curves(curves_of(&table, row, column, &name, &choice)?),
+        let change = change_of(&table, row)?;
+        let effect = match (is_filled(factor), is_filled(curves), change) {
+            (Some(column), None, None) => Some(Effect::MedianFactor(table.positive(row, column)?)),
+            (None, Some(column), None) => Some(Effect::Curves(curves_of(&table, row, column, &name, &choice)?)),
+            (None, None, Some(change)) => {
+                let curve_id = curve_id(&name, &choice);
+                changed(ChangedObject { id: name.clone(), curve_id, change, line: row.line })?
+            }
             _ => {
-                let message = "an option needs one effect, a median_factor or curves";
+                let message = "an option needs one effect: a median_factor, curves, or a change of the object";
                 return Err(table.cell_problem(row, option, message).hint(OPTIONS_HINT));
             }
         };
@@ -264,16 +319,41 @@ fn read_options(bytes: &[u8], path: &Path, currency: Option<&str>) -> Result<Vec
             Some(column) => Some(table.positive(row, column)?),
             None => None,
         };
-        rows.push(OptionRow { id: name, option: choice, cost: table.non_negative(row, cost)?, life_years, effect });
+        let cost = table.non_negative(row, cost)?;
+        rows.extend(effect.map(|effect| OptionRow { id: name, option: choice, cost, life_years, effect }));
     }
     Ok(rows)
+}
+
+/// The id of the curves of an object with an option.
+pub(crate) fn curve_id(id: &str, option: &str) -> String {
+    format!("{id}/{option}")
+}
+
+/// What an option changes; `None`: nothing.
+fn change_of(table: &Table, row: &Row) -> Result<Option<Change>, Problem> {
+    let of = |name: &str, dimension: Dimension, example: &str| -> Result<Option<f64>, Problem> {
+        let Some(column) = filled(table, row, name) else { return Ok(None) };
+        let Some(unit) = table.headings.get(column).and_then(|heading| heading.unit.as_deref()) else {
+            return Err(table.header_problem(format!("the column {name} states no unit, as in \"{name} [{example}]\"")));
+        };
+        let value = table.positive(row, column)?;
+        let si = parse_positive(&format!("{value} {unit}"), dimension, name);
+        si.map(Some).map_err(|problem| table.cell_problem(row, column, &problem.to_string()))
+    };
+    let change = Change {
+        stiffness_n_m: of("stiffness", Dimension::Stiffness, "N/mm")?,
+        base_thickness_m: of("base_thickness", Dimension::Length, "mm")?,
+        mass_kg: of("mass", Dimension::Mass, "kg")?,
+    };
+    Ok(Some(change).filter(|change| *change != Change::default()))
 }
 
 /// The curves `ID/option` of a file that an option names, relative to its own.
 fn curves_of(table: &Table, row: &Row, column: usize, id: &str, option: &str) -> Result<ObjectCurves, Problem> {
     let folder = table.path.parent().unwrap_or_else(|| Path::new(""));
     let (_, objects) = load_curves(&folder.join(table.text(row, column)))?;
-    let wanted = format!("{id}/{option}");
+    let wanted = curve_id(id, option);
     objects.into_iter().find(|object| object.id == wanted).ok_or_else(|| {
         let message = format!("the file has no curves with the id \"{}\"", shorten(&wanted));
         table.cell_problem(row, column, &message).hint("name the curves of an option ID/option")
@@ -320,15 +400,15 @@ mod tests {
             let problem = costs(text).unwrap_err();
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
-        let options = |text: &str| read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"));
+        let options = |text: &str| read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| Ok(None));
         let fine = options("id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n").unwrap();
         assert_eq!((fine.len(), fine[0].life_years, fine[1].life_years), (2, Some(15.0), None));
         let cases = [
             ("id,option,cost [USD],median_factor\na,strap,100,3\n", "is in USD"),
-            (
-                "id,option,cost [AUD],stiffness [N/mm]\na,pad,100,3\n",
-                "o.csv:2: column 4 (\"stiffness [N/mm]\"): a change of",
-            ),
+            ("id,option,cost [AUD],stiffness\na,pad,100,3\n", "states no unit"),
+            ("id,option,cost [AUD],stiffness [kg]\na,pad,100,3\n", "o.csv:2: column 4 (\"stiffness [kg]\")"),
+            ("id,option,cost [AUD],mass [kg]\na,pad,100,-3\n", "o.csv:2: column 4"),
+            ("id,option,cost [AUD],mass [kg],median_factor\na,pad,100,3,2\n", "one effect"),
             ("id,option,cost [AUD],median_factor\na,strap,100,\n", "o.csv:2: column 2"),
             ("id,option,cost [AUD],median_factor\na,strap,100,2\na,strap,100,3\n", "there twice"),
         ];
@@ -336,5 +416,18 @@ mod tests {
             let problem = options(text).unwrap_err();
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
+    }
+
+    #[test]
+    fn an_option_that_changes_its_object_has_curves_of_its_own() {
+        let text = "id,option,cost [AUD],stiffness [N/mm],base_thickness [cm]\na,pad,100,300,60\n";
+        let mut seen = Vec::new();
+        let rows = read_options(text.as_bytes(), Path::new("o.csv"), None, |object| {
+            seen.push(object);
+            Ok(Some(Effect::MedianFactor(1.0)))
+        });
+        let change = Change { stiffness_n_m: Some(3e5), base_thickness_m: Some(0.6), mass_kg: None };
+        assert_eq!(seen, [ChangedObject { id: "a".to_owned(), curve_id: "a/pad".to_owned(), change, line: 2 }]);
+        assert_eq!(rows.unwrap().len(), 1);
     }
 }

@@ -22,11 +22,12 @@ use freestand_output::table::Table;
 
 use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
 
-use costs::load_options;
+use costs::{curve_id, load_options};
 use objects::ObjectRisk;
 use plan::Measures;
 use portfolio::Portfolio;
 
+pub use costs::{Change, ChangedObject, load_changed};
 pub(crate) use costs::{CostRow, Costs, load_costs};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
 pub(crate) use hazard::{MeasuredHazard, hazard_of};
@@ -170,7 +171,7 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
     let mut warnings = hazard.warnings.clone();
     let mut inputs: Vec<InputFile> = hazard.file.iter().cloned().collect();
     let mut fitted: Option<FragilityReport> = None;
-    let curves: Vec<ObjectCurves> = match &request.curves {
+    let mut curves: Vec<ObjectCurves> = match &request.curves {
         RiskCurves::File(path) => {
             let (file, curves) = load_curves(path)?;
             inputs.push(file);
@@ -188,6 +189,17 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
     check_measures(request, &hazard, &curves)?;
     let costs = request.inventory.as_deref().map(load_costs).transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
+    let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
+    let options = match &request.options {
+        Some(path) => {
+            let (file, options) = load_options(path, currency.as_deref(), &curves)?;
+            inputs.push(file);
+            // Changed objects are not there beside those that they replace.
+            curves.retain(|one| options.iter().all(|option| curve_id(&option.id, &option.option) != one.id));
+            Some(options)
+        }
+        None => None,
+    };
     let years = request.years.unwrap_or(DEFAULT_YEARS);
     let mut objects = Vec::new();
     for one in &curves {
@@ -197,13 +209,8 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
     }
     check_finite(request, &hazard, &objects)?;
     warnings.extend(unmatched(costs.as_ref(), &curves));
-    let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
-    let measures = match &request.options {
-        Some(path) => {
-            let (file, options) = load_options(path, currency.as_deref())?;
-            inputs.push(file);
-            Some(plan::measures(request, &options, &objects, &hazard, currency.as_deref())?)
-        }
+    let measures = match &options {
+        Some(options) => Some(plan::measures(request, options, &objects, &hazard, currency.as_deref())?),
         None => {
             if request.budget.is_some() {
                 let hint = "give the options with `options = \"options.csv\"`";

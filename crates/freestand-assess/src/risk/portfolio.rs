@@ -142,7 +142,11 @@ pub(crate) fn portfolio(
         .iter()
         .zip(&strips)
         .map(|(level, strip)| {
-            (*strip, priced.iter().map(|(object, cost)| shares(&objects[*object], cost, *level)).collect())
+            let of = |(_, cost): &(usize, &CostRow)| {
+                let object = objects.iter().find(|one| one.id == cost.id)?;
+                Some(shares(object, cost, *level))
+            };
+            (*strip, priced.iter().filter_map(of).collect())
         })
         .collect();
     Ok(Some(Portfolio {

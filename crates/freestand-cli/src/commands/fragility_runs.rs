@@ -8,6 +8,7 @@ use freestand_assess::fragility::{
     At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, Limits, METHODS, Measure, Method, RunObjects,
     RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
+use freestand_assess::risk::load_changed;
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -91,6 +92,10 @@ pub(crate) struct RunArgs {
     /// Largest factor on a motion [default: 10]
     #[arg(long, conflicts_with = "outcomes", positive = Dimension::Ratio, help_heading = "The runs")]
     max_scale: Option<Given>,
+    /// Options (CSV), as for freestand risk: objects whose stiffness, base thickness or mass an option
+    /// changes are also run as changed, with the id ID/option
+    #[arg(long, conflicts_with = "outcomes", value_name = "FILE", help_heading = "The runs")]
+    options: Option<PathBuf>,
     /// Number of worlds, if the study generates its motions; records are used once each [default: 40]
     #[arg(long, conflicts_with = "outcomes", value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000), help_heading = "The runs")]
     worlds: Option<u32>,
@@ -241,6 +246,10 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         values.push(Problem::value(message, "leave it out"));
     }
     let listed = runs.names_list();
+    if runs.options.is_some() && !listed {
+        let message = "--options changes objects of an inventory, and none is given";
+        values.push(Problem::value(message, "give --inventory, or the changed size in the flags"));
+    }
     if listed {
         runs.refuse_object(args)?;
     }
@@ -254,7 +263,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let (mut notes, mut sources) = (Vec::new(), Vec::new());
     let mut inputs: Vec<PathBuf> =
         runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
-    inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).cloned());
+    inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).chain(&runs.options).cloned());
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
     let (study, inventory);
     let objects = match given {
@@ -274,7 +283,13 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
             sources.extend(inventory.libraries.iter().cloned());
             let recorded = study.ground.recorded(&study.levels);
             sources.extend(recorded.map(|one| InputFile { path: one.path.clone(), sha256: one.sha256.clone() }));
-            RunObjects::Listed { study: &study, inventory: &inventory, worlds: runs.worlds }
+            let mut changed = Vec::new();
+            if let Some(path) = &runs.options {
+                let (file, objects) = load_changed(path)?;
+                sources.push(file);
+                changed = objects;
+            }
+            RunObjects::Listed { study: &study, inventory: &inventory, worlds: runs.worlds, changed }
         }
     };
     let request = RunsRequest {

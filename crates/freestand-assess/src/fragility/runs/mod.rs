@@ -14,12 +14,13 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use freestand::block::Block;
+use freestand::cushion::Cushion;
 use freestand::fragility::{FitKind, LimitState, resurrections};
 use freestand::rocking::Restitution;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
-use freestand_input::words::{Choices, counted, name_of, significant};
+use freestand_input::words::{Choices, counted, name_of, shortest, significant};
 use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_study::cushion::EdgeCushion;
@@ -29,8 +30,9 @@ use rayon::prelude::*;
 
 use super::measure::{At, MEASURES, Measure};
 use super::{FragilityReport, FragilityRequest, fitted};
-use crate::inventory::Inventory;
+use crate::inventory::{Inventory, Item};
 use crate::library::{Confidence, Tolerance};
+use crate::risk::{Change, ChangedObject};
 use crate::verdict::Nominal;
 use follow::Followed;
 use shaking::{RatioFactors, Shaking};
@@ -162,6 +164,8 @@ pub enum RunObjects<'a> {
         inventory: &'a Inventory,
         /// How many worlds; `None`: the records of the study once each, or [`DEFAULT_WORLDS`].
         worlds: Option<u32>,
+        /// Objects of the list that are run as options change them, too.
+        changed: Vec<ChangedObject>,
     },
 }
 
@@ -413,11 +417,14 @@ fn prepare(
             let floors = vec![shaking::given(&object.motions, object.is_on_ground, &asked)?];
             Ok(Prepared { objects: vec![runs(GIVEN_ID, nominal, 0)?], floors, left_out: Vec::new() })
         }
-        RunObjects::Listed { study, inventory, worlds } => {
+        RunObjects::Listed { study, inventory, worlds, changed } => {
             let mut levels_ratio: Vec<f64> = Vec::new();
             let (mut objects, mut left_out) = (Vec::new(), Vec::new());
-            for item in &inventory.items {
-                let nominal = match Nominal::new(item, &study.assessment) {
+            let as_listed = inventory.items.iter().cloned().map(Ok);
+            let as_changed = changed.iter().map(|one| changed_item(one, inventory));
+            for item in as_listed.chain(as_changed) {
+                let item = item?;
+                let nominal = match Nominal::new(&item, &study.assessment) {
                     Ok(nominal) => nominal,
                     Err(why) => {
                         left_out.push((item.id.clone(), why));
@@ -444,6 +451,40 @@ fn prepare(
             Ok(Prepared { objects, floors, left_out })
         }
     }
+}
+
+/// An object of a list as an option changes it.
+fn changed_item(changed: &ChangedObject, inventory: &Inventory) -> Result<Item, Problem> {
+    let wrong = |message: String, hint: &str| Problem::value(message, hint).of(&["options"]);
+    let found = inventory.items.iter().find(|item| item.id == changed.id).ok_or_else(|| {
+        let message = format!("line {}: the list has no object {}", changed.line, shorten(&changed.id));
+        wrong(message, "correct its id, or leave out the row")
+    })?;
+    let Change { stiffness_n_m, base_thickness_m, mass_kg } = changed.change;
+    if let Some((base_m, thickness_m)) = base_thickness_m.zip(found.thickness_m).filter(|(base, whole)| base > whole) {
+        let message = format!(
+            "line {}: the base of {} would be {} m wide, and the object is {} m",
+            changed.line,
+            shorten(&changed.id),
+            shortest(base_m),
+            shortest(thickness_m)
+        );
+        return Err(wrong(
+            message,
+            "the model is a block whose base is at most as wide as itself: run the wider \
+                                   object as a row of its own, and name its curves in the column curves",
+        ));
+    }
+    let cushion = stiffness_n_m.map(Cushion::linear).transpose();
+    let cushion = cushion.map_err(|error| wrong(format!("line {}: {error}", changed.line), "correct the stiffness"))?;
+    let cushion = cushion.map(|cushion| EdgeCushion { cushion, pad_thickness_m: None, notes: Vec::new() });
+    Ok(Item {
+        id: changed.curve_id.clone(),
+        cushion: cushion.or_else(|| found.cushion.clone()),
+        base_thickness_m: base_thickness_m.or(found.base_thickness_m),
+        mass_kg: mass_kg.or(found.mass_kg),
+        ..found.clone()
+    })
 }
 
 impl ObjectRuns {

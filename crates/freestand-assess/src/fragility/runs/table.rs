@@ -71,7 +71,7 @@ pub(super) fn outcomes_csv(report: &RunsReport, measure: Measure, place: usize, 
                 let record = [
                     one.id.clone(),
                     shaking.name.clone(),
-                    shortest(unit * run.scale_ratio),
+                    shortest(report.intensity(place, unit * run.scale_ratio)),
                     run.run.map_or(UNRESOLVED, |run| run.class.name()).to_owned(),
                     text(run.run.and_then(|run| run.edge_acceleration_g)),
                     if is_weighted { shortest(factor * weight) } else { "1".to_owned() },
@@ -83,6 +83,16 @@ pub(super) fn outcomes_csv(report: &RunsReport, measure: Measure, place: usize, 
         }
     }
     writer.into_inner().map_err(|error| broken(&error))
+}
+
+impl RunsReport {
+    /// The intensity of a run: with stripes, by the first measure, the level itself, which the division
+    /// for the scale and the product with it may miss by a last digit.
+    fn intensity(&self, place: usize, product: f64) -> f64 {
+        let levels = self.scales.iter().flatten().filter(|_| self.method == Method::Stripes && place == 0);
+        // Two roundings, 2.2e-16 each.
+        levels.copied().find(|level| (product / level - 1.0).abs() < 1e-15).unwrap_or(product)
+    }
 }
 
 /// What the fit reads: the very bytes that are written.
