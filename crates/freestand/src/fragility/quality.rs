@@ -75,12 +75,13 @@ fn squares(points: &[(f64, f64)]) -> f64 {
 /// and ordinary earthquake ground motions. Earthquake Spectra 23, 357–392.
 ///
 /// # Example
-/// Points without a trend, and with one: t = 6.93 with one degree of freedom, p = 1 − 2 atan(t)/π:
+/// Points without a trend, and with one: t = 4√3 with one degree of freedom, p = 1 − 2 atan(t)/π.
 /// ```
 /// use freestand::fragility::trend_p_value;
 /// assert!((trend_p_value(&[(0.0, 1.0), (1.0, -1.0), (2.0, 1.0)]).unwrap() - 1.0).abs() < 1e-12);
 /// let p = trend_p_value(&[(0.0, 1.0), (1.0, 3.5), (2.0, 5.0)]).unwrap();
-/// assert!((p - 0.0912).abs() < 5e-5, "{p}");
+/// let exact = 1.0 - 2.0 * (4.0 * 3.0_f64.sqrt()).atan() / std::f64::consts::PI;
+/// assert!((p - exact).abs() < 1e-12, "{p} {exact}");
 /// ```
 pub fn trend_p_value(points: &[(f64, f64)]) -> Option<f64> {
     line_through(points)?.p_value(squares(points).sqrt())
