@@ -127,10 +127,10 @@ impl RotdReport {
         columns
     }
 
-    /// The columns as CSV.
+    /// The columns as a table.
     ///
     /// # Errors
-    /// None in practice: see [`columns_csv`].
+    /// None in practice: see [`table_of_columns`].
     pub fn table(&self) -> Result<Table, Problem> {
         let columns = self.columns();
         table_of_columns(&columns.iter().map(|(name, values)| (name.as_str(), *values)).collect::<Vec<_>>())

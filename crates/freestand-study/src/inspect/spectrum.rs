@@ -139,10 +139,10 @@ impl SpectrumReport {
         std::iter::once(&self.first).chain(&self.more)
     }
 
-    /// The spectra as CSV, damping by damping.
+    /// The spectra as a table, damping by damping.
     ///
     /// # Errors
-    /// None in practice: see [`columns_csv`].
+    /// None in practice: see [`table_of_columns`].
     pub fn table(&self) -> Result<Table, Problem> {
         let joined = |of: &dyn Fn(&DampedSpectrum) -> Vec<f64>| self.all().flat_map(of).collect::<Vec<f64>>();
         table_of_columns(&[
