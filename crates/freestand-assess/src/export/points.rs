@@ -40,7 +40,10 @@ impl Points {
                 Self { levels, exceeds: Some(exceeds), overturns }
             }
             None => {
-                let seen = |state| rising(&empirical(&object.outcomes, state));
+                let seen = |state| {
+                    let seen = empirical(&object.outcomes, state);
+                    if object.outcomes.has_own_levels() { stepped(&seen) } else { rising(&seen) }
+                };
                 let overturns = seen(LimitState::Overturns);
                 let exceeds = object.fit.curve(LimitState::Exceeds).map(|_| seen(LimitState::Exceeds));
                 let mut levels: Vec<f64> =
@@ -92,6 +95,31 @@ fn rising(seen: &[Empirical]) -> Vec<(f64, f64)> {
     seen.iter().map(|one| one.intensity).zip(shares).collect()
 }
 
+/// How far below a jump the point before it lies, relative to its intensity.
+const BEFORE_JUMP: f64 = 1.0 - 1e-6;
+
+/// The distribution of capacities, which rise, as it is: it jumps at each of them and stays between
+/// them, and is 0 up to the lowest. Straight lines from one to the next would tell of failures where
+/// there were none.
+fn stepped(capacities: &[Empirical]) -> Vec<(f64, f64)> {
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    let mut before = 0.0;
+    for (i, one) in capacities.iter().enumerate() {
+        // Of equal capacities the last counts all of them.
+        if capacities.get(i + 1).is_some_and(|next| next.intensity == one.intensity) {
+            continue;
+        }
+        let share = one.reached / one.trials;
+        let foot = BEFORE_JUMP * one.intensity;
+        if points.last().is_none_or(|last| last.0 < foot) {
+            points.push((foot, before));
+        }
+        points.push((one.intensity, share));
+        before = share;
+    }
+    points
+}
+
 /// The probability on straight lines, from 0 at the intensity 0.
 fn between(curve: &[(f64, f64)], x: f64) -> f64 {
     let after = curve.partition_point(|point| point.0 < x);
@@ -118,6 +146,15 @@ mod tests {
         assert_eq!(risen, [(1.0, 0.2), (2.0, 0.4), (3.0, 0.4), (4.0, 0.4), (5.0, 0.9)]);
         assert_eq!((between(&risen, 0.5), between(&risen, 4.5), between(&risen, 50.0)), (0.1, 0.65, 0.9));
         assert_eq!(between(&[], 1.0), 0.0);
+    }
+
+    /// Capacities 2, 4, 4 of ten motions: 0 below 2, 0.1 up to 4, 0.3 from there.
+    #[test]
+    fn capacities_are_steps() {
+        let points = stepped(&seen(&[(2.0, 1.0), (4.0, 2.0), (4.0, 3.0)]));
+        let at = |x| between(&points, x);
+        assert_eq!([0.5, 1.99, 2.0, 3.99, 4.0, 9.0].map(at), [0.0, 0.0, 0.1, 0.1, 0.3, 0.3]);
+        assert!(points.windows(2).all(|pair| pair[0].0 < pair[1].0));
     }
 
     #[test]

@@ -2,15 +2,17 @@
 
 use std::path::Path;
 
-use freestand::fragility::{Curve, CurveKind, LimitState};
+use freestand::fragility::{Curve, CurveKind, Fit, FitKind, LimitState};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
+use freestand_input::words::significant;
 
 use super::measure::{At, MEASURES, Measure};
 use super::table::{Row, Table};
 
-const HINT: &str = "the columns are id,im,im_unit,at,limit_state,kind,median,beta, and lower,upper for a step";
+const HINT: &str =
+    "the columns are id,im,im_unit,at,limit_state,kind,median,beta, and lower,upper for a step or bounds";
 
 /// The curves of one object.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +35,50 @@ impl ObjectCurves {
         self.curves.iter().find(|curve| curve.limit_state == state).map(|curve| curve.kind)
     }
 }
+
+/// Differences of probabilities below this are not reported.
+const CONTRADICTION: f64 = 0.005;
+
+impl ObjectCurves {
+    /// What to say where a more severe limit state is more probable than a milder one, which cannot be:
+    /// its curves then give a loss that is wrong.
+    pub(crate) fn contradiction(&self) -> Option<String> {
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for curve in &self.curves {
+            let (median, beta) = (curve.kind.median().unwrap_or(f64::NAN), curve.kind.beta().unwrap_or(0.0));
+            // Three standard deviations hold all but 0.1 % of either side; of a step a little beyond it.
+            let reach = (3.0 * beta).exp().max(1.1);
+            (least, most) = (least.min(median / reach), most.max(median * reach));
+        }
+        let levels: Vec<f64> =
+            (0..=GRID).map(|i| least * (most / least).powf(f64::from(i) / f64::from(GRID))).collect();
+        let pairs = self.curves.iter().zip(self.curves.iter().skip(1));
+        pairs.into_iter().find_map(|(mild, severe)| {
+            let excess = |x: f64| Some(severe.kind.probability(x)? - mild.kind.probability(x)?);
+            let is_wrong = |x: &&f64| excess(**x).is_some_and(|excess| excess > CONTRADICTION);
+            let (from, to) = (levels.iter().find(is_wrong)?, levels.iter().rfind(is_wrong)?);
+            let fit =
+                Fit { kind: FitKind::Separate, curves: vec![*mild, *severe], log_likelihood: 0.0, score_per_run: 0.0 };
+            let unit = self.measure.unit();
+            let place = match fit.crossing(least, most) {
+                Some((_, _, x)) => format!("they cross at {} {unit}", significant(x, 3)),
+                None => "they do not cross".to_owned(),
+            };
+            Some(format!(
+                "{}: between {} and {} {unit} {} is more probable than {}, which it includes ({place}): the rates and \
+                 the loss contradict each other; fit both with one beta (`fit = \"ordered\"`)",
+                shorten(&self.id),
+                significant(*from, 3),
+                significant(*to, 3),
+                severe.limit_state.name(),
+                mild.limit_state.name(),
+            ))
+        })
+    }
+}
+
+/// Intensities at which the curves of an object are compared, evenly spaced by their logarithm.
+const GRID: u32 = 400;
 
 /// Reads `fragility.csv`, or a table with its first eight columns.
 ///
@@ -114,12 +160,22 @@ fn kind_of(
                 Ok(CurveKind::Step { lower: median, upper: median })
             }
         },
+        "bounds" => {
+            let optional = |name: &str| -> Result<Option<f64>, Problem> {
+                let is_given = table.column(name).is_some_and(|column| !table.text(row, column).is_empty());
+                is_given.then(|| bound(name)).transpose()
+            };
+            let (lower, upper) = (optional("lower")?, optional("upper")?);
+            // One of them must be there.
+            let lower = if upper.is_none() { Some(bound("lower")?) } else { lower };
+            Ok(CurveKind::Bounds { lower, upper })
+        }
         "none" => Ok(CurveKind::None { lower: bound("lower")? }),
         "all" => Ok(CurveKind::All { upper: bound("upper")? }),
         "not-increasing" => Ok(CurveKind::NotIncreasing { lower: bound("lower")?, upper: bound("upper")? }),
         other => Err(table
             .cell_problem(row, kind, &format!("\"{}\" is not a kind of curve", shorten(other)))
-            .hint("write lognormal, step, none, all or not-increasing")),
+            .hint("write lognormal, step, bounds, none, all or not-increasing")),
     }
 }
 
@@ -142,6 +198,34 @@ mod tests {
         assert_eq!(curves.len(), 1);
         assert_eq!(curves[0].curve(LimitState::Overturns), Some(CurveKind::Lognormal { median: 0.5, beta: 0.25 }));
         assert_eq!(curves[0].curves[0].kind, CurveKind::Step { lower: 0.3, upper: 0.3 });
+    }
+
+    /// ln x = (1.5 ln 0.5 − 0.1 ln 0.6)/1.4, x = 0.4935; below it P(overturns) is the larger one.
+    #[test]
+    fn curves_that_contradict_each_other_are_named() {
+        let of = |exceeds: &str, overturns: &str| {
+            let row = |state: &str, curve: &str| format!("shelf,pgv,m/s,ground,{state},lognormal,{curve}\n");
+            let text = format!("{HEAD}\n{}{}", row("exceeds", exceeds), row("overturns", overturns));
+            read_text(&text).unwrap()[0].contradiction()
+        };
+        let said = of("0.5,0.1", "0.6,1.5").unwrap();
+        assert!(said.starts_with("shelf: ") && said.contains("they cross at 0.494 m/s"), "{said}");
+        assert!(of("0.6,0.3", "0.5,0.3").unwrap().contains("they do not cross"));
+        assert_eq!(of("0.3,0.3", "0.6,0.3"), None);
+    }
+
+    #[test]
+    fn bounds_may_have_one_end() {
+        let head = format!("{HEAD},lower,upper");
+        let curves = read_text(&format!(
+            "{head}\na,pgv,cm/s,ground,overturns,bounds,,,30,\na,pgv,m/s,ground,rocks,bounds,,,,0.2\n"
+        ))
+        .unwrap();
+        let kind = |state| curves[0].curve(state);
+        assert_eq!(kind(LimitState::Overturns), Some(CurveKind::Bounds { lower: Some(0.3), upper: None }));
+        assert_eq!(kind(LimitState::Rocks), Some(CurveKind::Bounds { lower: None, upper: Some(0.2) }));
+        let problem = read_text(&format!("{head}\na,pgv,m/s,ground,overturns,bounds,,,,\n")).unwrap_err();
+        assert!(problem.to_string().contains("f.csv:2: column 9"), "{problem}");
     }
 
     #[test]

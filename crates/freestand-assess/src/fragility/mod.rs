@@ -10,8 +10,8 @@ pub(crate) mod table;
 use std::path::PathBuf;
 
 use freestand::fragility::{
-    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, OutcomeClass, Outcomes, ShockFitError, TwoStage,
-    bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
+    Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, NoInterval, OutcomeClass, Outcomes, ShockFitError,
+    TwoStage, bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
 };
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
@@ -240,6 +240,17 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
             let state = curve.limit_state.name();
             warnings.push(format!("{state} is not more frequent at higher intensities, so no curve fits"));
         }
+        if matches!(curve.kind, CurveKind::Bounds { .. }) {
+            let state = curve.limit_state.name();
+            warnings.push(format!(
+                "at one level alone some runs reach {state} and some do not, so only its bounds are known: run more \
+                 levels or motions"
+            ));
+        }
+        if let Some(why) = object.lacks_interval(curve.limit_state) {
+            let state = curve.limit_state.name();
+            warnings.push(format!("{state} has no 95 % interval, because {}", why_no_interval(why)));
+        }
     }
     if let Some(bootstrap) = &object.bootstrap {
         let motions = object.outcomes.motions().unwrap_or(0);
@@ -258,6 +269,16 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
     warnings
 }
 
+/// Why there is no interval, for people and in the document.
+fn why_no_interval(why: NoInterval) -> String {
+    match why {
+        NoInterval::FewCurves { known, samples } => {
+            format!("only {known} of {samples} samples have a curve: run more motions or levels")
+        }
+        NoInterval::AllEqual => "all samples have the same curve: run more motions".to_owned(),
+    }
+}
+
 /// A file in the document.
 fn input_facts(file: &InputFile) -> Facts<'static> {
     Facts::default().key("path", file.path.display().to_string()).key("sha256", file.sha256.clone())
@@ -268,6 +289,14 @@ pub(crate) fn ends(pair: Option<(f64, f64)>) -> Value<'static> {
     pair.map(|(low, high)| [low, high]).into()
 }
 
+/// A sum of weights without the rounding of its parts, if it is a whole number. Weights of a user that
+/// do not sum to one stay as they are.
+fn whole(sum: f64) -> f64 {
+    // 1e-16 for each of up to a million weights.
+    let rounded = sum.round();
+    if (sum - rounded).abs() <= 1e-10 * rounded { rounded } else { sum }
+}
+
 impl ObjectFragility {
     /// Its curves, for a hazard.
     pub(crate) fn curves(&self, measure: Measure, at: At) -> ObjectCurves {
@@ -275,7 +304,7 @@ impl ObjectFragility {
     }
 
     fn runs(&self) -> f64 {
-        self.outcomes.totals().iter().sum()
+        whole(self.outcomes.totals().iter().sum())
     }
 
     fn facts(&self, measure: Measure, at: At, method: &'static str) -> Facts<'static> {
@@ -299,6 +328,7 @@ impl ObjectFragility {
                     .key("beta", curve.kind.beta())
                     .key("median_ci95", ends(interval.map(|interval| interval.0)))
                     .key("beta_ci95", ends(interval.map(|interval| interval.1)))
+                    .key("why_no_ci95", self.lacks_interval(curve.limit_state).map(why_no_interval))
                     .key("lower", curve.kind.lower())
                     .key("upper", curve.kind.upper())
             })
@@ -358,6 +388,12 @@ impl ObjectFragility {
             .key("resurrections", self.resurrections)
             .key("scaled_above_4", self.scaled_above_4)
             .key("bootstrap", bootstrap)
+    }
+
+    /// Why a lognormal curve has no interval although samples were drawn.
+    fn lacks_interval(&self, state: LimitState) -> Option<NoInterval> {
+        let is_lognormal = matches!(self.fit.curve(state)?, CurveKind::Lognormal { .. });
+        self.bootstrap.as_ref().filter(|_| is_lognormal)?.lacks_interval(state)
     }
 
     /// The 95 % intervals of the median and of β.
@@ -492,5 +528,44 @@ impl FragilityReport {
     /// What the plot library says when it cannot draw.
     pub fn figure(&self) -> Result<Figure, FigureError> {
         figure::curves_figure(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    fn report(text: &str) -> FragilityReport {
+        let table = OutcomeTable::read(text.as_bytes(), Path::new("o.csv")).unwrap();
+        let request = FragilityRequest {
+            outcomes: PathBuf::from("o.csv"),
+            at: None,
+            fit: FitKind::Ordered,
+            shock: None,
+            replicates: Some(200),
+            seed: 1,
+        };
+        fitted(request, table, METHOD).unwrap()
+    }
+
+    #[test]
+    fn runs_of_weights_are_a_whole_number_where_their_sum_is_one() {
+        assert_eq!((whole(58.999_999_999_999_99), whole(58.999), whole(0.0)), (59.0, 58.999, 0.0));
+    }
+
+    /// One motion: every sample is the same.
+    #[test]
+    fn an_interval_without_width_is_none() {
+        let report = report(
+            "object,motion,pgv [m/s],outcome\na,m,0.1,no-uplift\na,m,0.2,overturned\na,m,0.3,no-uplift\n\
+             a,m,0.4,overturned\n",
+        );
+        let object = &report.objects[0];
+        assert!(matches!(object.fit.curve(LimitState::Overturns), Some(CurveKind::Lognormal { .. })));
+        assert_eq!(object.lacks_interval(LimitState::Overturns), Some(NoInterval::AllEqual));
+        assert!(object.interval(LimitState::Overturns).is_none());
+        assert!(report.warnings.iter().any(|text| text.contains("no 95 % interval")), "{:?}", report.warnings);
     }
 }

@@ -1,5 +1,6 @@
 //! The table of outcomes: runs or counts of objects, at intensities.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use freestand::fragility::{OutcomeClass, Outcomes, Run, ShockRun};
@@ -23,6 +24,8 @@ const COUNTS: [&str; 4] = ["no_uplift", "rocked", "exceeded", "overturned"];
 pub(crate) struct OutcomeRun {
     /// Place of its object in [`OutcomeTable::objects`].
     pub(crate) object: usize,
+    /// Its line in the file, from 1.
+    pub(crate) line: usize,
     pub(crate) run: Run,
     /// Its shock, if it is known \[g\].
     pub(crate) shock_g: Option<f64>,
@@ -49,9 +52,12 @@ impl OutcomeTable {
     ///
     /// # Errors
     /// A missing column, a class that does not exist, a measure that is not above 0, an empty cell,
-    /// each with line and column; the table that `assess` writes.
+    /// each with line and column; two rows of one object, motion and level; the table that `assess`
+    /// writes.
     pub fn load(path: &Path) -> Result<Self, Problem> {
-        Self::read(&load(path)?, path)
+        let read = Self::read(&load(path)?, path)?;
+        read.check_twice()?;
+        Ok(read)
     }
 
     /// Reads the bytes of a file.
@@ -117,7 +123,13 @@ impl OutcomeTable {
                 let hint = format!("write {}, or unresolved for a run that could not be calculated", names.join(", "));
                 return Err(table.cell_problem(row, outcome, &message).hint(hint));
             };
-            self.runs.push(OutcomeRun { object, run: Run { motion: Some(motion), intensity, class, weight }, shock_g });
+            let line = row.line;
+            self.runs.push(OutcomeRun {
+                object,
+                line,
+                run: Run { motion: Some(motion), intensity, class, weight },
+                shock_g,
+            });
         }
         Ok(())
     }
@@ -138,10 +150,36 @@ impl OutcomeTable {
                 let weight = table.non_negative(row, column)?;
                 self.runs.push(OutcomeRun {
                     object,
+                    line: row.line,
                     run: Run { motion: None, intensity, class, weight },
                     shock_g: None,
                 });
             }
+        }
+        Ok(())
+    }
+
+    /// Refuses a run that is there twice: a motion at one level has one outcome.
+    fn check_twice(&self) -> Result<(), Problem> {
+        let mut known: HashMap<(usize, usize, u64), &OutcomeRun> = HashMap::new();
+        for one in &self.runs {
+            let Some(motion) = one.run.motion else { continue };
+            let Some(before) = known.insert((one.object, motion, one.run.intensity.to_bits()), one) else { continue };
+            let name = |names: &[String], place: usize| shorten(names.get(place).map_or("", String::as_str));
+            let outcomes = if before.run.class == one.run.class {
+                format!("is there twice, with the outcome {}", one.run.class.name())
+            } else {
+                format!("has two outcomes, {} and {}", before.run.class.name(), one.run.class.name())
+            };
+            let message = format!(
+                "lines {} and {}: the object {} under the motion {} at one intensity {outcomes}",
+                before.line,
+                one.line,
+                name(&self.objects, one.object),
+                name(&self.motions, motion),
+            );
+            let hint = "keep one of the two rows; name motions differently if they are different ones";
+            return Err(Problem::value(message, hint).in_file(&self.file.path).at_line(one.line));
         }
         Ok(())
     }
@@ -235,6 +273,20 @@ mod tests {
             (vec!["b".to_owned(), "a".to_owned()], vec!["m1".into(), "m2".into()])
         );
         assert_eq!((table.runs[1].run.intensity, table.runs[1].run.weight, table.unresolved), (0.5, 2.0, vec![1, 0]));
+    }
+
+    #[test]
+    fn a_run_that_is_there_twice_is_refused_with_both_lines() {
+        let twice = |outcome: &str| {
+            let text = format!("object,motion,pgv [m/s],outcome\na,m,0.2,rocked\na,n,0.2,rocked\na,m,0.2,{outcome}\n");
+            read(&text).unwrap().check_twice()
+        };
+        for (outcome, said) in [("overturned", "two outcomes, rocked and overturned"), ("rocked", "is there twice")] {
+            let problem = twice(outcome).unwrap_err();
+            assert!(problem.to_string().contains("lines 2 and 4") && problem.message.contains(said), "{problem}");
+        }
+        let counts = read("object,pgv [m/s],no_uplift,overturned\na,0.2,3,1\na,0.2,2,1\n").unwrap();
+        assert_eq!(counts.check_twice(), Ok(()));
     }
 
     #[test]

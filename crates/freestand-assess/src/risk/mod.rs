@@ -174,6 +174,7 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
     let mut curves: Vec<ObjectCurves> = match &request.curves {
         RiskCurves::File(path) => {
             let (file, curves) = load_curves(path)?;
+            warnings.extend(curves.iter().filter_map(ObjectCurves::contradiction));
             inputs.push(file);
             curves
         }

@@ -40,6 +40,8 @@ pub(crate) struct StateRisk {
     pub(crate) annual_rate: Option<f64>,
     pub(crate) annual_rate_upper: Option<f64>,
     pub(crate) ci95: Option<(f64, f64)>,
+    /// Whether samples were drawn and tell no interval.
+    pub(crate) lacks_interval: bool,
     pub(crate) probability: Option<f64>,
     pub(crate) years: f64,
 }
@@ -95,7 +97,9 @@ impl ObjectRisk {
                 let rates = annual_rate(hazard, curve.kind);
                 let samples = fit.and_then(|fit| fit.bootstrap.as_ref());
                 let is_lognormal = matches!(curve.kind, CurveKind::Lognormal { .. });
-                let ci95 = samples.filter(|_| is_lognormal).and_then(|samples| {
+                let lacks = samples.filter(|_| is_lognormal).and_then(|one| one.lacks_interval(curve.limit_state));
+                let is_known = is_lognormal && lacks.is_none();
+                let ci95 = samples.filter(|_| is_known).and_then(|samples| {
                     let rate = |(median, beta)| annual_rate(hazard, CurveKind::Lognormal { median, beta }).annual_rate;
                     percentiles(samples.lognormals(curve.limit_state).filter_map(rate).collect())
                 });
@@ -104,6 +108,7 @@ impl ObjectRisk {
                     annual_rate: rates.annual_rate,
                     annual_rate_upper: rates.annual_rate_upper,
                     ci95,
+                    lacks_interval: lacks.is_some(),
                     probability: rates.annual_rate.map(|rate| probability_in_years(rate, years)),
                     years,
                 }
@@ -222,7 +227,7 @@ fn judged(
             (Some(rate), upper) => {
                 let straddles = one.ci95.is_some_and(|(low, high)| low <= accepted && accepted <= high);
                 let may_be_more = rate <= accepted && upper.is_none_or(|upper| upper > accepted);
-                is_certain &= !straddles && !may_be_more;
+                is_certain &= !straddles && !may_be_more && !one.lacks_interval;
                 if rate > accepted { RiskVerdict::Exceeds } else { RiskVerdict::Accepted }
             }
             (None, Some(upper)) if upper <= accepted => RiskVerdict::Accepted,
@@ -241,6 +246,9 @@ pub(crate) fn loss_of(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
     let changed = |kind: CurveKind, factor: f64| match kind {
         CurveKind::Lognormal { median, beta } => CurveKind::Lognormal { median: factor * median, beta },
         CurveKind::Step { lower, upper } => CurveKind::Step { lower: factor * lower, upper: factor * upper },
+        CurveKind::Bounds { lower, upper } => {
+            CurveKind::Bounds { lower: lower.map(|lower| factor * lower), upper: upper.map(|upper| factor * upper) }
+        }
         CurveKind::None { lower } => CurveKind::None { lower: factor * lower },
         CurveKind::All { upper } => CurveKind::All { upper: factor * upper },
         CurveKind::NotIncreasing { lower, upper } => {
@@ -269,6 +277,7 @@ mod tests {
             annual_rate: rate,
             annual_rate_upper: Some(upper),
             ci95,
+            lacks_interval: false,
             probability: None,
             years: 50.0,
         }

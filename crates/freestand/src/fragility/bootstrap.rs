@@ -21,6 +21,23 @@ pub struct Bootstrap {
     pub failed: usize,
 }
 
+/// Medians closer than this are the same: the likelihood is solved to 1e-8.
+const SAME_RATIO: f64 = 1e-6;
+
+/// Why bootstrap samples tell no interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NoInterval {
+    /// Fewer than half of them have a curve.
+    FewCurves {
+        /// How many have one.
+        known: usize,
+        /// How many there are.
+        samples: usize,
+    },
+    /// All curves are the same.
+    AllEqual,
+}
+
 /// The ends of 95 % intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurveInterval {
@@ -38,9 +55,29 @@ impl Bootstrap {
         })
     }
 
+    /// Why the samples tell no interval of a limit state; `None`: they do.
+    ///
+    /// Fewer than half of the samples with a curve are a choice of the data and not a sample of it,
+    /// and curves that are all the same have no width although few motions leave much open.
+    pub fn lacks_interval(&self, state: LimitState) -> Option<NoInterval> {
+        let known = self.lognormals(state).count();
+        let mut medians = self.lognormals(state).map(|(median, _)| median);
+        let first = medians.next();
+        if 2 * known < self.samples.len() || known == 0 {
+            Some(NoInterval::FewCurves { known, samples: self.samples.len() })
+        } else if medians.all(|median| first.is_some_and(|first| (median / first - 1.0).abs() < SAME_RATIO)) {
+            Some(NoInterval::AllEqual)
+        } else {
+            None
+        }
+    }
+
     /// The 95 % percentile intervals of a limit state: from the 2.5th to the 97.5th percentile of
-    /// the samples that have a curve. `None` without any.
+    /// the samples that have a curve. `None` where [`Bootstrap::lacks_interval`].
     pub fn interval(&self, state: LimitState) -> Option<CurveInterval> {
+        if self.lacks_interval(state).is_some() {
+            return None;
+        }
         let (medians, betas): (Vec<f64>, Vec<f64>) = self.lognormals(state).unzip();
         Some(CurveInterval { median: percentiles(medians)?, beta: percentiles(betas)? })
     }
@@ -276,8 +313,7 @@ pub struct Empirical {
 /// own (fewer than two runs per level on average), the distribution of the capacities of the
 /// motions instead.
 pub fn empirical(outcomes: &Outcomes, state: LimitState) -> Vec<Empirical> {
-    let is_incremental = outcomes.motions().is_some() && outcomes.runs().len() < 2 * outcomes.levels().len();
-    if is_incremental {
+    if outcomes.has_own_levels() {
         let capacities = outcomes.capacities(state);
         let trials = capacities.len() as f64;
         let mut known: Vec<f64> = capacities.into_iter().flatten().collect();

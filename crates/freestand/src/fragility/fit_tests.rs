@@ -183,6 +183,15 @@ fn data_without_a_spread_are_results() {
     assert_eq!((kind.median(), kind.beta(), kind.name()), (Some(2.0), None, "step"));
     assert_eq!((kind.probability(1.9), kind.probability(2.1)), (Some(0.0), Some(1.0)));
     assert_eq!((fit_of_step.log_likelihood, fit_of_step.fitted_states()), (0.0, vec![]));
+    // At one level some do and some do not, and no other level is mixed.
+    let bounds = |classes: &[(f64, OutcomeClass)]| fit(classes, FitKind::Ordered).curve(LimitState::Overturns).unwrap();
+    let top = bounds(&[(1.0, NoUplift), (2.0, NoUplift), (4.0, NoUplift), (4.0, Overturned)]);
+    assert_eq!(top, CurveKind::Bounds { lower: Some(2.0), upper: None });
+    assert_eq!((top.median(), top.probability(4.0), top.name()), (None, None, "bounds"));
+    let lowest = bounds(&[(1.0, NoUplift), (1.0, Overturned), (2.0, Overturned), (4.0, Overturned)]);
+    assert_eq!(lowest, CurveKind::Bounds { lower: None, upper: Some(2.0) });
+    let between = bounds(&[(1.0, NoUplift), (2.0, NoUplift), (2.0, Overturned), (4.0, Overturned)]);
+    assert_eq!(between, CurveKind::Bounds { lower: Some(1.0), upper: Some(4.0) });
     // Fewer overturn at the higher intensity.
     let falling = [(1.0, Overturned), (1.0, NoUplift), (2.0, NoUplift)];
     let falling = fit(&falling, FitKind::Ordered).curve(LimitState::Overturns).unwrap();
@@ -371,4 +380,18 @@ fn a_tolerance_at_the_ceiling_is_exceeded_only_by_overturning() {
         assert!((before..=1.0).contains(&p), "10^{i}: {p} {before}");
         before = p;
     }
+}
+
+#[test]
+fn samples_that_are_few_or_all_the_same_have_no_interval() {
+    let curve =
+        |median| vec![Curve { limit_state: LimitState::Overturns, kind: CurveKind::Lognormal { median, beta: 0.3 } }];
+    let none = || vec![Curve { limit_state: LimitState::Overturns, kind: CurveKind::None { lower: 1.0 } }];
+    let of = |samples| Bootstrap { samples, failed: 0 };
+    let state = LimitState::Overturns;
+    assert_eq!(of(vec![curve(1.0), curve(1.0)]).lacks_interval(state), Some(NoInterval::AllEqual));
+    let few = of(vec![curve(1.0), none(), none()]);
+    assert_eq!(few.lacks_interval(state), Some(NoInterval::FewCurves { known: 1, samples: 3 }));
+    assert!(few.interval(state).is_none());
+    assert!(of(vec![curve(1.0), curve(2.0), none()]).interval(state).is_some());
 }

@@ -170,7 +170,8 @@ pub fn missing_levels(levels: &[f64], from: f64, to: f64) -> Vec<f64> {
 /// Without it the fit would be wrong: bisection puts one level that reached a limit state and one
 /// that did not next to the capacity of every motion, and as many of both at any intensity look like
 /// a large β. With it every motion is spread evenly over the same intensities, whatever its outcomes.
-/// A motion that could not be scaled up to `to` counts half a gap beyond its last level.
+/// A motion that could not be scaled up to `to` counts half a gap beyond its last level. If `from` is
+/// `to`, there is no interval to share, and every level counts as one run.
 ///
 /// # Example
 /// ```
@@ -179,6 +180,9 @@ pub fn missing_levels(levels: &[f64], from: f64, to: f64) -> Vec<f64> {
 /// assert!((weights.iter().sum::<f64>() - 4.0_f64.ln()).abs() < 1e-12 && weights[2] < weights[0]);
 /// ```
 pub fn level_weights(levels: &[f64], from: f64, to: f64) -> Vec<f64> {
+    if from >= to {
+        return vec![1.0; levels.len()];
+    }
     let half_gap = STEP_RATIO.sqrt();
     let ends = levels.first().zip(levels.last());
     let Some((low, high)) = ends.map(|(first, last)| (from.max(first / half_gap), to.min(last * half_gap))) else {
@@ -227,6 +231,11 @@ mod tests {
                 assert!(above / below <= BRACKET_RATIO, "{capacity} {state:?} {below} {above}");
             }
         }
+    }
+
+    #[test]
+    fn a_single_level_counts() {
+        assert_eq!(level_weights(&[0.7], 0.7, 0.7), [1.0]);
     }
 
     #[test]

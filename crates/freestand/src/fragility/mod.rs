@@ -19,7 +19,8 @@ use thiserror::Error;
 use crate::block::Block;
 
 pub use bootstrap::{
-    Bootstrap, CurveInterval, Empirical, Goodness, bootstrap, capacity_spread, empirical, goodness, percentiles,
+    Bootstrap, CurveInterval, Empirical, Goodness, NoInterval, bootstrap, capacity_spread, empirical, goodness,
+    percentiles,
 };
 pub use draws::{draw_stream, log_uniform_draw, lognormal_draw, uniform_draw};
 pub use incremental::{

@@ -18,13 +18,26 @@ pub enum CurveKind {
         /// Standard deviation of the logarithm.
         beta: f64,
     },
-    /// No run reached it up to `lower`, and all did from `upper`: β is not known. Both are equal
-    /// where some did and some did not at one level.
+    /// No run reached it up to `lower`, and all did from `upper`: β is not known. `lower` is below
+    /// `upper`; where only a median is given, both are equal.
     Step {
         /// Highest intensity at which a run did not reach it.
         lower: f64,
         /// Lowest intensity at which a run reached it.
         upper: f64,
+    },
+    /// Some runs reached it and some did not at one level alone, none below and all above it: the
+    /// likelihood grows towards β = 0 without end, and every share at that level suits it. At least
+    /// one of the two is known.
+    ///
+    /// # Reference
+    /// Albert, A. and Anderson, J. A. (1984). On the existence of maximum likelihood estimates in
+    /// logistic regression models. Biometrika 71, 1–10: quasi-complete separation.
+    Bounds {
+        /// Highest intensity up to which no run reached it; `None`: some did at the lowest one.
+        lower: Option<f64>,
+        /// Lowest intensity from which every run reached it; `None`: not all did at the highest one.
+        upper: Option<f64>,
     },
     /// No run reached it.
     None {
@@ -51,6 +64,7 @@ impl CurveKind {
         match self {
             Self::Lognormal { .. } => "lognormal",
             Self::Step { .. } => "step",
+            Self::Bounds { .. } => "bounds",
             Self::None { .. } => "none",
             Self::All { .. } => "all",
             Self::NotIncreasing { .. } => "not-increasing",
@@ -62,7 +76,7 @@ impl CurveKind {
         match self {
             Self::Lognormal { median, .. } => Some(median),
             Self::Step { lower, upper } => Some((lower * upper).sqrt()),
-            Self::None { .. } | Self::All { .. } | Self::NotIncreasing { .. } => None,
+            Self::Bounds { .. } | Self::None { .. } | Self::All { .. } | Self::NotIncreasing { .. } => None,
         }
     }
 
@@ -75,6 +89,7 @@ impl CurveKind {
     pub fn lower(self) -> Option<f64> {
         match self {
             Self::Step { lower, .. } | Self::None { lower } | Self::NotIncreasing { lower, .. } => Some(lower),
+            Self::Bounds { lower, .. } => lower,
             Self::Lognormal { .. } | Self::All { .. } => None,
         }
     }
@@ -83,6 +98,7 @@ impl CurveKind {
     pub fn upper(self) -> Option<f64> {
         match self {
             Self::Step { upper, .. } | Self::All { upper } | Self::NotIncreasing { upper, .. } => Some(upper),
+            Self::Bounds { upper, .. } => upper,
             Self::Lognormal { .. } | Self::None { .. } => None,
         }
     }
@@ -236,7 +252,11 @@ fn degenerate(levels: &[f64], counts: &[Counts], state: LimitState) -> Option<Cu
     if spared().next() >= reached().next_back() {
         return Some(CurveKind::NotIncreasing { lower: lowest, upper: highest });
     }
-    (lowest >= highest).then_some(CurveKind::Step { lower: highest, upper: lowest })
+    if lowest == highest {
+        let (below, above) = (spared().rfind(|level| *level < lowest), reached().find(|level| *level > highest));
+        return Some(CurveKind::Bounds { lower: below, upper: above });
+    }
+    (lowest > highest).then_some(CurveKind::Step { lower: highest, upper: lowest })
 }
 
 fn ordered(levels: &[f64], counts: &[Counts], states: &[LimitState], near: &[Curve]) -> Fit {

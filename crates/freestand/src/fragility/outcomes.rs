@@ -190,6 +190,11 @@ impl Outcomes {
         (self.motions > 0).then_some(self.motions)
     }
 
+    /// Whether every motion has levels of its own: fewer than two runs per level on average.
+    pub fn has_own_levels(&self) -> bool {
+        self.motions > 0 && self.runs.len() < 2 * self.levels.len()
+    }
+
     /// Number of runs of each class, weighted.
     pub fn totals(&self) -> [f64; 4] {
         let mut totals = [0.0; 4];
@@ -203,10 +208,6 @@ impl Outcomes {
     pub fn limit_states(&self) -> Vec<LimitState> {
         let has_tolerance = self.runs.iter().any(|run| run.class == OutcomeClass::Exceeded);
         LimitState::ALL.into_iter().filter(|state| *state != LimitState::Exceeds || has_tolerance).collect()
-    }
-
-    pub(super) fn runs(&self) -> &[Leveled] {
-        &self.runs
     }
 
     /// Counts at each level, with each motion counted this often; once without `times`.

@@ -208,6 +208,7 @@ impl TwoStage {
         let certain = |kind: CurveKind| match kind {
             CurveKind::All { .. } => 1.0,
             CurveKind::None { .. } | CurveKind::NotIncreasing { .. } => 0.0,
+            CurveKind::Bounds { upper, .. } => f64::from(u8::from(upper.is_some_and(|upper| intensity >= upper))),
             CurveKind::Lognormal { median, beta } => lognormal_probability(intensity, median, beta),
             CurveKind::Step { .. } => kind.probability(intensity).unwrap_or(0.0),
         };

@@ -51,7 +51,7 @@ pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
     let (median, beta) = match curve {
         CurveKind::Lognormal { median, beta } => (median, beta),
         CurveKind::Step { lower, upper } => ((lower * upper).sqrt(), 0.0),
-        CurveKind::None { lower } => {
+        CurveKind::None { lower } | CurveKind::Bounds { lower: Some(lower), .. } => {
             let last = match hazard {
                 Hazard::Points(points) => points.last().map_or(0.0, |last| last.annual_rate),
                 Hazard::PowerLaw { .. } => 0.0,
@@ -60,7 +60,7 @@ pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
             let upper = (!below_first).then(|| hazard.annual_rate(lower).max(last));
             return AnnualRates { annual_rate: None, annual_rate_upper: upper };
         }
-        CurveKind::All { .. } | CurveKind::NotIncreasing { .. } => {
+        CurveKind::All { .. } | CurveKind::Bounds { lower: None, .. } | CurveKind::NotIncreasing { .. } => {
             return AnnualRates { annual_rate: None, annual_rate_upper: None };
         }
     };

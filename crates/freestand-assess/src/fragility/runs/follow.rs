@@ -103,13 +103,18 @@ fn sort(runs: &mut [Followed]) {
 /// Normal quantile of 95 %.
 const NORMAL_95: f64 = 1.644_853_626_951_472_6;
 
-/// The intensities over which the runs of all motions are spread: all that were run, and the 5–95 %
-/// band of the capacities.
+/// The intensities over which the runs of all motions are spread: all that were run of the motions
+/// that lift the object, and the 5–95 % band of the capacities. A motion that is too weak to lift it
+/// at the largest scale would only add levels at which nothing happens; if none lifts it, all count.
 fn span(one: &ObjectRuns, shakings: &[Shaking], measure: Measure, place: usize, at: At) -> Option<(f64, f64)> {
     let units: Vec<Option<f64>> =
         shakings.iter().map(|shaking| shaking.intensity(measure, place, at, one.factors)).collect();
     let each = || one.motions.iter().zip(&units).filter_map(|(runs, unit)| Some((runs, (*unit)?)));
-    let all = || each().flat_map(|(runs, unit)| runs.iter().map(move |run| unit * run.scale_ratio));
+    let lifts =
+        |runs: &[Followed]| runs.iter().any(|run| run.run.is_some_and(|run| LimitState::Rocks.is_reached(run.class)));
+    let is_lifted = each().any(|(runs, _)| lifts(runs));
+    let spread = || each().filter(|(runs, _)| !is_lifted || lifts(runs));
+    let all = || spread().flat_map(|(runs, unit)| runs.iter().map(move |run| unit * run.scale_ratio));
     let (mut from, mut to) = (all().reduce(f64::min)?, all().reduce(f64::max)?);
     for state in one.states() {
         let reached = |runs: &[Followed]| {
