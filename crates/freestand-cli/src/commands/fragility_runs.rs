@@ -266,6 +266,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).chain(&runs.options).cloned());
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
     let (study, inventory);
+    let mut has_errors = false;
     let objects = match given {
         Some(object) => {
             let (motions, read, files) = runs.motions()?;
@@ -275,7 +276,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         None => {
             let (of_study, _, of_list) = runs.list.read(global, None, Vec::new())?;
             (study, inventory) = (of_study, of_list);
-            notes.extend(inventory.warnings.iter().cloned());
+            has_errors = inventory.has_errors();
             if let Some(path) = &study.source {
                 sources.push(InputFile::new(path, &load(path)?));
             }
@@ -323,7 +324,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     }
     files.finish_result(FRAGILITY_SCHEMA, &warnings)?;
     printer.result(FRAGILITY_SCHEMA, &facts, &warnings, || text(&report))?;
-    Ok(Done::OK)
+    Ok(Done { criterion_met: !has_errors })
 }
 
 fn write(report: &RunsReport, facts: &Facts, warnings: &[String], files: &Files) -> Result<(), Failure> {
