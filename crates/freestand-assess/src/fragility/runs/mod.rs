@@ -582,6 +582,11 @@ impl RunsReport {
         warnings
     }
 
+    /// The sentence that says whose building this is, where no study was given.
+    pub fn no_study(&self) -> Option<&String> {
+        self.study.as_ref()?.said.no_study.as_ref()
+    }
+
     /// The report by the first measure, for other programs.
     pub fn first(&self) -> Option<&FragilityReport> {
         self.reports.first()
