@@ -81,7 +81,6 @@ impl<S: KeySet> FromArgMatches for Keys<S> {
 }
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
 mod tests {
     use std::path::Path;
 
