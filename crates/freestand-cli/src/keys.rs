@@ -79,3 +79,52 @@ impl<S: KeySet> FromArgMatches for Keys<S> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use clap::CommandFactory;
+
+    use super::*;
+    use crate::commands::Cli;
+
+    fn flags(command: &Command, found: &mut Vec<String>) {
+        found.extend(command.get_arguments().filter_map(Arg::get_long).map(|flag| format!("--{flag}")));
+        command.get_subcommands().for_each(|one| flags(one, found));
+    }
+
+    fn sources(folder: &Path, found: &mut Vec<String>) {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                sources(&path, found);
+            } else {
+                found.push(std::fs::read_to_string(path).unwrap());
+            }
+        }
+    }
+
+    /// What a message of these commands has in backticks is shown as a flag, so the flag must exist.
+    #[test]
+    fn keys_in_messages_are_flags() {
+        let mut known = Vec::new();
+        flags(&Cli::command(), &mut known);
+        let mut texts = Vec::new();
+        for folder in ["fragility", "risk", "export"] {
+            sources(&Path::new("../freestand-assess/src").join(folder), &mut texts);
+        }
+        let mut seen = 0;
+        let lines = texts.iter().flat_map(|text| text.lines()).filter(|line| !line.trim_start().starts_with("//"));
+        for line in lines {
+            for marked in line.split('`').skip(1).step_by(2) {
+                let shown = KeyStyle::Flag.shown(&format!("`{}`", marked.replace('\\', "")));
+                let Some(flag) = shown.split(' ').next().filter(|flag| flag.starts_with("--")) else { continue };
+                seen += 1;
+                assert!(known.iter().any(|one| one == flag), "{flag} is no flag: {line}");
+            }
+        }
+        // Fewer would say that the messages were not found.
+        assert!(seen > 20, "{seen}");
+    }
+}

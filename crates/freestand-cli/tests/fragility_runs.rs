@@ -267,3 +267,86 @@ fn an_option_that_changes_its_object_is_run_and_worth_what_its_curves_say() {
     let nobody = refused(folder, &[&call[..], &["--options", "nobody.csv"]].concat());
     assert!(nobody.contains("shelve"), "{nobody}");
 }
+
+/// The built-in building is not the user's, and the document says so; cells that cannot be read are named.
+#[test]
+fn a_list_without_a_study_says_whose_building_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let list = "id,floor,height [mm],thickness [mm]\nshelf,0,1800,400\nrack,0,-5,500\n";
+    fs::write(folder.join("list.csv"), list).unwrap();
+    let call = ["fragility", "--inventory", "list.csv", "--place", "Wellington", "--storeys", "3"];
+    let call = [&call[..], &["--worlds", "2", "--bootstrap", "0"]].concat();
+    let output = freestand(folder, &[&call[..], &["--json"]].concat());
+    assert_eq!(output.status.code(), Some(1), "a cell could not be read");
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let sentence = "No study given: this is a 30-storey tower in Wellington, not your building.";
+    assert_eq!((&found["no_study"], &found["warnings"][0]), (&sentence.into(), &sentence.into()));
+    assert!(found["hazard"].as_str().unwrap().starts_with("Wellington (NZS 1170.5"), "{}", found["hazard"]);
+    assert_eq!(found["building"], "tower, 30 storeys, 96 m high");
+    assert!(found["study"].as_str().unwrap().contains("place = \"Wellington\""));
+    let warnings = found["warnings"].to_string();
+    for said in ["in the list: error: out-of-range", "only places the floors", "has 30 storeys, 96 m high"] {
+        assert!(warnings.contains(said), "{said}: {warnings}");
+    }
+    let output = freestand(folder, &call);
+    assert!(String::from_utf8(output.stdout).unwrap().starts_with(sentence));
+}
+
+#[test]
+fn what_memory_cannot_hold_is_refused_with_its_bound() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let said = |flags: &[&str]| refused(folder, &call(&motions, flags));
+    assert!(said(&["--bootstrap", "4294967295"]).contains("samples are too many"));
+    assert!(said(&["--method", "stripes", "--scales", "0.1 m/s:1 m/s:300000"]).contains("300000 scales are too many"));
+    let many = ["--format", "pelicun", "--demand", "1 m/s", "--out", "o", "--realizations", "4294967295"];
+    assert!(said(&many).contains("realizations are too many"));
+}
+
+/// All 60,000 runs take minutes, one a few milliseconds: 5 s is far from both, on a busy machine
+/// too.
+#[cfg(unix)]
+#[test]
+fn a_signal_stops_the_runs_between_two_scales() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let args = call(&motions, &["--scales", "0.001:9:10000", "--bootstrap", "0", "--quiet"]);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_secs(2));
+    let start = std::time::Instant::now();
+    assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert!(start.elapsed().as_secs_f64() < 5.0, "{:?}", start.elapsed());
+}
+
+#[test]
+fn flags_that_would_be_ignored_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    for flags in [
+        &["--place", "Wellington"][..],
+        &["--site", "C"],
+        &["--return-period", "500"],
+        &["--worlds", "3"],
+        &["--storeys", "3"],
+        &["--sheet", "S"],
+        &["--strict"],
+        &["--columns", "m.toml"],
+        &["--library", "l.csv"],
+    ] {
+        let said = refused(folder, &call(&motions, flags));
+        assert!(said.contains(flags[0]) && said.contains("is for an inventory"), "{said}");
+        let said = refused(folder, &[&["fragility", "--outcomes", "o.csv"], flags].concat());
+        assert!(said.contains(flags[0]), "{said}");
+    }
+    for flags in [["--demand", "1 m/s"], ["--beta", "0.3"], ["--realizations", "5"], ["--site-coordinates", "1,2"]] {
+        let output = freestand(folder, &call(&motions, &flags));
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && said.contains("--format"), "{said}");
+    }
+    let read = freestand(folder, &["fragility", "--inventory", "list.csv", "--unit", "g"]);
+    assert!(
+        read.status.code() == Some(2) && String::from_utf8(read.stderr).unwrap().contains("--unit without a record")
+    );
+}

@@ -491,3 +491,41 @@ fn the_owner_gets_one_page() {
     assert!(page.contains("overturns the object cabinet within 50 years") && !page.contains("<svg"), "{page}");
     assert!(!folder.path().join("p/risk.svg").exists());
 }
+
+/// The verdict names the limit that is not kept, and what a person wrote by mistake is asked about.
+#[test]
+fn a_verdict_names_its_limit_and_wrong_words_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let (curves_path, hazard) = (example("curves.csv"), example("hazard.csv"));
+    let costs =
+        "id,accepted_annual_rate [1/yr],accepted_exceed_annual_rate [1/yr]\ncabinet,1,1e-12\nserver-rack,1e-12,\n";
+    write(folder.path(), "accepted.csv", costs);
+    let base = ["risk", "--fragility", &curves_path, "--hazard", &hazard];
+    let output = freestand(folder.path(), &[&base[..], &["--inventory", "accepted.csv"]].concat());
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("more often than accepted (accepted for exceeding: 1e-12 a year)"), "{text}");
+    assert!(text.contains("more often than accepted (accepted for overturning: 1e-12 a year)"), "{text}");
+
+    let whole = refused(folder.path(), &[&base[..], &["--discount", "3"]].concat());
+    assert!(whole.contains("a discount rate of 3 is 300 % a year"), "{whole}");
+    let law = ["risk", "--fragility", &curves_path, "--hazard-im", "pgv", "--hazard-power"];
+    let twice = refused(folder.path(), &[&law[..], &["k0=1e-4 /yr, k=2.5, k0=1e-3/yr, reference=1 m/s"]].concat());
+    assert!(twice.contains("k0 is there twice"), "{twice}");
+    let close =
+        freestand(folder.path(), &[&law[..], &["k0=1e-4/yr, k=2.5, reference=1m/s", "--years", "50yr"]].concat());
+    assert_eq!(close.status.code(), Some(0), "{}", String::from_utf8_lossy(&close.stderr));
+}
+
+/// A budget of nothing buys nothing.
+#[test]
+fn a_budget_of_nothing_has_an_empty_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let (curves, hazard) = (example("curves.csv"), example("hazard.csv"));
+    write(folder.path(), "c.csv", "id,repair_cost [AUD],replacement_cost [AUD]\ncabinet,100,9000\n");
+    write(folder.path(), "o.csv", "id,option,cost [AUD],median_factor\ncabinet,strap,100,3\n");
+    let args = ["risk", "--fragility", &curves, "--hazard", &hazard, "--inventory", "c.csv", "--options", "o.csv"];
+    let money = ["--horizon", "40yr", "--discount", "3%", "--budget", "0 AUD", "--out", "o"];
+    let found = json(folder.path(), &[&args[..], &money[..]].concat());
+    assert_eq!((&found["plan"]["chosen"], &found["plan"]["cost"]), (&serde_json::json!([]), &Value::from(0.0)));
+}

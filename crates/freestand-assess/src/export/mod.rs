@@ -70,11 +70,19 @@ pub struct Exported {
 /// Files of a folder, by their names in it.
 type Files = Vec<(String, Vec<u8>)>;
 
+/// The most realizations of pelicun.
+const MAX_REALIZATIONS: u32 = 1_000_000;
+
 /// What can be checked of a request before there is a fit: its inventory.
 ///
 /// # Errors
 /// An inventory that cannot be read as one of quantities and costs.
 pub fn check_export(request: &ExportRequest) -> Result<(), Problems> {
+    if let Some(many) = request.realizations.filter(|many| *many > MAX_REALIZATIONS) {
+        let message = format!("{many} realizations are too many: each is a row of the demands of pelicun");
+        let hint = format!("give at most {MAX_REALIZATIONS}");
+        return Err(Problem::value(message, hint).of(&["realizations"]).into());
+    }
     if request.format != ExportFormat::Csv {
         request.inventory.as_deref().map(load_costs).transpose()?;
     }

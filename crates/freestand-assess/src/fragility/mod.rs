@@ -121,8 +121,19 @@ pub struct FragilityReport {
 /// # Errors
 /// A table that cannot be read.
 pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems> {
+    check_replicates(request.replicates)?;
     let table = OutcomeTable::load(&request.outcomes)?;
     fitted(request, table, METHOD)
+}
+
+/// The most bootstrap samples: each keeps the curves of every object.
+pub const MAX_REPLICATES: u32 = 100_000;
+
+/// Refuses more samples than memory has room for.
+fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
+    let Some(many) = replicates.filter(|replicates| *replicates > MAX_REPLICATES) else { return Ok(()) };
+    let message = format!("{many} samples are too many: each is kept, and a 95 % interval needs about 1000");
+    Err(Problem::value(message, format!("give at most {MAX_REPLICATES}")).of(&["bootstrap"]))
 }
 
 /// Fits the fragilities of all objects of a table that was read.
@@ -168,7 +179,7 @@ fn two_stage(table: &OutcomeTable, object: usize, fit: &Fit, limits: ShockLimits
         let id = table.objects.get(object).map_or("", String::as_str);
         let hint = match error {
             ShockFitError::Shock { .. } => {
-                "give the `ceiling` of this object, `ceiling_g` of the shock of its balance point"
+                "give the `ceiling` of this object, the ceiling_g of the shock of its balance point"
             }
             ShockFitError::TooFew { .. } => "give the column edge_acceleration [g] for runs that rocked",
             ShockFitError::NoMaximum => "fit the classes with `fit = \"ordered\"`",

@@ -62,6 +62,14 @@ impl Table {
         });
         let head: Row = records.next().unwrap_or_else(|| Err(format("the file is empty".to_owned())))?;
         let headings: Vec<Heading> = head.cells.iter().map(|cell| heading(cell)).collect();
+        if let [only] = headings.as_slice()
+            && let Some((_, name)) =
+                [(';', "semicolons"), ('\t', "tabs")].iter().find(|(c, _)| only.written.contains(*c))
+        {
+            let message = format!("the cells are separated by {name}, and this table has commas between them");
+            let hint = "save it as CSV with commas between the cells, and write decimals with a point: 0.2";
+            return Err(format(message).at_line(head.line).hint(hint));
+        }
         let mut rows = Vec::new();
         for row in records {
             let row = row?;
@@ -205,6 +213,8 @@ mod tests {
             ("a,b\n", "no rows"),
             ("a,b\n1\n", "t.csv:2: this row has 1 cells"),
             ("a,a [g]\n1,2\n", "twice"),
+            ("object;motion;pgv [m/s]\na;m1;0,2\n", "t.csv:1: the cells are separated by semicolons"),
+            ("a\tb\n1\t2\n", "separated by tabs"),
             ("PK\u{3}\u{4}", "a workbook"),
         ];
         for (text, said) in cases {

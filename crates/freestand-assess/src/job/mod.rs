@@ -28,6 +28,7 @@ use crate::output::{
 use crate::result::Decision;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
+use freestand_input::words::{counted, number};
 use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
@@ -166,8 +167,21 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
     }
     let Libraries { tolerances, cushions } = libraries;
     inventory.libraries = tolerances.inputs.into_iter().chain(cushions.inputs).collect();
+    inventory.warnings.extend(other_storeys(study, request.storeys));
     inventory.warnings.extend(tolerances.warnings.into_iter().chain(cushions.warnings));
     Ok(inventory)
+}
+
+/// A number of storeys places floors; the building that shakes is that of the study all the same.
+fn other_storeys(study: &Study, storeys: Option<usize>) -> Option<String> {
+    let building = study.building.as_ref()?;
+    let asked = storeys.filter(|asked| *asked != building.storeys)?;
+    Some(format!(
+        "`storeys = {asked}` only places the floors of the list: the building that shakes has {}, {} m high; give \
+         a study with your building",
+        counted(building.storeys, "storey"),
+        number(building.height_m, 4)
+    ))
 }
 
 /// How the list of an assessment is read, beside what the study says.
@@ -364,7 +378,7 @@ fn report(portfolio: &Portfolio, study: &Study, inventory: &Inventory, head: &He
 }
 
 /// What a report says about the study and the list, whatever became of the objects.
-fn said(study: &Study, head: &Head) -> JobReport {
+pub(crate) fn said(study: &Study, head: &Head) -> JobReport {
     JobReport {
         no_study: head.no_study.clone(),
         building_name: study.building_name.clone(),

@@ -96,7 +96,7 @@ fn no_study(study: &Study) -> Option<String> {
 }
 
 /// `Main block, 8 storeys, 32 m high`.
-fn building(study: &Study) -> String {
+pub(crate) fn building(study: &Study) -> String {
     let size = study.building.as_ref().map_or_else(
         || "the study gives the motions of the floors".to_owned(),
         |building| format!("{}, {} m high", counted(building.storeys, "storey"), number(building.height_m, 4)),
@@ -104,13 +104,19 @@ fn building(study: &Study) -> String {
     study.building_name.as_ref().map_or_else(|| size.clone(), |name| format!("{name}, {size}"))
 }
 
-fn one_line(study: &Study) -> String {
-    let Some(target) = study.ground.code_spectrum() else { return building(study) };
-    let hazard = match target.place_name() {
+/// `Melbourne (AS 1170.4, site class Ce, 500 years)`; `None` where the ground motions have no spectrum
+/// of a code.
+pub(crate) fn hazard(study: &Study) -> Option<String> {
+    let target = study.ground.code_spectrum()?;
+    Some(match target.place_name() {
         Some(place) => format!("{place} ({})", hazard_words(target).join(", ")),
         None => target.one_line(),
-    };
-    format!("{hazard}; {}", building(study))
+    })
+}
+
+fn one_line(study: &Study) -> String {
+    let hazard = hazard(study).map_or_else(String::new, |hazard| format!("{hazard}; "));
+    format!("{hazard}{}", building(study))
 }
 
 /// Code, site and return period, as far as the code has them.

@@ -4,7 +4,7 @@
 mod csv;
 #[cfg(test)]
 mod fixture;
-mod head;
+pub(crate) mod head;
 mod outcomes;
 mod overview;
 mod parquet;

@@ -10,6 +10,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted};
 use freestand_output::facts::Facts;
 
+use super::number_and_unit;
 use crate::fragility::measure::MEASURES;
 use crate::fragility::table::Table;
 use crate::fragility::{At, Measure};
@@ -276,13 +277,19 @@ fn power_law(text: &str, measure: Measure) -> Result<Hazard, Problem> {
     let example = format!("write \"k0=1e-4 /yr, k=2.5, reference=1{unit}\"");
     let bad = |message: String| Problem::value(message, example.clone());
     let (mut rate, mut exponent, mut reference) = (None, None, None);
+    let mut seen: Vec<&str> = Vec::new();
     for part in text.split(',') {
         let (key, value) =
             part.split_once('=').ok_or_else(|| bad(format!("\"{}\" is not key=value", shorten(part.trim()))))?;
-        let (number, unit) = value.trim().split_once(' ').unwrap_or((value.trim(), ""));
-        let number = number.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite());
-        let number = number.ok_or_else(|| bad(format!("\"{}\" is not a number above 0", shorten(value.trim()))))?;
-        match (key.trim(), unit.trim()) {
+        let found = number_and_unit(value).filter(|(number, _)| *number > 0.0);
+        let (number, unit) =
+            found.ok_or_else(|| bad(format!("\"{}\" is not a number above 0", shorten(value.trim()))))?;
+        let key = key.trim();
+        if seen.contains(&key) {
+            return Err(bad(format!("{key} is there twice")));
+        }
+        seen.push(key);
+        match (key, unit) {
             ("k0", "/yr" | "1/yr" | "/year" | "1/year") => rate = Some(number),
             ("k0", _) => return Err(bad("k0 needs the unit /yr".to_owned())),
             ("k", "") => exponent = Some(number),

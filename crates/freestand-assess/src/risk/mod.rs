@@ -7,6 +7,8 @@ mod objects;
 mod page;
 mod plan;
 mod portfolio;
+#[cfg(test)]
+mod tests;
 
 use std::path::PathBuf;
 
@@ -55,11 +57,11 @@ pub fn coordinates(text: &str) -> Result<(f64, f64), Problem> {
 /// An amount of money with its currency, `20000 AUD`.
 ///
 /// # Errors
-/// No number above 0, or no currency.
+/// No number of 0 or more, or no currency.
 pub fn amount(text: &str) -> Result<(f64, String), Problem> {
-    let parsed = text.trim().split_once(' ').and_then(|(number, currency)| {
-        let number = number.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite())?;
-        Some((number, currency.trim().to_owned())).filter(|(_, currency)| !currency.is_empty())
+    let parsed = number_and_unit(text).and_then(|(number, currency)| {
+        let is_currency = currency.starts_with(|c: char| !c.is_ascii_digit() && !"+-.,".contains(c));
+        Some((number, currency.to_owned())).filter(|(number, _)| *number >= 0.0 && is_currency)
     });
     parsed.ok_or_else(|| {
         let message = format!("\"{}\" is not an amount of money", shorten(text));
@@ -83,11 +85,21 @@ pub fn yearly_rate(text: &str) -> Result<f64, Problem> {
     number_with(text, &["/yr", "1/yr", "/year", "1/year"], "a rate per year", "1e-4 /yr")
 }
 
+/// A number and what follows it, with or without a space between them: `40 yr`, `3000AUD`.
+fn number_and_unit(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let is_part = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
+    let longest = text.find(|c| !is_part(c)).unwrap_or(text.len());
+    // `3000EUR`: the E belongs to the unit.
+    let ends = (1..=longest).rev();
+    let found = ends.filter_map(|end| Some((text.get(..end)?.parse::<f64>().ok()?, text.get(end..)?.trim())));
+    found.into_iter().find(|(number, _)| number.is_finite())
+}
+
 fn number_with(text: &str, units: &[&str], what: &str, example: &str) -> Result<f64, Problem> {
-    let (number, unit) = text.trim().split_once(' ').unwrap_or((text.trim(), ""));
-    let number = number.parse::<f64>().ok().filter(|number| *number > 0.0 && number.is_finite());
-    number
-        .filter(|_| units.contains(&unit.trim()))
+    let found = number_and_unit(text).filter(|(number, unit)| *number > 0.0 && units.contains(unit));
+    found
+        .map(|(number, _)| number)
         .ok_or_else(|| Problem::value(format!("\"{}\" is not {what}", shorten(text)), format!("write \"{example}\"")))
 }
 
@@ -167,6 +179,12 @@ pub struct RiskReport {
 /// Files that cannot be read, a hazard of another measure than that of the fragilities, two
 /// currencies, options without a horizon and a discount rate.
 pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
+    if let Some(discount) = request.discount_ratio.filter(|discount| *discount > 1.0) {
+        let (percent, written) = (number(100.0 * discount, 4), number(discount, 4));
+        let message = format!("a discount rate of {written} is {percent} % a year");
+        let hint = format!("write {written} % as `discount = \"{written} %\"`; at most 100 %");
+        return Err(Problem::value(message, hint).of(&["discount"]).into());
+    }
     let hazard = hazard_of(&request.hazard, request.hazard_at, request.site_deg)?;
     let mut warnings = hazard.warnings.clone();
     let mut inputs: Vec<InputFile> = hazard.file.iter().cloned().collect();
@@ -370,9 +388,12 @@ impl RiskReport {
                 text += &format!("  {:10}  {}\n", one.limit_state.name(), one.words(&years));
             }
             if let Some(verdict) = object.verdict {
-                let accepted = object
-                    .accepted_rate
-                    .map_or(String::new(), |rate| format!(" (accepted for overturning: {} a year)", number(rate, 3)));
+                let limits = object.named_limits();
+                let limits = limits.iter().map(|(state, rate)| {
+                    let of = if *state == LimitState::Overturns { "overturning" } else { "exceeding" };
+                    format!("accepted for {of}: {} a year", number(*rate, 3))
+                });
+                let accepted = format!(" ({})", limits.collect::<Vec<_>>().join("; "));
                 let sure = if object.is_certain == Some(false) { ", not certain" } else { "" };
                 text += &format!("  verdict     {}{sure}{accepted}\n", verdict.words());
             }

@@ -193,6 +193,17 @@ impl ObjectRisk {
             .key("not_counted", self.not_counted.clone())
     }
 
+    /// The accepted rates that a verdict is about: those that are not kept, or all of them if they are.
+    pub(crate) fn named_limits(&self) -> Vec<(LimitState, f64)> {
+        let accepted = [self.accepted_exceed_rate, self.accepted_rate];
+        let limits = LOSS_STATES.into_iter().zip(accepted).filter_map(|(state, rate)| Some((state, rate?)));
+        let (broken, kept): (Vec<_>, Vec<_>) = limits.partition(|(state, accepted)| {
+            let found = self.states.iter().find(|one| one.limit_state == *state);
+            found.and_then(|one| one.annual_rate).is_some_and(|rate| rate > *accepted)
+        });
+        if broken.is_empty() { kept } else { broken }
+    }
+
     pub(crate) fn rows(&self, years: f64) -> Vec<Facts<'_>> {
         let rows = self.states.iter().map(|one| {
             Facts::default()

@@ -180,6 +180,24 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
 }
 
 impl ListArgs {
+    /// A flag that only a list or its study needs.
+    pub(crate) fn of_list(&self) -> Option<&'static str> {
+        let hazard = self.hazard.words();
+        let given = [
+            (hazard.get("place").is_some(), "--place"),
+            (hazard.get("site").is_some(), "--site"),
+            (hazard.get("return_period_years").is_some(), "--return-period"),
+            (self.sheet.is_some(), "--sheet"),
+            (self.columns.is_some(), "--columns"),
+            (self.storeys.is_some(), "--storeys"),
+            (self.strict, "--strict"),
+            (self.assess_anchored, "--assess-anchored"),
+            (self.library.is_some(), "--library"),
+            (self.cushion_library.is_some(), "--cushion-library"),
+        ];
+        given.into_iter().find_map(|(is_given, flag)| is_given.then_some(flag))
+    }
+
     /// The study with the flags in place of its keys, how the list is read, and the list.
     pub(crate) fn read(
         &self,

@@ -84,19 +84,19 @@ pub(crate) struct FragilityArgs {
     #[arg(long, value_parser = choice(FORMATS), help_heading = "Other programs")]
     format: Vec<ExportFormat>,
     /// Intensity of the scenario, such as "0.4 m/s" [default: those of the outcomes]
-    #[arg(long, value_name = "INTENSITY", help_heading = "Other programs")]
+    #[arg(long, value_name = "INTENSITY", requires = "format", help_heading = "Other programs")]
     demand: Option<String>,
     /// Realizations of pelicun with --demand [default: 10000]
-    #[arg(long, value_name = "N", help_heading = "Other programs", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", requires = "format", help_heading = "Other programs", value_parser = clap::value_parser!(u32).range(1..))]
     realizations: Option<u32>,
     /// β for limit states that have none, such as a step
-    #[arg(long, positive = Dimension::Ratio, help_heading = "Other programs")]
+    #[arg(long, positive = Dimension::Ratio, requires = "format", help_heading = "Other programs")]
     beta: Option<Given>,
     /// Export curves as points (shares of runs, or the fit of the shocks) instead of lognormal curves
     #[arg(long, requires = "format", help_heading = "Other programs")]
     discrete: bool,
     /// Longitude and latitude in degrees, for objects without them in the inventory
-    #[arg(long, value_name = "LON,LAT", read = coordinates, help_heading = "Other programs")]
+    #[arg(long, value_name = "LON,LAT", requires = "format", read = coordinates, help_heading = "Other programs")]
     site_coordinates: Option<Given<(f64, f64)>>,
     /// Hazard curve for a second job of OpenQuake, as for freestand risk (CSV)
     #[arg(long, value_name = "FILE", conflicts_with = "hazard_power", help_heading = "Other programs")]
@@ -146,6 +146,7 @@ fn run_table(
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
+    args.runs.refuse_list()?;
     let mut values = Values::default();
     let (tolerance, ceiling) = (values.read(&args.tolerance), values.read(&args.ceiling));
     if args.tolerance.is_some() && args.ceiling.is_none() {

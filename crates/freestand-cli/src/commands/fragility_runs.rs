@@ -209,6 +209,15 @@ impl RunArgs {
         Ok((motions, notes, files))
     }
 
+    /// Refuses flags of a list where nothing reads one.
+    pub(super) fn refuse_list(&self) -> Result<(), Failure> {
+        let flag = self.list.of_list().or(self.worlds.map(|_| "--worlds"));
+        flag.map_or(Ok(()), |flag| {
+            let message = format!("{flag} is for an inventory in the building of a study, and none is run");
+            Err(Failure::usage(message, "leave it out, or give --inventory or a study in place of one object"))
+        })
+    }
+
     /// Refuses flags of one object if an inventory is given.
     fn refuse_object(&self, args: &FragilityArgs) -> Result<(), Failure> {
         let given = [
@@ -252,6 +261,10 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     }
     if listed {
         runs.refuse_object(args)?;
+        runs.read
+            .refuse_without_record(|_| "leave it out: the motions of an inventory are those of its study".into())?;
+    } else {
+        runs.refuse_list()?;
     }
     let given = if listed { None } else { Some(runs.given_object(args, &mut values)?) };
     let first = asked.first().copied().unwrap_or(if listed { Measure::Pgv } else { Measure::Pfv });
@@ -266,6 +279,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).chain(&runs.options).cloned());
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
     let (study, inventory);
+    let mut has_errors = false;
     let objects = match given {
         Some(object) => {
             let (motions, read, files) = runs.motions()?;
@@ -275,7 +289,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         None => {
             let (of_study, _, of_list) = runs.list.read(global, None, Vec::new())?;
             (study, inventory) = (of_study, of_list);
-            notes.extend(inventory.warnings.iter().cloned());
+            has_errors = inventory.has_errors();
             if let Some(path) = &study.source {
                 sources.push(InputFile::new(path, &load(path)?));
             }
@@ -322,8 +336,11 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         exports.write(&files)?;
     }
     files.finish_result(FRAGILITY_SCHEMA, &warnings)?;
-    printer.result(FRAGILITY_SCHEMA, &facts, &warnings, || text(&report))?;
-    Ok(Done::OK)
+    // The text begins with that sentence.
+    let is_said = |warning: &String| !printer.json() && report.no_study() == Some(warning);
+    let told: Vec<String> = warnings.into_iter().filter(|warning| !is_said(warning)).collect();
+    printer.result(FRAGILITY_SCHEMA, &facts, &told, || text(&report))?;
+    Ok(Done { criterion_met: !has_errors })
 }
 
 fn write(report: &RunsReport, facts: &Facts, warnings: &[String], files: &Files) -> Result<(), Failure> {

@@ -35,6 +35,9 @@ fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ra
     Followed { scale_ratio, run }
 }
 
+/// Whether the work goes on: an error where it was stopped.
+pub(super) type GoOn<'a> = &'a (dyn Fn() -> Result<(), Problems> + Sync);
+
 /// The runs of an object under a motion, by rising scale; those of an adaptive analysis are filled
 /// later.
 pub(super) fn first_runs(
@@ -42,10 +45,11 @@ pub(super) fn first_runs(
     one: &ObjectRuns,
     shaking: &Shaking,
     measures: &[(Measure, At)],
+    go_on: GoOn,
 ) -> Result<Vec<Followed>, Problems> {
     let scales_ratio = match (request.method, &request.scales) {
         (Method::Cloud, _) => vec![1.0],
-        (Method::Incremental, None) => return Ok(adaptive(request, one, shaking)),
+        (Method::Incremental, None) => return adaptive(request, one, shaking, go_on),
         (Method::Incremental, Some(scales)) => scales.clone(),
         (Method::Stripes, levels) => stripes(one, shaking, measures, levels.as_deref().unwrap_or_default())?,
     };
@@ -63,7 +67,11 @@ pub(super) fn first_runs(
     let mut sorted = scales_ratio;
     sorted.sort_by(f64::total_cmp);
     sorted.dedup();
-    Ok(sorted.into_iter().map(|scale_ratio| followed(request, one, shaking, scale_ratio)).collect())
+    let runs = sorted.into_iter().map(|scale_ratio| {
+        go_on()?;
+        Ok(followed(request, one, shaking, scale_ratio))
+    });
+    runs.collect()
 }
 
 /// The scales of a motion that give it these intensities by the first measure.
@@ -84,16 +92,30 @@ fn stripes(
     Ok(levels.iter().map(|level| level / of_one).collect())
 }
 
-fn adaptive(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking) -> Vec<Followed> {
+fn adaptive(
+    request: &RunsRequest,
+    one: &ObjectRuns,
+    shaking: &Shaking,
+    go_on: GoOn,
+) -> Result<Vec<Followed>, Problems> {
+    let mut stopped = Ok(());
     let mut runs: Vec<Followed> = Vec::new();
     let start_ratio = shaking.uplift_scale_ratio(one.factors);
     scales_of_motion(start_ratio, request.max_scale_ratio, &one.states(), |scale_ratio| {
+        // The search ends by itself, and nothing more is run.
+        if stopped.is_ok() {
+            stopped = go_on();
+        }
+        if stopped.is_err() {
+            return None;
+        }
         let run = followed(request, one, shaking, scale_ratio);
         runs.push(run);
         run.run.map(|run| run.class)
     });
+    stopped?;
     sort(&mut runs);
-    runs
+    Ok(runs)
 }
 
 fn sort(runs: &mut [Followed]) {
@@ -134,13 +156,19 @@ fn span(one: &ObjectRuns, shakings: &[Shaking], measure: Measure, place: usize, 
 
 /// Adds the runs that spread every motion over the same intensities by every measure, up to the
 /// largest scale.
-pub(super) fn fill(request: &RunsRequest, one: &mut ObjectRuns, shakings: &[Shaking], measures: &[(Measure, At)]) {
+pub(super) fn fill(
+    request: &RunsRequest,
+    one: &mut ObjectRuns,
+    shakings: &[Shaking],
+    measures: &[(Measure, At)],
+    go_on: GoOn,
+) -> Result<(), Problems> {
     use rayon::prelude::*;
     let spans: Vec<Option<(f64, f64)>> =
         measures.iter().enumerate().map(|(place, (measure, at))| span(one, shakings, *measure, place, *at)).collect();
     one.spans.clone_from(&spans);
     let seen: &ObjectRuns = one;
-    let more: Vec<Vec<Followed>> = shakings
+    let more: Result<Vec<Vec<Followed>>, Problems> = shakings
         .par_iter()
         .zip(&seen.motions)
         .map(|(shaking, runs)| {
@@ -158,11 +186,16 @@ pub(super) fn fill(request: &RunsRequest, one: &mut ObjectRuns, shakings: &[Shak
                 scales_ratio.sort_by(f64::total_cmp);
                 added.extend(missing);
             }
-            added.into_iter().map(|scale_ratio| followed(request, seen, shaking, scale_ratio)).collect()
+            let runs = added.into_iter().map(|scale_ratio| {
+                go_on()?;
+                Ok(followed(request, seen, shaking, scale_ratio))
+            });
+            runs.collect()
         })
         .collect();
-    for (runs, more) in one.motions.iter_mut().zip(more) {
+    for (runs, more) in one.motions.iter_mut().zip(more?) {
         runs.extend(more);
         sort(runs);
     }
+    Ok(())
 }

@@ -29,9 +29,11 @@ use freestand_study::study::Study;
 use rayon::prelude::*;
 
 use super::measure::{At, MEASURES, Measure};
-use super::{FragilityReport, FragilityRequest, fitted};
+use super::{FragilityReport, FragilityRequest, check_replicates, fitted};
 use crate::inventory::{Inventory, Item};
+use crate::job::{JobReport, said};
 use crate::library::{Confidence, Tolerance};
+use crate::output::head;
 use crate::risk::{Change, ChangedObject};
 use crate::verdict::Nominal;
 use follow::Followed;
@@ -102,6 +104,11 @@ pub fn scales(text: &str, method: Method, first: Measure) -> Result<Option<Vec<f
             return Err(Problem::value("a cloud uses every motion unscaled", hint).of(&["scales"]));
         }
     };
+    if values.len() > MAX_LEVELS {
+        let message =
+            format!("{} are too many: each is a run of every object and motion", counted(values.len(), "scale"));
+        return Err(Problem::value(message, format!("give at most {MAX_LEVELS}")).of(&["scales"]));
+    }
     if let Some(bad) = values.iter().find(|value| **value <= 0.0) {
         return Err(Problem::value(format!("{bad} is not above 0"), "give positive values").of(&["scales"]));
     }
@@ -231,7 +238,33 @@ pub struct RunsReport {
     floors: Vec<Vec<Shaking>>,
     left_out: Vec<(String, String)>,
     inputs: Vec<InputFile>,
+    /// Whose building and hazard this is; `None`: the motions were given.
+    study: Option<OfStudy>,
 }
+
+/// What a document says about the study of its runs, and about their list.
+#[derive(Debug)]
+struct OfStudy {
+    said: JobReport,
+    hazard: Option<String>,
+    building: String,
+    toml: String,
+}
+
+impl OfStudy {
+    fn of(objects: &RunObjects) -> Option<Self> {
+        let RunObjects::Listed { study, inventory, .. } = objects else { return None };
+        Some(Self {
+            said: said(study, &head::head(study, inventory)),
+            hazard: head::hazard(study),
+            building: head::building(study),
+            toml: study.toml.clone(),
+        })
+    }
+}
+
+/// The most scales or levels of one analysis: each is a run of every object under every motion.
+const MAX_LEVELS: usize = 10_000;
 
 /// Runs objects under motions at many scales and fits their fragilities, on the current thread pool;
 /// the result does not depend on the number of threads.
@@ -240,6 +273,7 @@ pub struct RunsReport {
 /// A measure that the motions do not have, a scale above the largest, no motion, no object that can
 /// be run; a run that was stopped.
 pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<RunsReport, Problems> {
+    check_replicates(request.replicates)?;
     let measures = measures_of(request)?;
     let go_on = || match progress(Step { stage: None, done: 0, total: 0 }) {
         ControlFlow::Continue(()) => Ok(()),
@@ -267,7 +301,7 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
         .map(|&(i, motion)| {
             let one = objects.get(i).ok_or_else(missing)?;
             let shaking = floors.get(one.floor).and_then(|floor| floor.get(motion)).ok_or_else(missing)?;
-            let runs = follow::first_runs(request, one, shaking, &measures)?;
+            let runs = follow::first_runs(request, one, shaking, &measures, &go_on)?;
             count()?;
             Ok(runs)
         })
@@ -280,8 +314,7 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     if request.method == Method::Incremental && request.scales.is_none() {
         objects.par_iter_mut().try_for_each(|one| {
             go_on()?;
-            follow::fill(request, one, floors.get(one.floor).map_or(&[], Vec::as_slice), &measures);
-            Ok::<(), Problems>(())
+            follow::fill(request, one, floors.get(one.floor).map_or(&[], Vec::as_slice), &measures, &go_on)
         })?;
     }
     fit(request, measures, Prepared { objects, floors, left_out }, go_on)
@@ -310,10 +343,12 @@ fn fit(
         floors,
         left_out,
         inputs: request.inputs.clone(),
+        study: OfStudy::of(&request.objects),
     };
     for (place, (measure, at)) in measures.iter().enumerate() {
         go_on()?;
         let bytes = table::outcomes_csv(&report, *measure, place, *at)?;
+        go_on()?;
         let name = file_name("outcomes", place, *measure);
         let table = table::read(&bytes, &name)?;
         let fits = FragilityRequest {
@@ -324,6 +359,7 @@ fn fit(
             replicates: request.replicates,
             seed: request.seed,
         };
+        go_on()?;
         let mut found = fitted(fits, table, name_of(METHODS, request.method))?;
         for object in &mut found.objects {
             let Some(runs) = report.objects.iter().find(|one| one.id == object.id) else { continue };
@@ -505,7 +541,7 @@ const NAMED_LEFT_OUT: usize = 3;
 
 impl RunsReport {
     fn all_warnings(&self) -> Vec<String> {
-        let mut warnings = Vec::new();
+        let mut warnings = self.study.as_ref().map_or_else(Vec::new, |study| study.said.all_warnings());
         if !self.left_out.is_empty() {
             let named: Vec<String> =
                 self.left_out.iter().take(NAMED_LEFT_OUT).map(|(id, why)| format!("{} ({why})", shorten(id))).collect();
@@ -519,8 +555,8 @@ impl RunsReport {
         if lacking > 0 {
             let (verb, them) = if lacking == 1 { ("has", "its shock is") } else { ("have", "their shocks are") };
             warnings.push(format!(
-                "{} {verb} a tolerance, but no mass or no cushion: {them} not known, so `exceeds` is not fitted; add \
-                 the mass and the cushion",
+                "{} {verb} a tolerance, but no mass or no cushion: {them} not known, so \"exceeds\" is not fitted; \
+                 add the mass and the cushion",
                 counted(lacking, "object")
             ));
         }
@@ -546,6 +582,11 @@ impl RunsReport {
         warnings
     }
 
+    /// The sentence that says whose building this is, where no study was given.
+    pub fn no_study(&self) -> Option<&String> {
+        self.study.as_ref()?.said.no_study.as_ref()
+    }
+
     /// The report by the first measure, for other programs.
     pub fn first(&self) -> Option<&FragilityReport> {
         self.reports.first()
@@ -566,6 +607,7 @@ impl RunsReport {
             })
             .collect();
         let inputs: Vec<Facts> = self.inputs.iter().map(super::input_facts).collect();
+        let said = self.study.as_ref().map(|study| &study.said);
         let left_out: Vec<Facts> = self
             .left_out
             .iter()
@@ -579,6 +621,12 @@ impl RunsReport {
             .key("scales", self.scales.clone())
             .key("tolerance_rotation_ratio", self.rotation_ratio)
             .key("inputs", inputs)
+            .key("no_study", said.and_then(|said| said.no_study.clone()))
+            .key("place_name", said.and_then(|said| said.place_name.clone()))
+            .key("building_name", said.and_then(|said| said.building_name.clone()))
+            .key("hazard", self.study.as_ref().and_then(|study| study.hazard.clone()))
+            .key("building", self.study.as_ref().map(|study| study.building.clone()))
+            .key("study", self.study.as_ref().map(|study| study.toml.clone()))
             .key("motions", motions)
             .key("left_out", left_out)
             .key("objects", objects)
@@ -627,13 +675,18 @@ impl RunsReport {
     pub fn summary(&self) -> String {
         let runs: usize = self.objects.iter().flat_map(|one| &one.motions).map(Vec::len).sum();
         let motions = self.floors.first().map_or(0, Vec::len);
-        let mut text = format!(
+        let mut text = String::new();
+        if let Some(OfStudy { said, .. }) = &self.study {
+            text.extend(said.no_study.iter().map(|sentence| format!("{sentence}\n\n")));
+            text.push_str(&format!("{}\n\n", said.place));
+        }
+        text.push_str(&format!(
             "{} of {} under {} ({})",
             counted(runs, "run"),
             counted(self.objects.len(), "object"),
             counted(motions, "motion"),
             name_of(METHODS, self.method)
-        );
+        ));
         let survived: usize =
             self.objects.iter().flat_map(|one| &one.motions).map(|runs| resurrections(&follow::classes(runs))).sum();
         if survived > 0 {
