@@ -138,7 +138,7 @@ def _changed(target: Path) -> Path | None:
     except (OSError, ValueError, KeyError, TypeError):
         return None
     for name, written in dict(listed).items():
-        path = target / name
+        path: Path = target / str(name)
         found = hashlib.sha256()
         with contextlib.suppress(FileNotFoundError), path.open("rb") as file:
             for part in iter(lambda: file.read(1 << 20), b""):
