@@ -16,6 +16,10 @@ use crate::stop::Stop;
 /// Histories of one request that is answered at once.
 const MAX_HISTORIES: usize = 1_000_000;
 
+/// Most frequencies × samples of one live shock spectrum, before samples are added between those of
+/// the records.
+const MAX_OSCILLATOR_SAMPLES: usize = 1_000_000_000;
+
 /// Who asked for a command.
 pub(crate) struct Session {
     pub(crate) stop: Stop,
@@ -129,6 +133,18 @@ impl Session {
         }
         let message = format!("these are {histories} histories, more than {MAX_HISTORIES}");
         Err(Failure::usage(message, "ask for fewer objects or fewer motions, or use the command line"))
+    }
+
+    /// Refuses a shock spectrum that takes longer than somebody would wait for.
+    pub(crate) fn check_oscillators(&self, frequencies: usize, samples: usize) -> Result<(), Failure> {
+        if !self.is_live || frequencies.saturating_mul(samples) <= MAX_OSCILLATOR_SAMPLES {
+            return Ok(());
+        }
+        let message = format!(
+            "--frequencies: {frequencies} frequencies for {samples} samples are more than {MAX_OSCILLATOR_SAMPLES} \
+             frequencies × samples"
+        );
+        Err(Failure::usage(message, "ask for fewer frequencies or shorter records, or use the command line"))
     }
 
     /// Tells how much is done, and gives way to others.

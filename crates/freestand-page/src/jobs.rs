@@ -104,6 +104,8 @@ pub(crate) struct Job {
     pub(crate) id: String,
     pub(crate) cancel: Cancel,
     pub(crate) folder: PathBuf,
+    /// Which work it does; only the same work continues it.
+    work: Value,
     live: Live,
     told: Mutex<Told>,
     record: Mutex<Record>,
@@ -115,6 +117,8 @@ pub(crate) struct Job {
 struct Record {
     events: Vec<Bytes>,
     is_ended: bool,
+    /// Whether it ended by itself, with its whole result.
+    is_finished: bool,
     files: Vec<String>,
 }
 
@@ -125,6 +129,7 @@ impl Job {
             let number = record.events.len() + 1;
             record.events.push(format!("id: {number}\nevent: {name}\ndata: {data}\n\n").into());
             record.is_ended = ["done", "failed", "cancelled"].contains(&name);
+            record.is_finished = name == "done";
             self.count.send_replace(number);
         }
     }
@@ -135,6 +140,10 @@ impl Job {
 
     pub(crate) fn is_ended(&self) -> bool {
         self.record.lock().unwrap_or_else(PoisonError::into_inner).is_ended
+    }
+
+    fn is_finished(&self) -> bool {
+        self.record.lock().unwrap_or_else(PoisonError::into_inner).is_finished
     }
 
     /// The last event of the job.
@@ -212,10 +221,11 @@ impl Jobs {
     }
 
     /// A new job, in the folder that `place` gives for its name, or in that of an earlier job that it
-    /// continues.
+    /// continues: only the same work continues a job, and only one that was stopped or has failed.
     pub(crate) fn begin(
         &self,
         continues: Option<&str>,
+        work: Value,
         place: impl FnOnce(&str) -> PathBuf,
     ) -> Result<Arc<Job>, Refusal> {
         let mut all = self.list();
@@ -232,6 +242,15 @@ impl Jobs {
                     let hint = "cancel it first, or follow it";
                     return Err(Refusal::new(Status::BadInput, "value", "this job is still running", hint));
                 }
+                if earlier.is_finished() {
+                    let hint = "start a new job: leave `continues` out";
+                    return Err(Refusal::new(Status::BadInput, "value", "this job is finished", hint));
+                }
+                if earlier.work != work {
+                    let message = "another request cannot continue this job: its files would be replaced";
+                    let hint = "send the same command, options, files and edits, or leave `continues` out";
+                    return Err(Refusal::new(Status::BadInput, "value", message, hint));
+                }
                 earlier.folder.clone()
             }
         };
@@ -239,6 +258,7 @@ impl Jobs {
             id,
             cancel: Cancel::default(),
             folder,
+            work,
             live: self.live.clone(),
             told: Mutex::default(),
             record: Mutex::default(),

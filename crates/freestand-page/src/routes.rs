@@ -10,7 +10,7 @@ use http_body_util::{BodyExt, Limited};
 use hyper::body::Incoming;
 use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue};
 use hyper::{Method, StatusCode};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use crate::assets::asset;
@@ -79,7 +79,7 @@ struct Asked {
 }
 
 /// One file or several.
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 #[serde(untagged)]
 enum Ids {
     One(String),
@@ -198,6 +198,19 @@ fn understood(site: &Site, asked: Asked, folder: Option<PathBuf>) -> Result<Requ
     Ok(Request { command, options, files, history, shape, edits, folder })
 }
 
+/// Cancels the work of a request when the request is left: this future is dropped as soon as its
+/// client has gone.
+#[derive(Default)]
+struct Left {
+    cancel: Cancel,
+}
+
+impl Drop for Left {
+    fn drop(&mut self) {
+        self.cancel.cancel();
+    }
+}
+
 /// An answer at once.
 async fn live(site: Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     if asked.continues.is_some() {
@@ -211,7 +224,9 @@ async fn live(site: Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     let request = understood(&site, asked, None)?;
     let entered = site.jobs.live.enter();
     let program = site.program;
+    let mut left = Left::default();
     let run = |cancel: Cancel| {
+        left.cancel = cancel.clone();
         tokio::task::spawn_blocking(move || {
             let answer = (program.answer)(&request, &cancel, &Events::default());
             drop(entered);
@@ -242,7 +257,7 @@ async fn live(site: Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
             }
         }
     };
-    drop(room);
+    drop((room, left));
     match answered {
         Ok(answer) => Ok(document(StatusCode::OK, answer?.document)),
         Err(_) => Err(defect()),
@@ -266,14 +281,29 @@ fn defect() -> Refusal {
     Refusal::new(Status::Defect, "defect", "the calculation ended unexpectedly", hint)
 }
 
+/// What makes two jobs the same work: everything that decides the content of its files. Whether it
+/// goes on where an earlier one stopped does not.
+fn work_of(asked: &Asked) -> Value {
+    const GOES_ON: &str = "resume";
+    let options: Map<String, Value> = asked
+        .options
+        .iter()
+        .filter(|(name, _)| *name != GOES_ON)
+        .map(|(name, value)| (name.clone(), value.clone()))
+        .collect();
+    let edits: Vec<_> = asked.edits.iter().map(|edit| (&edit.cell, &edit.value)).collect();
+    json!({"command": asked.command, "options": options, "files": asked.files, "edits": edits})
+}
+
 /// Starts a job. One that cannot be begun is refused at once.
 async fn job(site: &Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     let continues = asked.continues.clone();
+    let same = work_of(&asked);
     let mut request = understood(site, asked, None)?;
     let program = site.program;
     let checked = tokio::task::spawn_blocking(move || (program.check)(&request).map(|()| request)).await;
     request = checked.map_err(|_| defect())??;
-    let job = site.jobs.begin(continues.as_deref(), |id| {
+    let job = site.jobs.begin(continues.as_deref(), same, |id| {
         site.folder.as_ref().map_or_else(|| site.uploads.beside(id), |folder| folder.join(id))
     })?;
     request.folder = Some(job.folder.clone());

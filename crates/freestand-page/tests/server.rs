@@ -6,12 +6,15 @@ use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use freestand_page::{Cancel, Events, Kind, Program, Refusal, Reply, Request, Server, Settings, Status};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
+
+/// Requests with the option `counted` that were stopped.
+static STOPPED: AtomicUsize = AtomicUsize::new(0);
 
 const FAKE: Program = Program { facts, kind, check, answer: fake };
 
@@ -55,6 +58,9 @@ fn fake(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Re
         "wait" => {
             for step in 0..steps {
                 if cancel.is_cancelled() {
+                    if request.options.contains_key("counted") {
+                        STOPPED.fetch_add(1, Ordering::SeqCst);
+                    }
                     return Ok(Reply { document: "{}".to_owned(), is_stopped: true, ..Reply::default() });
                 }
                 events.progress("waiting", step, steps);
@@ -532,9 +538,44 @@ fn a_job_is_cancelled() {
     }
     assert!(began.elapsed() < Duration::from_secs(5));
     assert_eq!(site.ask("DELETE /api/v1/jobs/job-77", &[&bearer], b"").status, 404);
-    // A job goes on in the folder of an earlier one.
-    let more = json!({"command": "wait", "options": {"steps": 1}, "continues": ids[0]});
-    assert_eq!(site.post("/api/v1/jobs", &more).status, 202);
+    // The same work goes on in the folder of an earlier one; other work would replace its files.
+    let other = json!({"command": "wait", "options": {"steps": 1}, "continues": ids[0]});
+    let refused = site.post("/api/v1/jobs", &other);
+    assert_eq!(refused.status, 400);
+    assert!(refused.text().contains("another request"), "{}", refused.text());
+    let same = json!({"command": "wait", "options": {"steps": 3000, "resume": true}, "continues": ids[0]});
+    assert_eq!(site.post("/api/v1/jobs", &same).status, 202);
+    // What is finished is finished.
+    let short = json!({"command": "wait", "options": {"steps": 1}});
+    let id = site.post("/api/v1/jobs", &short).json()["id"].clone();
+    events(&site, id.as_str().unwrap(), 0);
+    let again = json!({"command": "wait", "options": {"steps": 1}, "continues": id});
+    assert!(site.post("/api/v1/jobs", &again).text().contains("is finished"));
+}
+
+/// The work of a request ends when nobody waits for its answer any more.
+#[test]
+fn a_client_that_leaves_stops_its_work() {
+    let site = Site::new();
+    for slot in ["", ",\"slot\":\"one\""] {
+        let stopped = STOPPED.load(Ordering::SeqCst);
+        let body = format!("{{\"command\":\"wait\",\"options\":{{\"steps\":3000,\"counted\":true}}{slot}}}");
+        let head = format!(
+            "POST /api/v1/run HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{}\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\r\n",
+            site.port,
+            site.bearer(),
+            body.len()
+        );
+        let client = site.send(format!("{head}{body}").as_bytes());
+        std::thread::sleep(Duration::from_millis(300));
+        drop(client);
+        // It looks every 10 ms; the work would take 30 s.
+        let began = Instant::now();
+        while STOPPED.load(Ordering::SeqCst) == stopped {
+            assert!(began.elapsed() < Duration::from_secs(10), "the work goes on: {slot:?}");
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    }
 }
 
 /// Ctrl-C: jobs stop, and the files are gone.

@@ -18,9 +18,22 @@ use pyo3::types::PyDict;
 
 use crate::arguments::{Given, told};
 use crate::assess::study_of;
-use crate::errors::{raised, raised_all};
+use crate::errors::{raised, raised_all, raised_by};
 use crate::motion::Record;
 use crate::work::watched;
+
+/// Arguments of `check_object` that are named otherwise in the command.
+const ARGUMENTS: &[(&str, &str)] = &[
+    ("on", "cushion"),
+    ("wall_gap", "wall_gap_m"),
+    ("neighbour_gap", "neighbour_gap_m"),
+    ("wall_height", "wall_height_m"),
+    ("wall_stiffness", "wall_stiffness_n_m"),
+    ("clearance", "clearance_m"),
+    ("upper_height", "upper_height_m"),
+    ("upper_thickness", "upper_thickness_m"),
+    ("upper_mass", "upper_mass_kg"),
+];
 
 /// Exactly one earthquake is named.
 fn check_one(given: &mut Given<'_, '_>, named: &[(&'static str, bool)]) {
@@ -155,7 +168,7 @@ pub(crate) fn check_object(
         seed,
     };
     let report = watched(py, threads, |stop| one_object(&request, &|| stop.load(Ordering::Relaxed)))?;
-    let report = report.map_err(raised_all)?;
+    let report = report.map_err(|problems| raised_by(ARGUMENTS, problems))?;
     told(SCHEMA, &report.facts, &report.warnings)
 }
 

@@ -2,6 +2,7 @@
 
 use std::num::NonZeroUsize;
 use std::path::Path;
+use std::sync::atomic::Ordering;
 
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
@@ -179,7 +180,11 @@ pub(crate) fn shock_spectrum(py: Python<'_>, record: &Record, values: &Bound<'_,
     };
     given.finish()?;
     let motions = [record.read.clone()];
-    let report = watched(py, None, |_| recorded_shock_spectra(&motions, &request))?.map_err(raised)?;
+    let report = watched(py, None, |stop| {
+        let go_on = || if stop.load(Ordering::Relaxed) { Err(Problem::stopped()) } else { Ok(()) };
+        recorded_shock_spectra(&motions, &request, go_on)
+    })?
+    .map_err(raised)?;
     told("freestand.shock-spectrum/1", &report, &report.warnings)
 }
 

@@ -16,11 +16,27 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::arguments::{Given, bytes, doubles, told};
-use crate::errors::{raised, raised_all};
+use crate::errors::{raised, raised_all, raised_by};
 use crate::work::watched;
 
 const PLACES: Choices<At> =
     &[(At::Ground, "ground", "of the ground motion"), (At::Floor, "floor", "of the floor motion")];
+
+/// Arguments that are named otherwise in other functions, or in the command.
+const ARGUMENTS: &[(&str, &str)] = &[
+    ("at", "at"),
+    ("fit", "fit"),
+    ("tolerance", "tolerance_g"),
+    ("ceiling", "ceiling_g"),
+    ("outcomes", "outcomes"),
+    ("fragility", "fragility"),
+    ("hazard", "hazard"),
+    ("hazard_im", "hazard_im"),
+    ("site_coordinates", "site_deg"),
+    ("options", "options"),
+    ("horizon", "horizon_years"),
+    ("discount", "discount_ratio"),
+];
 
 /// The fit of outcomes, as far as it is given.
 struct Fitting {
@@ -75,7 +91,7 @@ pub(crate) fn fragility(
         return Err(raised(Problem::value("there are no outcomes", "give a path or a table")));
     };
     let request = fitting.request(outcomes);
-    let report = watched(py, threads, |_| fitted(request))?.map_err(raised_all)?;
+    let report = watched(py, threads, |_| fitted(request))?.map_err(|problems| raised_by(ARGUMENTS, problems))?;
     let seen = report.empirical_table().map_err(raised)?.to_string();
     Ok((told(FRAGILITY_SCHEMA, &report.facts(), &report.warnings)?, seen))
 }
@@ -103,6 +119,10 @@ pub(crate) fn risk(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<u
     };
     let hazard = given.keep(hazard.source());
     let (file, outcomes) = (given.path("fragility"), given.path("outcomes"));
+    if file.is_some() && outcomes.is_some() {
+        let message = "fragility and outcomes exclude each other";
+        given.push(Problem::value(message, "keep one of them: outcomes are fitted, curves are used as they are"));
+    }
     let curves = given.keep(RiskCurves::given(file, outcomes, |outcomes| fitting.request(outcomes)));
     let budget = given.text("budget");
     let budget = budget.and_then(|text| given.keep(amount(&text)));
@@ -126,6 +146,6 @@ pub(crate) fn risk(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<u
         accepted_rate,
         years,
     };
-    let report = watched(py, threads, |_| calculated(&request))?.map_err(raised_all)?;
+    let report = watched(py, threads, |_| calculated(&request))?.map_err(|problems| raised_by(ARGUMENTS, problems))?;
     told(RISK_SCHEMA, &report.facts(), &report.warnings)
 }

@@ -236,13 +236,16 @@ def test_a_worker_without_the_program_is_named(city, clients, tmp_path):
     [
         ({"shards": 0}, "^shards must be"),
         ({"shards": 2.5}, "^shards must be"),
-        ({"shards": 200_000}, "shards must be"),
+        ({"shards": 200_000}, "^shards must be"),
+        ({"shards": 10**9}, "^shards must be"),
         ({"retries": 0}, "^retries must be"),
         ({"threads": True}, "^threads must be"),
         ({"seed": -1}, "^seed must be"),
+        ({"seed": 2**70}, "^seed must be"),
         ({"client": "tcp://127.0.0.1:8786"}, "^client must be"),
         ({"out": None}, "^out must be"),
         ({"out": "used"}, "^out: "),
+        ({"out": "edited"}, "^out: .*objects.csv was changed"),
         ({"study": 7}, "^study cannot be"),
         ({"study": "nothing.toml"}, "nothing.toml"),
         ({"study": "[building]\nstorey = 8\n"}, "^study:2: unknown key storey"),
@@ -255,11 +258,17 @@ def test_a_wrong_argument_is_named_and_nothing_is_written(clients, tmp_path, mon
     (tmp_path / "city.csv").write_text(LIST)
     (tmp_path / "used").mkdir()
     (tmp_path / "used" / "mine.txt").write_text("mine")
+    (tmp_path / "edited").mkdir()
+    (tmp_path / "edited" / "objects.csv").write_text("id,mine\n")
+    (tmp_path / "edited" / "manifest.json").write_text('{"files_sha256": {"objects.csv": "00", "gone.csv": "00"}}')
     arguments = {"study": STUDY, "inventory": "city.csv", "out": "out", "client": clients(2), **wrong}
-    with pytest.raises((fs.BadValue, fs.StudyError), match=match) as caught:
+    with pytest.raises((fs.BadValue, fs.StudyError, fs.ReadError), match=match) as caught:
         fsd.assess(**arguments)
     assert caught.value.hint
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["city.csv", "used"]
+    # Only what is in a file is not an error of the call.
+    kinds = {"nothing.toml": fs.StudyError, "^study:2: unknown key storey": fs.StudyError, "nothing.csv": fs.ReadError}
+    assert type(caught.value) is kinds.get(match, fs.BadValue)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["city.csv", "edited", "used"]
 
 
 def test_without_dask_the_error_says_what_to_install():

@@ -1,11 +1,16 @@
 """Each exception, and messages that name arguments."""
 
+import inspect
 import pickle
+import re
 import warnings
 
 import freestand as fs
 import pytest
 from conftest import FLOOR, ROOT
+
+
+RISK = ROOT / "examples" / "risk"
 
 
 def caught(kind, call):
@@ -56,6 +61,10 @@ def caught(kind, call):
         (lambda: fs.floor(fs.Motion([0, 1, 0], 0.1), levels=[2]), "levels"),
         (lambda: fs.shock_spectrum([0, 1, 0]), "dt_s"),
         (lambda: fs.check_inventory({"a": 1}), "pandas"),
+        (lambda: fs.check_object(2, 0.3, study=5), "study cannot be a int"),
+        (lambda: fs.fragility(5), "outcomes cannot be a int"),
+        (lambda: fs.risk(options=5, outcomes=RISK / "outcomes.csv"), "options cannot be a int"),
+        (lambda: fs.risk(RISK / "curves.csv", outcomes=RISK / "outcomes.csv", hazard=RISK / "hazard.csv"), "exclude"),
         (lambda: fs.assess({"building": {"storeys": object()}}), "storeys"),
     ],
 )  # fmt: skip
@@ -64,6 +73,37 @@ def test_bad_values_name_arguments(call, names):
     assert isinstance(error, ValueError)
     assert names in str(error)
     assert error.hint or "must be" in str(error), "neither a remedy nor what is expected"
+
+
+def hints(call):
+    with pytest.raises(fs.FreestandError) as raised:
+        call()
+    return " ".join(str(problem) for problem in raised.value.problems)
+
+
+def test_hints_name_arguments_that_there_are(tmp_path):
+    """Every word of a hint that looks like an assignment or has a unit is an argument of the function."""
+    two = tmp_path / "two.csv"
+    two.write_text((RISK / "outcomes.csv").read_text())
+    calls = [
+        (fs.fragility, lambda: fs.fragility(two, at="floor"), "at"),
+        (fs.risk, lambda: fs.risk(RISK / "curves.csv", hazard=RISK / "hazard.csv", inventory=RISK / "costs.csv",
+                                  options=RISK / "options.csv"), "horizon_years"),
+        (fs.check_object, lambda: fs.check_object(1.8, 0.4, place="Wellington", tolerance_g=2), "cushion"),
+    ]  # fmt: skip
+    for function, call, expected in calls:
+        said = hints(call)
+        names = set(inspect.signature(function).parameters)
+        assert re.search(rf"\b{expected}\b", said), said
+        named = set(re.findall(r"\b([a-z_]+)=", said)) | set(re.findall(r"\b[a-z_]+_(?:m|kg|g|years|ratio|deg|n_m)\b", said))
+        assert named <= names, (named - names, said)
+
+
+def test_a_table_is_named_by_its_argument():
+    import pandas
+
+    said = hints(lambda: fs.fragility(pandas.DataFrame({"a": [1]})))
+    assert "/tmp" not in said and ".csv" not in said and "outcomes" in said, said
 
 
 def test_files_that_cannot_be_read(tmp_path):

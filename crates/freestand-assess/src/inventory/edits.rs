@@ -43,7 +43,14 @@ impl Edit {
         let digit = |c: char| c.is_ascii_alphabetic().then(|| u32::from(c.to_ascii_uppercase()) - u32::from('A') + 1);
         let column = column.chars().try_fold(0, |all: u32, c| all.checked_mul(26)?.checked_add(digit(c)?));
         let column = column.filter(|column| (1..=MAX_COLUMNS).contains(column)).ok_or_else(refused)? - 1;
-        let row = row.parse().ok().filter(|row| (1..=MAX_ROWS).contains(row)).ok_or_else(refused)?;
+        // Digits only: `parse` also takes a sign.
+        let row = Some(row).filter(|row| row.bytes().all(|byte| byte.is_ascii_digit()));
+        let row =
+            row.and_then(|row| row.parse().ok()).filter(|row| (1..=MAX_ROWS).contains(row)).ok_or_else(refused)?;
+        if let Some(control) = text.trim().chars().find(|c| c.is_control()) {
+            let message = format!("the text of cell {cell} contains {control:?}");
+            return Err(Problem::value(message, "give one line without tabs"));
+        }
         Ok(Self { row, column, text: text.trim().to_owned() })
     }
 
@@ -75,13 +82,17 @@ impl Sheet {
     /// Replaces the content of cells below the headings.
     ///
     /// # Errors
-    /// A cell of the headings or above them, in a column without a heading, or in an empty row.
+    /// A cell of the headings or above them, in a column without a heading, in an empty row, or twice.
     pub(super) fn edit(&mut self, edits: &[Edit]) -> Result<(), Problem> {
-        for edit in edits {
+        for (at, edit) in edits.iter().enumerate() {
             let refused = |what: &str| {
                 let message = format!("cell {} cannot be changed: {what}", edit.cell());
                 Problem::new(ProblemKind::Value, message).hint("change a cell of an object")
             };
+            if edits.iter().take(at).any(|earlier| (earlier.row, earlier.column) == (edit.row, edit.column)) {
+                let message = format!("cell {} is changed twice", edit.cell());
+                return Err(Problem::value(message, "give one text for each cell"));
+            }
             if edit.row <= self.header.last_row {
                 return Err(refused(&format!("the objects begin below row {}", self.header.last_row)));
             }
@@ -150,6 +161,14 @@ mod tests {
         for (edit, why) in [("D1=depth", "below row 1"), ("F2=1", "no heading"), ("A9=C", "row is empty")] {
             let told = read(&[edit]).unwrap_err();
             assert!(told.contains(why), "{edit}: {told}");
+        }
+        let twice = read(&["D2=40 cm", "d2=50 cm"]).unwrap_err();
+        assert!(twice.contains("cell D2 is changed twice"), "{twice}");
+        // What contains `=` is not another cell, and a cell has one line.
+        for (cell, text) in
+            [("C2=5\nD2", "1"), ("C2\nD2", "1"), ("C2=5", "1"), ("C 2", "1"), ("C+2", "1"), ("C2", "1\n2")]
+        {
+            assert!(Edit::new(cell, text).is_err(), "{cell:?} {text:?}");
         }
         for text in ["D7", "7=1", "D=1", "=1", "D0=1", "ÄÄ1=2", "XFE1=1", "D99999999999=1", "ZZZZZZZZZZZZ1=1"] {
             assert!(Edit::parse(text).is_err(), "{text}");

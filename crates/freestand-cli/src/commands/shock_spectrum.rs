@@ -81,24 +81,39 @@ pub(crate) struct ShockSpectrumArgs {
 
 const SCHEMA: &str = "freestand.shock-spectrum/1";
 
+/// What a pulse counts as in a live request: it is sampled as its stiffest oscillator needs it, which
+/// is seldom more.
+const PULSE_SAMPLES: usize = 1_000_000;
+
+/// What a record counts as at least: many samples are added to a short one.
+const LEAST_SAMPLES: usize = 20_000;
+
 pub(crate) fn run(args: &ShockSpectrumArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let mut values = Values::default();
     let request = request(args, &mut values);
     let pulse = pulse(args, &mut values);
     values.finish()?;
+    let stop = printer.stop();
+    let go_on = || if stop.wanted() { Err(Problem::stopped()) } else { Ok(()) };
+    let check = |samples: usize| match printer.session() {
+        Some(session) => session.check_oscillators(request.frequencies_hz.len(), samples),
+        None => Ok(()),
+    };
     let inputs = args.read.inputs(&args.files);
     let (report, files) = match pulse {
         Some((pulse, unit)) => {
             args.read.refuse_without_record(|_| "leave it out: --pulse reads no file".to_owned())?;
+            check(PULSE_SAMPLES)?;
             (
-                pulse_shock_spectrum(&pulse, unit, &request)?,
+                pulse_shock_spectrum(&pulse, unit, &request, go_on)?,
                 Files::with_tables(global, &[], &args.tables, SCHEMA, None)?,
             )
         }
         None => {
             let motions = args.read.read_shocks(&args.files)?;
+            check(motions.iter().map(|read| read.motion.motion.accel_m_s2().len().max(LEAST_SAMPLES)).sum())?;
             (
-                recorded_shock_spectra(&motions, &request)?,
+                recorded_shock_spectra(&motions, &request, go_on)?,
                 Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?,
             )
         }

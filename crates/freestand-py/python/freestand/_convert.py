@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from ._errors import BadValue, FreestandWarning
+from ._errors import BadValue, FreestandError, FreestandWarning, Problem
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -89,6 +89,8 @@ def study(source: PathLike | Mapping[str, Any] | None) -> Given:
         return {"study_text": toml(source)}
     if isinstance(source, str) and ("\n" in source or "=" in source):
         return {"study_text": source}
+    if not isinstance(source, str | os.PathLike):
+        raise bad(f"study cannot be a {type(source).__name__}", "give a path, TOML text or a dictionary")
     return {"study": os.fspath(source)}
 
 
@@ -157,10 +159,11 @@ def removed_on_failure(folder: Path | None) -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def inventory(source: Any) -> Iterator[str | None]:
+def inventory(source: Any, name: str = "inventory") -> Iterator[str | None]:
     """An inventory as a file: a path as it is; a table of pandas, polars or pyarrow as CSV.
 
-    The headings of a table are those of a file, with units: `height [mm]`.
+    The headings of a table are those of a file, with units: `height [mm]`. `name` is the argument, which
+    messages about a table name.
     """
     if source is None or isinstance(source, str | os.PathLike):
         yield None if source is None else os.fspath(source)
@@ -168,12 +171,22 @@ def inventory(source: Any) -> Iterator[str | None]:
     import tempfile
 
     with tempfile.TemporaryDirectory(prefix="freestand-") as folder:
-        path = os.path.join(folder, "inventory.csv")
-        _write_csv(source, path)
-        yield path
+        path = os.path.join(folder, f"{name}.csv")
+        _write_csv(source, path, name)
+        try:
+            yield path
+        except FreestandError as error:
+            raise type(error)([_named(problem, path, name) for problem in error.problems]) from None
 
 
-def _write_csv(source: Any, path: str) -> None:
+def _named(problem: Problem, path: str, name: str) -> Problem:
+    """A problem with a temporary file as one with the argument that it was made of."""
+    hint = None if problem.hint is None else problem.hint.replace(path, name)
+    own = name if problem.path == path else problem.path
+    return problem._replace(message=problem.message.replace(path, name), path=own, hint=hint)
+
+
+def _write_csv(source: Any, path: str, name: str) -> None:
     if hasattr(source, "to_csv"):  # pandas
         source.to_csv(path, index=False)
     elif hasattr(source, "write_csv"):  # polars
@@ -187,4 +200,4 @@ def _write_csv(source: Any, path: str) -> None:
             writer.writerows(source.to_pylist())
     else:
         kind = type(source).__name__
-        raise bad(f"an inventory cannot be a {kind}", "give a path, or a table of pandas, polars or pyarrow")
+        raise bad(f"{name} cannot be a {kind}", "give a path, or a table of pandas, polars or pyarrow")

@@ -720,15 +720,15 @@ def fragility(
 ) -> FragilityResult:
     """Fragilities of objects: the probabilities of limit states against the intensity of the motion.
 
-    `outcomes` is a path (CSV; `outcomes.csv` of an assessment) or a table of pandas, polars or pyarrow with its
-    headings. `at`: "ground" or "floor", where a spectral acceleration is taken; `fit`: "ordered" (default) or
+    `outcomes` is a path (CSV; docs/risk.md has its columns) or a table of pandas, polars or pyarrow with its headings:
+    one row for each object and motion. `outcomes.csv` of an assessment is another table. `at`: "ground" or "floor", where a spectral acceleration is taken; `fit`: "ordered" (default) or
     "separate"; `tolerance_g` with `ceiling_g`: fit `exceeds` to the shocks; `bootstrap`: samples of motions for the 95 %
     intervals, 0 for none.
     """
     values = given(
         at=at, fit=fit, tolerance_g=tolerance_g, ceiling_g=ceiling_g, bootstrap=bootstrap, seed=seed,
     )  # fmt: skip
-    with as_file(outcomes) as path:
+    with as_file(outcomes, "outcomes") as path:
         text, seen = _freestand.fragility(values | given(outcomes=path), _threads(threads))
     result = FragilityResult(json.loads(text), seen)
     warn(result.warnings)
@@ -773,7 +773,11 @@ def risk(
         bootstrap=bootstrap, seed=seed, budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
         accepted_rate=accepted_rate, years=years,
     )  # fmt: skip
-    with as_file(outcomes) as runs, as_file(inventory) as costs, as_file(options) as bought:
+    with (
+        as_file(outcomes, "outcomes") as runs,
+        as_file(inventory) as costs,
+        as_file(options, "options") as bought,
+    ):
         files = given(outcomes=runs, inventory=costs, options=bought)
         result = RiskResult._of(_freestand.risk(values | files, _threads(threads)))
     warn(result.warnings)

@@ -10,6 +10,7 @@ The files are those of `freestand.assess`, byte for byte: docs/dask.md.
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import json
 import logging
 import os
@@ -31,7 +32,7 @@ except ImportError as error:
 from ._convert import PathLike, bad, warn
 from ._convert import inventory as as_file
 from ._convert import study as study_given
-from ._errors import FreestandError, Interrupted, SolveError, StudyError
+from ._errors import FreestandError, Interrupted, ReadError, SolveError, StudyError
 from ._results import AssessResult, version
 
 if TYPE_CHECKING:
@@ -43,6 +44,9 @@ __all__ = ["assess"]
 SHARDS_PER_THREAD = 4
 #: Objects below which a shard spends a noticeable part of its time on its start.
 OBJECTS_PER_SHARD = 200
+#: Most shards of a plan, and the largest seed: those of the command.
+MAX_SHARDS = 100_000
+MAX_SEED = 2**63 - 1
 #: Failed shards that an error lists.
 LISTED = 20
 #: Seconds between two looks at whether a shard is still wanted.
@@ -77,10 +81,11 @@ def assess(
     """
     target = _folder(out)
     plan = target.with_name(target.name + "-plan")
-    shards = _count("shards", shards, 1)
+    shards = _count("shards", shards, 1, MAX_SHARDS)
     threads = _count("threads", threads, 1) or 1
     retries = _count("retries", retries, 1) or 1
-    seed = _count("seed", seed, 0)
+    seed = _count("seed", seed, 0, MAX_SEED)
+    _check_list(inventory)
     with _client(client) as client:
         with _study_file(study) as study_path, as_file(inventory) as list_path:
             shards = _plan(plan, study_path, list_path, seed, shards, client)
@@ -94,14 +99,22 @@ def assess(
     return result
 
 
-def _count(name: str, value: Any, least: int) -> int | None:
+def _count(name: str, value: Any, least: int, most: int | None = None) -> int | None:
     if value is None:
         return None
     is_whole = hasattr(value, "__index__") and not isinstance(value, bool)
-    if not is_whole or value.__index__() < least:
+    if not is_whole or value.__index__() < least or (most is not None and value.__index__() > most):
         hint = f"give {name} as an int, or leave it out"
-        raise bad(f"{name} must be a whole number, at least {least}, not {value!r}", hint)
+        limits = f"at least {least}" if most is None else f"from {least} to {most}"
+        raise bad(f"{name} must be a whole number, {limits}, not {value!r}", hint)
     return int(value.__index__())
+
+
+def _check_list(inventory: Any) -> None:
+    """A missing file is an error of reading, as in `freestand.assess`, not one of the study."""
+    if isinstance(inventory, str | os.PathLike) and not os.path.exists(inventory):
+        path = os.fspath(inventory)
+        raise ReadError([("there is no such file", path, None, "check the path and its permissions")])
 
 
 def _folder(out: Any) -> Path:
@@ -112,7 +125,27 @@ def _folder(out: Any) -> Path:
     is_used = target.exists() and not (target / "manifest.json").is_file()
     if is_used and (not target.is_dir() or any(target.iterdir())):
         raise bad(f"out: {target} is not an empty folder or one that freestand wrote", "name a new folder")
+    changed = _changed(target)
+    if changed:
+        raise bad(f"out: {changed} was changed after freestand wrote it", "move it away, or name another folder")
     return target
+
+
+def _changed(target: Path) -> Path | None:
+    """A file of an earlier assessment that is not as it was written."""
+    try:
+        listed = json.loads((target / "manifest.json").read_text(encoding="utf-8"))["files_sha256"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+    for name, written in dict(listed).items():
+        path: Path = target / str(name)
+        found = hashlib.sha256()
+        with contextlib.suppress(FileNotFoundError), path.open("rb") as file:
+            for part in iter(lambda: file.read(1 << 20), b""):
+                found.update(part)
+            if found.hexdigest() != written:
+                return path
+    return None
 
 
 @contextlib.contextmanager
@@ -136,11 +169,7 @@ def _client(client: Any) -> Iterator[Any]:
 @contextlib.contextmanager
 def _study_file(study: Any) -> Iterator[str | None]:
     """A study as a file. Paths in a text are relative to the current folder, so its file is written there."""
-    try:
-        source = study_given(study)
-    except TypeError:
-        kind = type(study).__name__
-        raise bad(f"study cannot be a {kind}", "give a path, TOML text or a dictionary") from None
+    source = study_given(study)
     if "study_text" not in source:
         yield source.get("study")
         return

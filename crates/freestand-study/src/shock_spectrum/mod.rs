@@ -128,13 +128,18 @@ pub struct ShockSpectrumReport {
     response: ResponseKind,
 }
 
-/// Computes the spectra of motions.
+/// Frequencies between two questions whether to go on: enough that the samples that are added for
+/// each group cost little beside its oscillators.
+const GROUP: usize = 4096;
+
+/// Computes the spectra of motions. `go_on` is asked between groups of frequencies.
 ///
 /// # Errors
-/// Invalid frequencies or damping, accelerations that overflow.
+/// Invalid frequencies or damping, accelerations that overflow; that of `go_on`.
 pub fn recorded_shock_spectra(
     motions: &[ReadMotion],
     request: &ShockSpectrumRequest,
+    go_on: impl Fn() -> Result<(), Problem>,
 ) -> Result<ShockSpectrumReport, Problem> {
     let options =
         ShockSpectrumOptions { kind: request.kind, damping_ratio: request.damping_ratio, upsample: request.upsample };
@@ -143,8 +148,16 @@ pub fn recorded_shock_spectra(
         let recorded = &read.motion;
         let motion = &recorded.motion;
         let began = Instant::now();
-        let found = shock_spectrum(motion, &request.frequencies_hz, options)
-            .map_err(|error| refused(error).in_file(&recorded.path))?;
+        let mut found = ShockSpectrum { peaks: Vec::new(), samples_per_period: Vec::new() };
+        // The peaks of an oscillator do not depend on the others.
+        for frequencies_hz in request.frequencies_hz.chunks(GROUP) {
+            go_on()?;
+            let part = shock_spectrum(motion, frequencies_hz, options)
+                .map_err(|error| refused(error).in_file(&recorded.path))?;
+            found.peaks.extend(part.peaks);
+            found.samples_per_period.extend(part.samples_per_period);
+        }
+        go_on()?;
         solve_s += began.elapsed().as_secs_f64();
         let mut one = one(recorded.name.clone(), read.unit, &found, request)?;
         one.path = Some(recorded.path.to_string_lossy().into_owned());
@@ -158,7 +171,8 @@ pub fn recorded_shock_spectra(
     Ok(report(request, spectra, solve_s, warnings))
 }
 
-/// Computes the spectrum of a pulse; `unit` is that of accelerations in the result.
+/// Computes the spectrum of a pulse; `unit` is that of accelerations in the result. `go_on` is asked
+/// before it and after it: its steps depend on all frequencies together.
 ///
 /// # Errors
 /// As [`recorded_shock_spectra`].
@@ -166,9 +180,12 @@ pub fn pulse_shock_spectrum(
     pulse: &Pulse,
     unit: &'static str,
     request: &ShockSpectrumRequest,
+    go_on: impl Fn() -> Result<(), Problem>,
 ) -> Result<ShockSpectrumReport, Problem> {
+    go_on()?;
     let began = Instant::now();
     let found = pulse_spectrum(pulse, &request.frequencies_hz, request.kind, request.damping_ratio).map_err(refused)?;
+    go_on()?;
     let solve_s = began.elapsed().as_secs_f64();
     let mut one = one(name_of(SHAPES, pulse.shape()).to_owned(), unit, &found, request)?;
     let (peak_m_s2, duration_s) = (pulse.peak_acceleration_m_s2(), pulse.duration_s());

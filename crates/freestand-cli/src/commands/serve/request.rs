@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
-use freestand_assess::inventory::{ReadOptions, inspect_inventory};
+use freestand_assess::inventory::{Edit, ReadOptions, inspect_inventory};
 use freestand_assess::library::Libraries;
 use freestand_assess::one_object::{Follow, Memory};
 use freestand_input::keys::{KeyStyle, Words};
@@ -281,6 +281,10 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
     }
     if !request.edits.is_empty() {
         option(command, request, "edit")?;
+        // In one text with its value, a wrong name of a cell could pass for another cell.
+        for edit in &request.edits {
+            Edit::new(&edit.cell, &edit.value).map_err(|problem| problem.named("edit"))?;
+        }
         let edits = request.edits.iter().map(|edit| format!("--edit={}={}", edit.cell, edit.value).into());
         arguments.extend(edits);
     }
@@ -450,6 +454,24 @@ mod tests {
         assert!(error.message.starts_with("--height: "), "{}", error.message);
         let error = asked(&request("shock", json!({"depth": 1}))).unwrap_err();
         assert!(error.message.contains("no option --depth"), "{}", error.message);
+    }
+
+    #[test]
+    fn an_edit_changes_the_cell_that_it_names_only() {
+        for (cell, value) in [("C2=5\nD2", "1"), ("C2=5", "1"), ("C2", "5\nD2=1")] {
+            let edits = vec![freestand_page::Edit { cell: cell.to_owned(), value: value.to_owned() }];
+            let error = asked(&Request { edits, ..request("inventory check", json!({})) }).unwrap_err();
+            assert_eq!(error.key.as_deref(), Some("edit"), "{cell:?}: {}", error.message);
+        }
+    }
+
+    /// Nobody waits so long for a live answer, and a job may take its time.
+    #[test]
+    fn a_live_shock_spectrum_has_a_bound() {
+        let pulse = |frequencies: &str| json!({"pulse": "half-sine", "peak-acceleration": "30 g", "duration": "11 ms", "frequencies": frequencies});
+        let error = asked(&request("shock-spectrum", pulse("1 Hz:1e6 Hz:1000000"))).unwrap_err();
+        assert!(error.message.contains("frequencies") && error.status == Status::BadInput, "{}", error.message);
+        assert!(asked(&request("shock-spectrum", pulse("20 Hz, 45 Hz"))).is_ok());
     }
 
     #[test]
