@@ -26,8 +26,8 @@ pub use curves::{ObjectCurves, load_curves};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
 pub use runs::{
-    DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS, Method, Quality,
-    RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+    Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS,
+    Method, Quality, RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
 
 /// How limit states are fitted, by name.

@@ -7,7 +7,7 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive, shorten};
 
 use crate::fragility::table::{Row, Table};
-use crate::fragility::{ObjectCurves, load_curves};
+use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
@@ -204,30 +204,6 @@ pub(crate) enum Effect {
     MedianFactor(f64),
     /// Other curves, such as those of the object that `freestand fragility --options` changed.
     Curves(ObjectCurves),
-}
-
-/// What an option changes of an object; `None`: that stays.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Change {
-    /// Stiffness under one edge \[N/m\].
-    pub stiffness_n_m: Option<f64>,
-    /// Distance between the edges in the direction of the thickness \[m\].
-    pub base_thickness_m: Option<f64>,
-    /// Mass \[kg\].
-    pub mass_kg: Option<f64>,
-}
-
-/// An object as an option changes it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ChangedObject {
-    /// Of the object.
-    pub id: String,
-    /// Of its curves, `ID/option`.
-    pub curve_id: String,
-    /// What changes.
-    pub change: Change,
-    /// Its line in the file of the options.
-    pub line: usize,
 }
 
 /// An option for one object: a pad, a strap, an anchor.

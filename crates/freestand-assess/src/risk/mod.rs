@@ -29,7 +29,7 @@ use objects::ObjectRisk;
 use plan::Measures;
 use portfolio::Portfolio;
 
-pub use costs::{Change, ChangedObject, load_changed};
+pub use costs::load_changed;
 pub(crate) use costs::{CostRow, Costs, load_costs};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
 pub(crate) use hazard::{MeasuredHazard, hazard_of};

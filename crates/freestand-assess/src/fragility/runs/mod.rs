@@ -1,8 +1,10 @@
 //! Fragilities from runs: objects under motions at many scales.
 //!
-//! `shaking` has the motions and their measures, `follow` the runs, `table` their outcomes in the form
-//! that the fit reads, `quality` how well each measure tells what happens, `figures` the figures.
+//! `changed` has objects that options change, `shaking` the motions and their measures, `follow` the
+//! runs, `table` their outcomes in the form that the fit reads, `quality` how well each measure tells
+//! what happens, `figures` the figures.
 
+mod changed;
 mod figures;
 mod follow;
 mod quality;
@@ -34,11 +36,11 @@ use crate::inventory::{Inventory, Item};
 use crate::job::{JobReport, said};
 use crate::library::{Confidence, Tolerance};
 use crate::output::head;
-use crate::risk::{Change, ChangedObject};
 use crate::verdict::Nominal;
 use follow::Followed;
 use shaking::{RatioFactors, Shaking};
 
+pub use changed::{Change, ChangedObject};
 pub use quality::Quality;
 pub use shaking::{DEFAULT_WORLDS, FloorMotion};
 pub use table::file_name;
