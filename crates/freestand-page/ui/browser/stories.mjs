@@ -235,7 +235,7 @@ await story('a list is mended, assessed, filtered and opened', {}, async (page) 
   const again = JSON.parse(execFileSync(program, ['inventory', 'check', copy, '--study', join(folder, 'study.toml'), '--json', '-q']));
   assert.equal(again.objects.find((one) => one.id === 'A-4').height_m, 0.6);
   await page.click('#assess');
-  await page.waitForFunction(() => document.querySelector('#ended')?.textContent.startsWith('4 '), undefined, LONG);
+  await page.waitForFunction(() => document.querySelector('#ended')?.textContent.includes(': 4'), undefined, LONG);
   const decisions = await page.$$eval('#objects tr[data-id]', (all) => all.map((one) => one.dataset.decision));
   assert.equal(decisions.length, 4);
   assert.ok(decisions.every((one) => ['restrain', 'soften', 'no-verdict', 'leave'].includes(one)), `${decisions}`);
@@ -305,7 +305,7 @@ await story('a list by keyboard alone', {}, async (page) => {
   await page.focus('#cells [tabindex="0"], #cells input');
   await tabTo('#assess', 12);
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => document.querySelector('#ended')?.textContent.startsWith('4 '), undefined, LONG);
+  await page.waitForFunction(() => document.querySelector('#ended')?.textContent.includes(': 4'), undefined, LONG);
   await tabTo('#objects tr[data-id] a', 30);
   await page.keyboard.press('Enter');
   await page.waitForSelector('#object-answer[data-state=done]', PATIENT);
@@ -368,7 +368,7 @@ await story('a job is cancelled and taken up again', {}, async (page) => {
   // It may have been faster than the click.
   if (!await page.$('#resume')) return;
   await page.click('#resume');
-  await page.waitForFunction(() => document.querySelector('#ended')?.textContent.startsWith('4 '), undefined, LONG);
+  await page.waitForFunction(() => document.querySelector('#ended')?.textContent.includes(': 4'), undefined, LONG);
   assert.equal((await page.$$('#objects tr[data-id]')).length, 4);
 });
 
@@ -551,7 +551,7 @@ for (const [name, width, height] of [['wide', 1280, 900], ['phone', 390, 844]]) 
       await fits(page);
       await page.keyboard.press('Escape');
       await page.click('#assess');
-      await page.waitForFunction(() => document.querySelector('#ended')?.textContent.startsWith('4 '), undefined, LONG);
+      await page.waitForFunction(() => document.querySelector('#ended')?.textContent.includes(': 4'), undefined, LONG);
       await accessible(page, 'verdicts');
       await fits(page);
       await picture(page, `list-${name}-${colorScheme}`);
