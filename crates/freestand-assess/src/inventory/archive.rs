@@ -13,8 +13,9 @@ use zip::ZipArchive;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
-/// Largest size of all unpacked members together \[bytes\]: about ten million cells.
-const MAX_UNPACKED: u64 = 1 << 30;
+/// Largest size of all unpacked members together \[bytes\]: about ten million cells. A server reads several
+/// workbooks at a time.
+const MAX_UNPACKED: u64 = 512 << 20;
 /// Largest size of a member that does not grow with the rows: styles, relations, the list of sheets
 /// \[bytes\].
 const MAX_SMALL: u64 = 16 << 20;
@@ -80,7 +81,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
             total += count as u64;
             let is_bomb = total > RATIO_FROM && total / MAX_RATIO > bytes.len() as u64;
             if total > MAX_UNPACKED || is_bomb || is_small && size > MAX_SMALL {
-                let message = format!("unpacks to more than {} MB, too large for an inventory", total >> 20);
+                let message = format!("unpacks to more than {} MiB, too large for an inventory", total >> 20);
                 return Err(wrong(message, "copy the rows into a new workbook, or save them as CSV"));
             }
             if let Some(tags) = &mut tags {

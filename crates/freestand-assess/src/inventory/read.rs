@@ -131,7 +131,7 @@ pub struct Reading {
 ///
 /// # Errors
 /// A file that is not a list: no headings, no rows, damaged, or larger than 512 MB, 1,048,576 rows,
-/// 16,384 columns, 25 million cells, or that unpacks to more than 1 GiB.
+/// 16,384 columns, 25 million cells, or that unpacks to more than 512 MiB.
 ///
 /// # Example
 /// ```

@@ -110,6 +110,26 @@ fn a_cell_of_ten_megabytes() {
     assert!(said[0].contains("row 2 has 10 MB"), "{said:?}");
 }
 
+/// Text of this many bytes that deflate packs some 80 times, like a real sheet and unlike blanks: words,
+/// which cost some bytes each, between blanks.
+fn varied(bytes: usize) -> Vec<u8> {
+    let word = |n: u64| format!("{:<1500}", n.wrapping_mul(0x9E37_79B9_7F4A_7C15)).into_bytes();
+    (0..).flat_map(word).take(bytes).collect()
+}
+
+/// A workbook of many sheets that are copies of one, compressed once.
+fn archive_of_copies(sheet: &[u8], copies: usize) -> Vec<u8> {
+    let whole = parts(&[("Objects", "", &self::sheet(&row(1, &HEADINGS), ""))]);
+    let one = archive_of(&[("sheet.xml".to_owned(), sheet.to_vec())]);
+    let mut archive = ZipWriter::new_append(Cursor::new(archive_of(&whole))).unwrap();
+    for copy in 0..copies {
+        let mut one = zip::ZipArchive::new(Cursor::new(&one)).unwrap();
+        let file = one.by_index_raw(0).unwrap();
+        archive.raw_copy_file_rename(file, format!("xl/worksheets/sheet{}.xml", copy + 2)).unwrap();
+    }
+    archive.finish().unwrap().into_inner()
+}
+
 #[test]
 fn archives_that_unpack_to_too_much_or_lie() {
     let parts_with = |name: &str, bytes: Vec<u8>| {
@@ -122,9 +142,12 @@ fn archives_that_unpack_to_too_much_or_lie() {
     let bomb = parts_with("xl/worksheets/sheet2.xml", vec![b' '; 300 << 20]);
     assert!(bomb.len() < 1 << 20);
     let said = problems(&bomb);
-    assert!(said[0].contains("unpacks to more than 64 MB"), "{said:?}");
+    assert!(said[0].contains("unpacks to more than 64 MiB"), "{said:?}");
     let styles = parts_with("xl/styles.xml", vec![b' '; 17 << 20]);
     assert!(problems(styles)[0].contains("unpacks to more than 1"));
+    // Sheets of 8 MiB that no ratio gives away, compressed once: together a little more than the limit.
+    let said = problems(archive_of_copies(&varied(8 << 20), 65));
+    assert!(said[0].contains("unpacks to more than 512 MiB"), "{said:?}");
     // The reader would allocate 24 bytes for each declared text.
     let liar = format!("<sst xmlns=\"{MAIN}\" uniqueCount=\"99999999999\"><si><t>a</t></si></sst>");
     assert!(problems(parts_with("xl/sharedStrings.xml", liar.into_bytes()))[0].contains("declares 99999999999 texts"));
