@@ -20,14 +20,25 @@ const MAX_HISTORIES: usize = 1_000_000;
 /// the records.
 const MAX_OSCILLATOR_SAMPLES: usize = 1_000_000_000;
 
+/// Where the rows of a document are wanted.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum RowsWanted {
+    /// In the document, one object a row.
+    #[default]
+    InDocument,
+    /// In the document, one array for each column, where the command can write them so.
+    InColumns,
+    /// Not in the document, where the command tells them while it works.
+    Told,
+}
+
 /// Who asked for a command.
 pub(crate) struct Session {
     pub(crate) stop: Stop,
     /// Whose history is wanted beside the document.
     follow: Option<Follow>,
     memory: Arc<Memory>,
-    /// Whether rows are wanted as one array for each column.
-    wants_columns: bool,
+    rows: RowsWanted,
     /// Whether somebody waits for the answer.
     is_live: bool,
     tell: Box<dyn Fn(Told) + Send + Sync>,
@@ -72,17 +83,22 @@ impl Session {
         memory: Arc<Memory>,
         tell: Box<dyn Fn(Told) + Send + Sync>,
     ) -> Self {
-        Self { stop, follow, memory, wants_columns: false, is_live, tell, kept: Mutex::default() }
+        Self { stop, follow, memory, rows: RowsWanted::default(), is_live, tell, kept: Mutex::default() }
     }
 
-    /// With rows as one array for each column, where the command can write them so.
-    pub(crate) fn in_columns(self, wants_columns: bool) -> Self {
-        Self { wants_columns, ..self }
+    /// With rows where they are wanted.
+    pub(crate) fn with_rows(self, rows: RowsWanted) -> Self {
+        Self { rows, ..self }
     }
 
     /// Whether rows are wanted as one array for each column.
     pub(crate) fn wants_columns(&self) -> bool {
-        self.wants_columns
+        self.rows == RowsWanted::InColumns
+    }
+
+    /// Whether rows that were told are wanted in the document too.
+    pub(crate) fn wants_told_rows(&self) -> bool {
+        self.rows != RowsWanted::Told
     }
 
     /// The rows of the document are columns.

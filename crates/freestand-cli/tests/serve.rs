@@ -304,19 +304,21 @@ fn an_assessment_is_that_of_the_command_line() {
         "study.toml",
         "[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n[worlds]\nfirst = 2\nmost = 2\nshares = false\n",
     );
-    let request =
+    let mut request =
         json!({"command": "assess", "files": {"study": page.upload(&study), "inventory": [page.upload(&list)]}});
-    let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
-    assert_eq!(status, 202, "{job}");
-    let stream = page.get(&format!("/api/v1/jobs/{}/events", job["id"].as_str().unwrap()));
-    let stream = unchunked(&stream);
-    let data = |name: &str| -> Vec<Value> {
+    let follow = |request: &Value| {
+        let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+        assert_eq!(status, 202, "{job}");
+        unchunked(&page.get(&format!("/api/v1/jobs/{}/events", job["id"].as_str().unwrap())))
+    };
+    let data = |stream: &str, name: &str| -> Vec<Value> {
         let blocks = stream.split("\n\n").filter(|block| block.contains(&format!("event: {name}\n")));
         let data = blocks.filter_map(|block| block.lines().find_map(|line| line.strip_prefix("data: ")));
         data.map(|text| serde_json::from_str(text).unwrap()).collect()
     };
-    let done = data("done")[0]["result"].clone();
-    let problems: Vec<Value> = data("problem").iter().map(|problem| problem["cells"][0].clone()).collect();
+    let stream = follow(&request);
+    let done = data(&stream, "done")[0]["result"].clone();
+    let problems: Vec<Value> = data(&stream, "problem").iter().map(|problem| problem["cells"][0].clone()).collect();
     assert_eq!(problems, ["E2"]);
     let out = folder.path().join("out");
     let mut line = Command::new(PROGRAM);
@@ -324,7 +326,7 @@ fn an_assessment_is_that_of_the_command_line() {
     let printed = line.output().unwrap();
     assert_eq!(comparable(done.clone()), comparable(serde_json::from_slice(&printed.stdout).unwrap()));
     // Each came once, as it is in the table but for its rank, which counts those before it.
-    let (told, rows) = (data("object"), done["rows"].as_array().unwrap());
+    let (told, rows) = (data(&stream, "object"), done["rows"].as_array().unwrap());
     assert_eq!(told.len(), 40);
     let mut ranked: Vec<Value> = Vec::new();
     for row in told {
@@ -336,6 +338,13 @@ fn an_assessment_is_that_of_the_command_line() {
         let last = rows.iter().find(|last| last["id"] == row["id"]).unwrap();
         assert_eq!(row, last);
     }
+    // Who has read them as events needs them not again.
+    request["shape"] = json!("events");
+    let stream = follow(&request);
+    let mut short = data(&stream, "done")[0]["result"].clone();
+    assert!(short["rows"].is_null() && data(&stream, "object").len() == 40, "{short}");
+    short["rows"] = done["rows"].clone();
+    assert_eq!(comparable(short), comparable(done));
 }
 
 fn unchunked(response: &[u8]) -> String {

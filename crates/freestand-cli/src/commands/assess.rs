@@ -15,6 +15,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::one_line;
 use freestand_input::words::counted;
 use freestand_output::folder::removed_note;
+use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::{Progress, Step};
@@ -278,8 +279,12 @@ pub(crate) fn print(report: &JobReport, out: &Path, inventory: &Inventory, print
 const PIECE_BYTES: usize = 1 << 16;
 
 /// The document: a row for each object, as they are in objects.csv, and the summary. Rows are
-/// printed one by one, because a million of them do not fit into memory.
+/// printed one by one, because a million of them do not fit into memory; a program to which each row was
+/// told when it was finished may do without them.
 fn print_json(report: &JobReport, out: &Path, inventory: &Inventory, printer: &Printer) -> Result<(), Failure> {
+    if printer.session().is_some_and(|session| !session.wants_told_rows()) {
+        return printer.print(&document(SCHEMA, report, &report.all_warnings())?);
+    }
     let mut pending = rows_head(SCHEMA)?;
     let mut separator = "\n    ";
     object_rows(out, inventory, |row| {

@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use freestand::measures::cumulative_trapezoid;
 use freestand::motion::Motion;
 use freestand_records::formats::{write_at2, write_csv};
 use freestand_study::study::RecordedMotion;
 use serde::Serialize;
+use serde_json::json;
 
 use crate::args::GlobalArgs;
 use crate::commands::Done;
@@ -64,6 +66,21 @@ pub(super) struct Converted {
     text: Option<String>,
 }
 
+/// The velocity and the displacement of a motion, for a program that draws it.
+#[derive(Debug, Serialize)]
+struct Traces {
+    velocity_m_s: Vec<f64>,
+    displacement_m: Vec<f64>,
+}
+
+impl Traces {
+    /// By the trapezoid rule, as the peaks of `motion info`.
+    fn new(motion: &Motion) -> Self {
+        let velocity_m_s = cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
+        Self { displacement_m: cumulative_trapezoid(motion.dt_s(), &velocity_m_s), velocity_m_s }
+    }
+}
+
 pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let read = args.read.read_all(&args.files)?;
     if global.out.is_none() && !global.json && read.len() > 1 {
@@ -76,6 +93,10 @@ pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) ->
         warnings.extend(notes.map(|note| format!("{}: {note}", one.motion.name)));
         let RecordedMotion { name, path, motion, processing, scale_ratio, .. } = &one.motion;
         motions.push(args.to.write(&files, (path, name), motion, processing, *scale_ratio)?);
+    }
+    if let Some(session) = printer.session().filter(|session| session.wants_history()) {
+        let traces: Vec<Traces> = read.iter().map(|one| Traces::new(&one.motion.motion)).collect();
+        session.beside(&json!({ "traces": traces }));
     }
     let report = ConvertReport { motions };
     const SCHEMA: &str = "freestand.motion-convert/1";

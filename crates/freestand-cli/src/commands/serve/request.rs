@@ -22,7 +22,7 @@ use serde_json::{Map, Value, json};
 use crate::commands::Cli;
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
-use crate::session::{Kept, Session, Told};
+use crate::session::{Kept, RowsWanted, Session, Told};
 use crate::stop::Stop;
 use crate::values::finished;
 
@@ -181,7 +181,12 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
             Arc::clone(&MEMORY),
             Box::new(tell),
         );
-        let session = Arc::new(session.in_columns(request.shape == Shape::Columns));
+        let rows = match request.shape {
+            Shape::Rows => RowsWanted::InDocument,
+            Shape::Columns => RowsWanted::InColumns,
+            Shape::Events => RowsWanted::Told,
+        };
+        let session = Arc::new(session.with_rows(rows));
         let done = cli.command.run(&cli.global, &Printer::keeping(Arc::clone(&session)));
         let kept = session.take();
         match done {

@@ -1,5 +1,7 @@
 /** What the page asks the program. The token is in the address behind the #, which no server sees. */
 
+import { t } from './words';
+
 export interface Failure { kind: string; key: string | null; file: string | null; line: number | null; message: string; hint: string; others?: Failure[] }
 
 export class Refused extends Error {
@@ -15,7 +17,7 @@ export interface Ask {
   options: Record<string, Option>;
   files?: Record<string, string[]>;
   history?: boolean | { motion: string };
-  shape?: 'columns';
+  shape?: 'columns' | 'events';
   slot?: string;
   continues?: string;
 }
@@ -34,10 +36,15 @@ export function takeToken(): string | null {
   return sessionStorage.getItem(KEPT);
 }
 
+/** The secret of this run of the program. */
+export const token = () => sessionStorage.getItem(KEPT) ?? '';
+
 async function answered(path: string, init: RequestInit = {}): Promise<Response> {
   const headers = new Headers(init.headers);
-  headers.set('Authorization', `Bearer ${sessionStorage.getItem(KEPT) ?? ''}`);
-  const response = await fetch(`/api/v1/${path}`, { ...init, headers });
+  headers.set('Authorization', `Bearer ${token()}`);
+  const response = await fetch(`/api/v1/${path}`, { ...init, headers }).catch(() => {
+    throw new Refused(0, { kind: 'io', key: null, file: null, line: null, message: t('lost'), hint: t('lost.hint') });
+  });
   if (response.ok) return response;
   const told = (await response.json().catch(() => null)) as { error?: Failure } | null;
   const nothing = { kind: 'defect', key: null, file: null, line: null, message: `status ${response.status}`, hint: '' };
@@ -75,10 +82,12 @@ export async function file(id: string, name: string): Promise<Blob> {
   return (await answered(`jobs/${id}/files/${name}`)).blob();
 }
 
+const MAX_TRIES = 5;
+
 /** The events of a job, taken up again where a connection breaks off. */
 export async function follow(id: string, each: (name: string, data: never) => void): Promise<void> {
   let last = 0;
-  for (let tries = 0; tries < 5; tries += 1) {
+  for (let tries = 0; tries < MAX_TRIES; tries += 1) {
     try {
       const response = await answered(`jobs/${id}/events`, { headers: { 'Last-Event-ID': String(last) } });
       const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
@@ -99,7 +108,8 @@ export async function follow(id: string, each: (name: string, data: never) => vo
         }
       }
     } catch (error) {
-      if (error instanceof Refused) throw error;
+      // A connection that breaks off is tried again.
+      if (error instanceof Refused && (error.status !== 0 || tries === MAX_TRIES - 1)) throw error;
     }
     await new Promise((resolve) => setTimeout(resolve, 300));
   }

@@ -57,8 +57,11 @@ export interface Measures {
 
 export interface InfoDocument { motions: Measures[]; failed: RefusedFile[]; warnings: string[] }
 
-/** `freestand motion convert --to csv`. */
-export interface ConvertDocument { motions: { text: string; processing: string[] }[] }
+/** `freestand motion convert --to csv`, with what is drawn besides the acceleration. */
+export interface ConvertDocument {
+  motions: { text: string; processing: string[] }[];
+  traces: { velocity_m_s: number[]; displacement_m: number[] }[];
+}
 
 /** `freestand motion spectrum`. */
 export interface ResponseDocument { periods_s: number[]; sa_g: number[] }

@@ -1,6 +1,8 @@
 /** A list of objects as the program read it, and the verdicts on them. */
 
 import { commandLine, type Ask } from './api';
+import { pythonLine } from './python';
+import { t } from './words';
 
 export interface Problem { severity: string; kind: string; heading: string | null; count: number; cells: string[]; message: string; hint: string }
 export interface Column { column: string; heading: string; name: string; unit: string | null }
@@ -31,6 +33,17 @@ export function typed(ask: Ask, names: Record<string, string>, edits: Edit[] = [
   const files = Object.fromEntries(Object.entries(ask.files ?? {}).filter(([flag]) => flag !== 'beside'));
   const quoted = ({ cell, value }: Edit) => ` --edit "${`${cell}=${value}`.replace(/(["\\$`])/g, '\\$1')}"`;
   return commandLine({ ...ask, files }, names) + edits.map(quoted).join('');
+}
+
+/** The name of the copy of a list that has its corrected cells. */
+export const CHECKED = 'checked.xlsx';
+
+/** The same in Python, which reads a corrected list from the copy that has the corrections. */
+export function typedInPython(ask: Ask, names: Record<string, string>, edits: Edit[] = []): string | null {
+  if (edits.length === 0) return pythonLine(ask, names);
+  const list = ask.files?.['inventory']?.[0] ?? '';
+  const lines = pythonLine(ask, { ...names, [list]: CHECKED });
+  return lines && `# ${t('python.checked', { name: CHECKED })}\n${lines}`;
 }
 
 /** A cell by its name: D7 is row 7, column D. */

@@ -73,14 +73,14 @@ function tolerance(value: Option | undefined): Record<string, Value | undefined>
 const stiffness = (value: Option | undefined) => read(value, stiffnessNM);
 const mass = (value: Option | undefined) => read(value, massKg);
 
-function ofObject(o: Ask['options'], motions: string[]): string {
+function ofObject(o: Ask['options'], motions: string[], study: string | undefined): string {
   const on = text(o['on']);
   const isEntry = on !== undefined && /^[a-z]/i.test(on);
   const floor = o['floor'] === undefined ? undefined : /^\d+$/.test(String(o['floor'])) ? Number(o['floor']) : String(o['floor']);
   return `${call('fs.check_object', [written(metres(o['height'])!), written(metres(o['thickness'])!)], {
     width_m: metres(o['width']), cg_height_m: metres(o['cg-height']), mass_kg: mass(o['mass']),
     stiffness_n_m: isEntry ? undefined : stiffness(on), cushion: isEntry ? on : undefined, ...tolerance(o['tolerance']),
-    place: text(o['place']), site: text(o['site']), floor, storeys: number(o['storeys']), friction: friction(o['friction']),
+    study, place: text(o['place']), site: text(o['site']), floor, storeys: number(o['storeys']), friction: friction(o['friction']),
     wall_gap_m: metres(o['wall-gap']), neighbour_gap_m: metres(o['neighbour-gap']), wall_height_m: metres(o['wall-height']),
     wall_stiffness_n_m: stiffness(o['wall-stiffness']), wall_restitution: number(o['wall-restitution']), casters: text(o['casters']),
     rolling_resistance: number(o['rolling-resistance']), clearance_m: metres(o['clearance']),
@@ -124,7 +124,7 @@ export function pythonLine(ask: Ask, names: Record<string, string> = {}): string
   const o = ask.options;
   const line = () => {
     switch (ask.command) {
-      case 'object': return ofObject(o, files('motion'));
+      case 'object': return ofObject(o, files('motion'), files('study')[0]);
       case 'spectrum': return ofSpectrum(o, files('motion'));
       case 'motion spectrum': return ofRecord(o, files('file')[0] ?? '');
       case 'cushion drop': return call('fs.drop_test', [written(files('file'))], { mass_kg: mass(o['mass']), height_m: metres(o['height']), impact_velocity_m_s: speed(o['impact-velocity']) });

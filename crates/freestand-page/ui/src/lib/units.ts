@@ -76,7 +76,11 @@ export function massShown(kg: number, units: Units): string {
   return units === 'si' ? `${Number(kg.toPrecision(3))} kg` : `${Math.round(kg / POUND_KG)} lb`;
 }
 
+/** A velocity or a displacement in m/s or m, as a number of its unit. */
+export const inLength = (metres: number, units: Units) => (units === 'si' ? metres : metres / INCH_M);
+
 /** Accelerations stay in g. */
 export function gShown(g: number, digits = 2): string {
-  return `${g >= 10 ** digits ? g.toFixed(0) : Number(g.toPrecision(digits))} g`;
+  if (g < 0.001) return g > 0 ? '< 0.001 g' : '0 g';
+  return `${g >= 10 ** digits ? g.toFixed(0) : g.toPrecision(digits)} g`;
 }
