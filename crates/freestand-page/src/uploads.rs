@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 use http_body_util::{BodyDataStream, BodyExt};
 use hyper::Request;
@@ -13,6 +14,7 @@ use multer::{Constraints, Multipart, SizeLimit};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use tempfile::TempDir;
+use tokio::time::timeout;
 
 use crate::assets::hex;
 use crate::reply::{Refusal, Status};
@@ -23,6 +25,9 @@ pub(crate) const MAX_FILE_BYTES: u64 = 64 << 20;
 
 /// All files together: 256 MiB.
 pub(crate) const MAX_TOTAL_BYTES: u64 = 256 << 20;
+
+/// How long the next piece of an upload may take to arrive: a slow line is no hanging client.
+const PIECE_TIME: Duration = Duration::from_secs(10);
 
 /// The files; each is in a folder of its own, under the name that the user gave it.
 pub(crate) struct Uploads {
@@ -113,11 +118,11 @@ impl Uploads {
         let stream = BodyDataStream::new(request.into_body().map_err(std::io::Error::other));
         let mut form = Multipart::with_constraints(stream, boundary, Constraints::new().size_limit(limits));
         let mut uploaded = Vec::new();
-        while let Some(mut field) = form.next_field().await.map_err(|error| refused(&error))? {
+        while let Some(mut field) = arrived(form.next_field()).await? {
             let Some(name) = field.file_name().map(clean) else { continue };
             let mut staged = tempfile::NamedTempFile::new_in(self.folder.path()).map_err(|error| unwritten(&error))?;
             let (mut sha, mut bytes) = (Sha256::new(), 0u64);
-            while let Some(chunk) = field.chunk().await.map_err(|error| refused(&error))? {
+            while let Some(chunk) = arrived(field.chunk()).await? {
                 sha.update(&chunk);
                 bytes += chunk.len() as u64;
                 staged.write_all(&chunk).map_err(|error| unwritten(&error))?;
@@ -188,6 +193,15 @@ fn refused(error: &multer::Error) -> Refusal {
             "send the files as multipart/form-data",
         ),
     }
+}
+
+/// A piece of a form, unless it takes too long.
+async fn arrived<T>(piece: impl Future<Output = Result<T, multer::Error>>) -> Result<T, Refusal> {
+    let late = || {
+        let message = format!("nothing of the form arrived for {} s", PIECE_TIME.as_secs());
+        Refusal::new(Status::BadInput, "value", message, "upload the files again")
+    };
+    timeout(PIECE_TIME, piece).await.map_err(|_| late())?.map_err(|error| refused(&error))
 }
 
 fn unwritten(error: &std::io::Error) -> Refusal {

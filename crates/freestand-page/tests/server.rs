@@ -386,12 +386,19 @@ fn clients_that_hang_are_cut_off() {
     let hanging: Vec<TcpStream> = (0..40).map(|_| site.send(head.as_bytes())).collect();
     let body = format!("{head}{}\r\nContent-Type: application/json\r\nContent-Length: 99\r\n\r\n{{", site.bearer());
     let in_body: Vec<TcpStream> = (0..40).map(|_| site.send(body.as_bytes())).collect();
+    let form = format!(
+        "POST /api/v1/files HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{}\r\nContent-Type: multipart/form-data; boundary=XX\r\n\
+         Content-Length: 999\r\n\r\n--XX\r\nContent-Disposition: form-data; name=\"f\"; filename=\"a.csv\"\r\n\r\nx",
+        site.port,
+        site.bearer()
+    );
+    let in_upload: Vec<TcpStream> = (0..10).map(|_| site.send(form.as_bytes())).collect();
     let asked = Instant::now();
     assert_eq!(site.get("/api/v1/facts").status, 200);
     // At once: nothing is waited for. The time is for a machine that is busy with other things.
     assert!(asked.elapsed() < Duration::from_secs(3));
-    // A head has 10 s; reads here give up after 20 s.
-    for mut stream in hanging {
+    // A head has 10 s, and so has a piece of an upload; reads here give up after 20 s.
+    for mut stream in hanging.into_iter().chain(in_upload) {
         let mut rest = Vec::new();
         assert!(stream.read_to_end(&mut rest).is_ok(), "it is still open");
     }

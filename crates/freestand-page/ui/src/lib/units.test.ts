@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { lengthM, lengthShown, lengthText, massKg, massShown, stiffnessNM, stiffnessShown } from './units';
+import { gShown, lengthM, lengthShown, lengthText, massKg, massShown, percent, stiffnessNM, stiffnessShown } from './units';
 
 describe('lengths', () => {
   it('are read as the program reads them', () => {
@@ -37,5 +37,13 @@ describe('masses and stiffnesses', () => {
     // One pound-force is 4.4482216152605 N, one inch 25.4 mm.
     expect(stiffnessNM('1 lb/in')).toBeCloseTo(4.4482216152605 / 0.0254, 9);
     expect([stiffnessShown(4.38e6, 'si'), stiffnessShown(4.38e6, 'us')]).toEqual(['4380 N/mm', '25000 lb/in']);
+  });
+});
+
+describe('shares and accelerations', () => {
+  it('have the digits of the program', () => {
+    // 12.5 and 13.5 % are halves: the program writes 12 % and 14 %.
+    expect([0, 0.125, 0.135, 0.35, 1, 0.0013, 0.5875, 0.095].map(percent)).toEqual(['0', '12', '14', '35', '100', '0.13', '59', '9.5']);
+    expect([0, 0.0001, 0.1, 3, 12.34, 321].map((g) => gShown(g))).toEqual(['0 g', '< 0.001 g', '0.10 g', '3.0 g', '12 g', '321 g']);
   });
 });

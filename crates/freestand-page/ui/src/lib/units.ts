@@ -79,6 +79,15 @@ export function massShown(kg: number, units: Units): string {
 /** A velocity or a displacement in m/s or m, as a number of its unit. */
 export const inLength = (metres: number, units: Units) => (units === 'si' ? metres : metres / INCH_M);
 
+/** A share in percent with two significant digits, as the program writes it: a half goes to the even digit. */
+export function percent(share: number): string {
+  const value = 100 * share;
+  const factor = 10 ** Math.max(0, 1 - Math.floor(Math.log10(value || 1)));
+  const rounded = Math.round(value * factor);
+  const even = value * factor === rounded - 0.5 && rounded % 2 === 1 ? rounded - 1 : rounded;
+  return String(Number((even / factor).toPrecision(2)));
+}
+
 /** Accelerations stay in g. */
 export function gShown(g: number, digits = 2): string {
   if (g < 0.001) return g > 0 ? '< 0.001 g' : '0 g';

@@ -1,7 +1,14 @@
 import { expect, it } from 'vitest';
-import { ordinal, t } from './words';
+import { ordinal, sentence, t } from './words';
 
 it('fills names in, and counts in English', () => {
   expect(t('spectra.of', { count: 4, all: 10 })).toBe('4 of 10');
   expect([5, 11, 21, 42, 53, 84].map(ordinal)).toEqual(['5th', '11th', '21st', '42nd', '53rd', '84th']);
+});
+
+it('makes sentences of remarks', () => {
+  expect(sentence('write a unit')).toBe('Write a unit.');
+  expect(sentence('--height: is missing')).toBe('--height: is missing.');
+  expect(sentence('Is it there?')).toBe('Is it there?');
+  expect(sentence('')).toBe('');
 });

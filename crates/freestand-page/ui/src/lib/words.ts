@@ -14,3 +14,10 @@ export function ordinal(n: number): string {
   const rule = ORDINALS.select(n);
   return t(rule === 'one' || rule === 'two' || rule === 'few' ? `ordinal.${rule}` : 'ordinal.other', { n });
 }
+
+/** A remark of the program as a sentence: with a capital and a full stop. */
+export function sentence(text: string): string {
+  if (!text) return '';
+  const first = /^[a-z]+[ ,]/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
+  return /[.!?…]$/.test(first) ? first : `${first}.`;
+}

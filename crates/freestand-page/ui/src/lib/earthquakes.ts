@@ -1,0 +1,30 @@
+/** The earthquakes of an answer in words. */
+import type { Earthquake, ObjectDocument } from './documents';
+import { end, type History } from './history';
+import { gShown, lengthShown, type Units } from './units';
+import { t } from './words';
+
+/** Whether the object ends on the floor or at a wall. */
+export const hasFallen = (one: Earthquake) => one.outcome === 'overturned' || one.outcome === 'leaned';
+
+/** What one of them does to the object, for its button. */
+export function effect(one: Earthquake, units: Units): string {
+  if (one.outcome === 'overturned') return t('motion.falls');
+  if (one.outcome === 'leaned') return t('motion.leaned');
+  if (one.outcome === 'no-uplift') return t('motion.still');
+  return one.landing_acceleration_g === null ? lengthShown(one.uplift_m ?? 0, units) : gShown(one.landing_acceleration_g);
+}
+
+/** The place of an earthquake in the list of an answer; −1 where it is not in it. */
+export const placeOf = (answer: ObjectDocument, name: string) => answer.earthquakes.findIndex((one) => one.name === name);
+
+/** The title of the animation of one of them. */
+export function titleOf(answer: ObjectDocument, name: string, history: History, units: Units): string {
+  const at = placeOf(answer, name);
+  const values = {
+    number: at + 1, all: answer.earthquakes.length, time: end(history).toFixed(1), lift: lengthShown(answer.earthquakes[at]?.uplift_m ?? 0, units),
+  };
+  if (history.outcome === 'no-uplift') return t('stage.rest', values);
+  if (history.outcome === 'leaned') return t('stage.leans', values);
+  return t(history.outcome === 'rocked' ? 'stage.stays' : 'stage.falls', values);
+}
