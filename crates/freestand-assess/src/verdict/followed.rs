@@ -56,8 +56,9 @@ pub struct ShownEarthquake {
     pub landing_acceleration_g: Option<f64>,
 }
 
-/// What is shown of a trial, by the model that decides whether it falls.
-pub(super) fn shown(context: &Context, trial: &Trial, follow: &Follow) -> Result<Shown, Problems> {
+/// What is shown of a trial, by the model that decides whether it falls. `None`: nothing rocks in a plane,
+/// and no earthquake was named: there is an answer, but nothing to draw.
+pub(super) fn shown(context: &Context, trial: &Trial, follow: &Follow) -> Result<Option<Shown>, Problems> {
     let model = deciding(context, trial);
     let strength = |(world, lived): (usize, &Lived)| {
         let found = in_world(lived, model)?;
@@ -79,13 +80,24 @@ pub(super) fn shown(context: &Context, trial: &Trial, follow: &Follow) -> Result
         Follow::Telling => chosen.iter().find(|one| one.0.is_infinite()).or(chosen.last()).copied(),
         Follow::Named(name) => all.iter().find(|one| is_named(&context.worlds.name(one.1), name)),
     };
+    if all.is_empty() && *follow == Follow::Telling {
+        return Ok(None);
+    }
     let Some(&(_, world, found)) = followed else {
         let names: Vec<String> = chosen.iter().map(|one| context.worlds.name(one.1)).collect();
         let hint = format!("choose one of them, such as {}", names.join(", "));
         return Err(Problem::value("there is no earthquake of this name", hint).into());
     };
-    let history = history(context, trial, model, world, found.axis)?;
-    Ok(Shown { earthquakes: earthquakes.collect(), followed: context.worlds.name(world), history })
+    match (history(context, trial, model, world, found.axis)?, follow) {
+        (Some(history), _) => {
+            Ok(Some(Shown { earthquakes: earthquakes.collect(), followed: context.worlds.name(world), history }))
+        }
+        (None, Follow::Telling) => Ok(None),
+        (None, Follow::Named(_)) => {
+            let hint = "objects that roll or slide, stacks and objects in three dimensions have no history to draw";
+            Err(Problem::value("nothing rocks here in a plane", hint).into())
+        }
+    }
 }
 
 /// A motion that worlds use in turn is named with its world; it may be asked for without.
@@ -139,18 +151,20 @@ fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
     }
 }
 
-/// The object in a world, with the values that were drawn there.
-fn history(context: &Context, trial: &Trial, model: Model, world: u32, axis: usize) -> Result<DrawnHistory, Problems> {
-    let nothing = || {
-        let hint = "objects that roll or slide, stacks and objects in three dimensions have no history to draw";
-        Problem::value("nothing rocks here in a plane", hint)
+/// The object in a world, with the values that were drawn there; `None`: it does not rock in a plane.
+fn history(
+    context: &Context,
+    trial: &Trial,
+    model: Model,
+    world: u32,
+    axis: usize,
+) -> Result<Option<DrawnHistory>, Problems> {
+    let subject = &trial.subject;
+    let Some(lived) = trial.lived.get(world as usize).filter(|_| subject.way.rocks() && !subject.way.is_slow()) else {
+        return Ok(None);
     };
-    let lived = trial.lived.get(world as usize).ok_or_else(nothing)?;
-    let (draw, subject) = (&lived.draw, &trial.subject);
-    if !subject.way.rocks() || subject.way.is_slow() {
-        return Err(nothing().into());
-    }
-    let (block, restitution): (_, Restitution) = draw.block(subject, axis).ok_or_else(nothing)?;
+    let draw = &lived.draw;
+    let Some((block, restitution)): Option<(_, Restitution)> = draw.block(subject, axis) else { return Ok(None) };
     let floor = context.worlds.floor(world, subject.level_ratio)?;
     let base = floor.base(draw.is_along_x(axis));
     if let (Model::Pads, Some((mass_kg, cushion))) = (lived.answering(model), draw.damped_body(subject)) {
@@ -158,7 +172,7 @@ fn history(context: &Context, trial: &Trial, model: Model, world: u32, axis: usi
         let on_pads = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion) };
         let end_s = base.horizontal.map_or(0.0, Motion::duration_s) + TAIL_S;
         let options = CompliantOptions { duration_s: Some(end_s), ..CompliantOptions::default() };
-        return Ok(drawn_on_pads(&block, &on_pads, base, &options)?);
+        return Ok(Some(drawn_on_pads(&block, &on_pads, base, &options)?));
     }
     let request = RockRequest {
         block,
@@ -172,5 +186,5 @@ fn history(context: &Context, trial: &Trial, model: Model, world: u32, axis: usi
         friction: None,
     };
     let report = rock(&request, true)?;
-    Ok(drawn(&report, base.horizontal))
+    Ok(Some(drawn(&report, base.horizontal)))
 }

@@ -153,7 +153,7 @@ pub(crate) fn assess_one(
     let nothing = || Problem::new(ProblemKind::Computation, "the object was not assessed");
     let trial = trials.first().ok_or_else(nothing)?;
     let tally = tally::tally(context, trial);
-    let shown = follow.map(|follow| followed::shown(context, trial, follow)).transpose()?;
+    let shown = follow.map(|follow| followed::shown(context, trial, follow)).transpose()?.flatten();
     Ok((assessed(context, &trials)?.pop().ok_or_else(nothing)?, tally, shown))
 }
 

@@ -25,9 +25,10 @@ export interface ObjectDocument {
   floor_acceleration_g: { median: number | null; max: number | null };
   assumptions: string[];
   warnings: string[];
-  earthquakes: Earthquake[];
-  followed: string;
-  history: History;
+  /** These are there for an object that rocks in a plane. */
+  earthquakes?: Earthquake[];
+  followed?: string;
+  history?: History;
 }
 
 /** `freestand spectrum` by columns. */

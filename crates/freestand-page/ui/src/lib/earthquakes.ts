@@ -1,5 +1,5 @@
 /** The earthquakes of an answer in words. */
-import type { Earthquake, ObjectDocument } from './documents';
+import type { Earthquake } from './documents';
 import { end, type History } from './history';
 import { gShown, lengthShown, type Units } from './units';
 import { t } from './words';
@@ -15,14 +15,14 @@ export function effect(one: Earthquake, units: Units): string {
   return one.landing_acceleration_g === null ? lengthShown(one.uplift_m ?? 0, units) : gShown(one.landing_acceleration_g);
 }
 
-/** The place of an earthquake in the list of an answer; −1 where it is not in it. */
-export const placeOf = (answer: ObjectDocument, name: string) => answer.earthquakes.findIndex((one) => one.name === name);
+/** The place of an earthquake in a list; −1 where it is not in it. */
+export const placeOf = (all: Earthquake[], name: string) => all.findIndex((one) => one.name === name);
 
 /** The title of the animation of one of them. */
-export function titleOf(answer: ObjectDocument, name: string, history: History, units: Units): string {
-  const at = placeOf(answer, name);
+export function titleOf(earthquakes: Earthquake[], name: string, history: History, units: Units): string {
+  const at = placeOf(earthquakes, name);
   const values = {
-    number: at + 1, all: answer.earthquakes.length, time: end(history).toFixed(1), lift: lengthShown(answer.earthquakes[at]?.uplift_m ?? 0, units),
+    number: at + 1, all: earthquakes.length, time: end(history).toFixed(1), lift: lengthShown(earthquakes[at]?.uplift_m ?? 0, units),
   };
   if (history.outcome === 'no-uplift') return t('stage.rest', values);
   if (history.outcome === 'leaned') return t('stage.leans', values);

@@ -17,6 +17,7 @@ it('asks about an object in SI units', () => {
 
 it('says nothing where only the program understands a text', () => {
   expect(pythonLine({ command: 'object', options: { height: '1 fathom', thickness: '400 mm' } })).toBeNull();
+  expect(pythonLine({ command: 'object', options: { height: '', thickness: '400 mm' } })).toBeNull();
   expect(pythonLine({ command: 'shock', options: {} })).toBeNull();
 });
 

@@ -73,11 +73,17 @@ function tolerance(value: Option | undefined): Record<string, Value | undefined>
 const stiffness = (value: Option | undefined) => read(value, stiffnessNM);
 const mass = (value: Option | undefined) => read(value, massKg);
 
+/** A value that a call cannot do without. */
+function needed(value: number | undefined): string {
+  if (value === undefined) throw new Unread('');
+  return written(value);
+}
+
 function ofObject(o: Ask['options'], motions: string[], study: string | undefined): string {
   const on = text(o['on']);
   const isEntry = on !== undefined && /^[a-z]/i.test(on);
   const floor = o['floor'] === undefined ? undefined : /^\d+$/.test(String(o['floor'])) ? Number(o['floor']) : String(o['floor']);
-  return `${call('fs.check_object', [written(metres(o['height'])!), written(metres(o['thickness'])!)], {
+  return `${call('fs.check_object', [needed(metres(o['height'])), needed(metres(o['thickness']))], {
     width_m: metres(o['width']), cg_height_m: metres(o['cg-height']), mass_kg: mass(o['mass']),
     stiffness_n_m: isEntry ? undefined : stiffness(on), cushion: isEntry ? on : undefined, ...tolerance(o['tolerance']),
     study, place: text(o['place']), site: text(o['site']), floor, storeys: number(o['storeys']), friction: friction(o['friction']),
@@ -91,8 +97,8 @@ function ofObject(o: Ask['options'], motions: string[], study: string | undefine
 /** "0.3 m:3 m:64" for NumPy. */
 function grid(value: Option | undefined): string {
   const [from, to, count] = String(value).split(':');
-  if (count === undefined) return written([metres(from)!]);
-  return `np.linspace(${written(metres(from)!)}, ${written(metres(to)!)}, ${count})`;
+  if (count === undefined) return `[${needed(metres(from))}]`;
+  return `np.linspace(${needed(metres(from))}, ${needed(metres(to))}, ${count})`;
 }
 
 function ofSpectrum(o: Ask['options'], motions: string[]): string {

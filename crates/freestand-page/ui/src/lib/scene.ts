@@ -10,6 +10,9 @@ const FLASH_S = 0.35;
 /** Rotations below this are drawn larger [rad]: 1.2°. */
 const SMALL_RAD = 0.02;
 const G0_M_S2 = 9.80665;
+/** Distances between the marks of height, in the unit of lengths; the smallest that leaves so many pixels is taken. */
+const MARKS = [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 1000] as const;
+const MARK_PX = 80;
 
 export interface Look { ink: string; mu: string; ln: string; ac: string; re: string; obj: string; fl: string; pa: string; reb: string }
 
@@ -103,14 +106,15 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
     context.fillStyle = colours.mu;
     context.font = `12px ${FONT}`;
     context.lineWidth = 1;
-    const [unit, name, step] = units === 'si' ? [1, 'm', history.height_m > 1 ? 1 : 0.5] : [0.3048, 'ft', history.height_m > 1 ? 3 : 1];
+    const [unit, name] = units === 'si' ? [1, 'm'] : [0.3048, 'ft'];
+    const step = MARKS.find((one) => one * unit * scale >= MARK_PX) ?? MARKS[MARKS.length - 1]!;
     for (let mark = 0; mark * unit * scale < y - 6; mark += step) {
       const at = y - mark * unit * scale;
       context.beginPath();
       context.moveTo(0, at);
       context.lineTo(w, at);
       context.stroke();
-      if (mark > 0 && at > 14) context.fillText(`${mark} ${name}`, 8, at - 4);
+      if (mark > 0 && at > 14) context.fillText(`${Number(mark.toPrecision(6))} ${name}`, 8, at - 4);
     }
     if (theta !== 0) {
       const side = Math.sign(theta);

@@ -8,7 +8,10 @@ it('fills names in, and counts in English', () => {
 
 it('makes sentences of remarks', () => {
   expect(sentence('write a unit')).toBe('Write a unit.');
-  expect(sentence('--height: is missing')).toBe('--height: is missing.');
+  expect(sentence('--thickness is larger than --height')).toBe(`“${t('thickness')}” is larger than “${t('height')}”.`);
+  expect(sentence("a wrong '--storeys <N>'")).toBe(`A wrong “${t('storeys')}”.`);
+  expect(sentence('give --pga, or a study')).toBe('Give --pga, or a study.');
+  expect(sentence('--help shows what is accepted')).toBe('');
   expect(sentence('Is it there?')).toBe('Is it there?');
   expect(sentence('')).toBe('');
 });

@@ -15,9 +15,15 @@ export function ordinal(n: number): string {
   return t(rule === 'one' || rule === 'two' || rule === 'few' ? `ordinal.${rule}` : 'ordinal.other', { n });
 }
 
-/** A remark of the program as a sentence: with a capital and a full stop. */
+/** A remark of the program as a sentence: with a capital and a full stop, and with the names of fields in place of flags. */
 export function sentence(text: string): string {
-  if (!text) return '';
-  const first = /^[a-z]+[ ,]/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
+  // The page has no help of a command.
+  if (!text || /\B--help\b/.test(text)) return '';
+  const named = text.replace(/'--([a-z-]+) <\w+>'|\B--([a-z][a-z-]*)/g, (flag, whole?: string, bare?: string) => {
+    const name = whole ?? bare ?? '';
+    const word = name === 'floor' ? 'level' : name;
+    return word in en ? `“${t(word as Word).replace(/:.*/, '')}”` : flag;
+  });
+  const first = /^[a-z]+[ ,]/.test(named) ? named.charAt(0).toUpperCase() + named.slice(1) : named;
   return /[.!?…]$/.test(first) ? first : `${first}.`;
 }
