@@ -418,6 +418,27 @@ await story('a reload finds everything again', {}, async (page) => {
   assert.equal(await page.inputValue('#pads-mass'), '0.365 kg');
 });
 
+await story('what rolls is answered, and an empty field is said', {}, async (page) => {
+  await answered(page);
+  const first = await page.textContent('#answer');
+  await page.click('#advanced > summary');
+  await page.selectOption('#casters', 'free');
+  await page.waitForFunction((old) => document.querySelector('#answer').textContent !== old, first, PATIENT);
+  await answered(page);
+  const options = ['--height', '1.8 m', '--thickness', '400 mm', '--mass', '150 kg', '--on', '4380 N/mm', '--place', 'Melbourne', '--floor', 'roof', '--storeys', '30', '--casters', 'free'];
+  assert.equal(await page.textContent('#answer'), JSON.parse(execFileSync(program, ['object', ...options, '--json', '-q'])).answer);
+  // It has no history that could be drawn.
+  assert.equal(await page.$('#stage'), null);
+  await page.selectOption('#casters', '');
+  await page.waitForSelector('#stage', PATIENT);
+  await page.fill('#height', '');
+  await page.locator('#height').blur();
+  await page.waitForSelector('#answer[data-state=failed]', PATIENT);
+  assert.ok((await page.textContent('.error')).includes(said('height')));
+  await page.fill('#height', '2 m');
+  await answered(page);
+});
+
 await story('an address with a size that cannot be read is answered', {}, async (page) => {
   await answered(page);
   await page.goto(`${url.split('#')[0]}#/fall?place=Melbourne&height=tall&thickness=400+mm`);
