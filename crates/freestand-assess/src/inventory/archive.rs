@@ -13,8 +13,8 @@ use zip::ZipArchive;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
-/// Largest size of all unpacked members together \[bytes\]: about ten million cells. A server reads several
-/// workbooks at a time.
+/// Largest size of all unpacked members together \[bytes\]: about five million cells. A server
+/// reads several workbooks at a time.
 const MAX_UNPACKED: u64 = 512 << 20;
 /// Largest size of a member that does not grow with the rows: styles, relations, the list of sheets
 /// \[bytes\].

@@ -56,8 +56,8 @@ pub struct ShownEarthquake {
     pub landing_acceleration_g: Option<f64>,
 }
 
-/// What is shown of a trial, by the model that decides whether it falls. `None`: nothing rocks in a plane,
-/// and no earthquake was named: there is an answer, but nothing to draw.
+/// What is shown of a trial, by the model that decides whether it falls. `None`: nothing rocks in a
+/// plane, and no earthquake was named: there is an answer, but nothing to draw.
 pub(super) fn shown(context: &Context, trial: &Trial, follow: &Follow) -> Result<Option<Shown>, Problems> {
     let model = deciding(context, trial);
     let strength = |(world, lived): (usize, &Lived)| {
@@ -151,7 +151,8 @@ fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
     }
 }
 
-/// The object in a world, with the values that were drawn there; `None`: it does not rock in a plane.
+/// The object in a world, with the values that were drawn there; `None`: it does not rock in a
+/// plane.
 fn history(
     context: &Context,
     trial: &Trial,
