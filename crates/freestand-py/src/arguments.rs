@@ -264,7 +264,8 @@ pub(crate) fn doubles(bytes: &[u8]) -> Vec<f64> {
 
 /// The bytes of doubles.
 pub(crate) fn bytes(values: impl IntoIterator<Item = f64>) -> Vec<u8> {
-    values.into_iter().flat_map(f64::to_ne_bytes).collect()
+    let each: Vec<[u8; 8]> = values.into_iter().map(f64::to_ne_bytes).collect();
+    each.into_flattened()
 }
 
 /// Facts as a dictionary, without those that `is_left_out` names.
