@@ -59,7 +59,7 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> object:
-        """`freestand.plot`, which is imported where it is used: its matplotlib takes long to load."""
+        """`freestand.plot`, which is imported where it is used."""
         if name == "plot":
             import importlib
 
