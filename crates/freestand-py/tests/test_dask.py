@@ -104,7 +104,7 @@ def waited(condition, seconds=30):
     return condition()
 
 
-# 64: more than there are objects, so that some are empty or the plan has fewer.
+# 64: more than there are objects.
 @pytest.mark.parametrize(("workers", "shards"), [(1, 1), (2, 7), (2, 64), (4, None)])
 def test_the_files_are_those_of_one_process(city, clients, tmp_path, workers, shards):
     folder, _ = city
