@@ -33,7 +33,7 @@ impl<'a, 'py> Given<'a, 'py> {
     fn wrong(&mut self, name: &str, expected: &str) {
         let shown = self.value(name).map_or_else(String::new, |value| words_of(&value));
         let message = format!("{name} must be {expected}, not {shown}");
-        self.problems.push(Problem::value(message, format!("give {name} as {expected}, in SI units")));
+        self.problems.push(Problem::value(message, format!("give {name} as {expected}")));
     }
 
     pub(crate) fn push(&mut self, problem: Problem) {
@@ -58,17 +58,17 @@ impl<'a, 'py> Given<'a, 'py> {
 
     /// Any number.
     pub(crate) fn number(&mut self, name: &str) -> Option<f64> {
-        self.accepted(name, |_| true, "a finite number")
+        self.accepted(name, |_| true, "a finite number, in SI units")
     }
 
     /// A number above zero.
     pub(crate) fn positive(&mut self, name: &str) -> Option<f64> {
-        self.accepted(name, |value| value > 0.0, "a number above 0")
+        self.accepted(name, |value| value > 0.0, "a number above 0, in SI units")
     }
 
     /// A number of zero or more.
     pub(crate) fn non_negative(&mut self, name: &str) -> Option<f64> {
-        self.accepted(name, |value| value >= 0.0, "a number of 0 or more")
+        self.accepted(name, |value| value >= 0.0, "a number of 0 or more, in SI units")
     }
 
     /// A whole number from `least`.
@@ -139,11 +139,22 @@ impl<'a, 'py> Given<'a, 'py> {
     /// Two numbers.
     pub(crate) fn point(&mut self, name: &str) -> Option<(f64, f64)> {
         let value = self.value(name)?;
-        let point = value.extract::<(f64, f64)>().ok().filter(|(x, z)| x.is_finite() && z.is_finite());
+        let point = two(&value);
         if point.is_none() {
-            self.wrong(name, "two finite numbers (x, z)");
+            self.wrong(name, "two finite numbers (x, z), in SI units");
         }
         point
+    }
+
+    /// A range of positive numbers: its two ends, or one number that is both.
+    pub(crate) fn range(&mut self, name: &str) -> Option<(f64, f64)> {
+        let value = self.value(name)?;
+        let one = value.extract::<f64>().ok().map(|one| (one, one));
+        let range = one.or_else(|| two(&value)).filter(|(low, high)| *low > 0.0 && low <= high && high.is_finite());
+        if range.is_none() {
+            self.wrong(name, "a number above 0, or the smaller and the larger end of a range");
+        }
+        range
     }
 
     /// A choice by its name.
@@ -233,6 +244,12 @@ fn texts(value: &Bound<'_, PyAny>, unit: &str) -> Option<Vec<String>> {
     Some(vec![format!("{number}{unit}")])
 }
 
+/// Two finite numbers: a tuple, a list or an array.
+fn two(value: &Bound<'_, PyAny>) -> Option<(f64, f64)> {
+    let [first, second] = value.extract::<[f64; 2]>().ok()?;
+    (first.is_finite() && second.is_finite()).then_some((first, second))
+}
+
 /// A value of Python in a message.
 fn words_of(value: &Bound<'_, PyAny>) -> String {
     let text = value.repr().map_or_else(|_| "this value".to_owned(), |text| text.to_string_lossy().into_owned());
@@ -247,7 +264,8 @@ pub(crate) fn doubles(bytes: &[u8]) -> Vec<f64> {
 
 /// The bytes of doubles.
 pub(crate) fn bytes(values: impl IntoIterator<Item = f64>) -> Vec<u8> {
-    values.into_iter().flat_map(f64::to_ne_bytes).collect()
+    let each: Vec<[u8; 8]> = values.into_iter().map(f64::to_ne_bytes).collect();
+    each.into_flattened()
 }
 
 /// Facts as a dictionary, without those that `is_left_out` names.

@@ -51,17 +51,6 @@ fn check_one(given: &mut Given<'_, '_>, named: &[(&'static str, bool)]) {
     }
 }
 
-/// The coefficient of friction: from the first to the second.
-fn friction(given: &mut Given<'_, '_>) -> Option<(f64, f64)> {
-    let (low, high) = given.point("friction")?;
-    if low > 0.0 && low <= high {
-        return Some((low, high));
-    }
-    let message = "friction is not a range of positive numbers";
-    given.push(Problem::value(message, "give one number, or the smaller and the larger end of a range"));
-    None
-}
-
 /// What is beside an object and on it.
 fn surroundings(given: &mut Given<'_, '_>) -> Surroundings {
     let [height_m, thickness_m, mass_kg] =
@@ -121,7 +110,7 @@ pub(crate) fn check_object(
     let (height, thickness) = (given.positive("height_m"), given.positive("thickness_m"));
     let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
     let mass_kg = given.positive("mass_kg");
-    let friction_ratio = friction(&mut given);
+    let friction_ratio = given.range("friction");
     let surroundings = surroundings(&mut given);
     let place = match (given.text("floor"), given.number("level_ratio")) {
         (Some(_), Some(_)) => {

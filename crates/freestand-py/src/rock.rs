@@ -68,15 +68,19 @@ fn answer<'py>(
     Ok((known, warnings, impacts, walls, history.map(|(head, history)| (head, PyBytes::new(py, &history)))))
 }
 
-/// The restitution, checked with the object where there is one.
-pub(crate) fn restitution(given: &mut Given<'_, '_>, blocks: &[Block]) -> Restitution {
+/// The restitution, checked with the objects, which are made where one is given.
+pub(crate) fn restitution(given: &mut Given<'_, '_>, blocks: impl FnOnce() -> Vec<Block>) -> Restitution {
     let (value, factor) = (given.number("restitution"), given.number("restitution_factor"));
     if value.is_some() && factor.is_some() {
         let message = "restitution and restitution_factor exclude each other";
         given.push(Problem::value(message, "keep one of them"));
     }
-    let factor = factor.map_or(Restitution::Housner, Restitution::Factor);
-    given.keep(checked(value.map_or(factor, Restitution::Value), blocks)).unwrap_or_default()
+    let restitution = match (value, factor) {
+        (Some(value), _) => Restitution::Value(value),
+        (None, Some(factor)) => Restitution::Factor(factor),
+        (None, None) => return Restitution::Housner,
+    };
+    given.keep(checked(restitution, &blocks())).unwrap_or_default()
 }
 
 /// The walls beside an object, and what the shock on them needs.
@@ -219,7 +223,7 @@ fn rigid<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) ->
     let duration_s = given.positive("duration_s");
     let options = RockingOptions {
         model,
-        restitution: restitution(&mut given, &[block]),
+        restitution: restitution(&mut given, || vec![block]),
         gravity_m_s2: given.positive("gravity_m_s2").unwrap_or(G0_M_S2),
         accuracy: given.choice("accuracy", ACCURACIES).unwrap_or_default(),
         initial_rotation_rad: given.number("initial_rotation_rad").unwrap_or(0.0),

@@ -14,14 +14,15 @@ use freestand_study::spectrum::{
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::arguments::{Given, bytes};
+use crate::arguments::Given;
 use crate::errors::raised_all;
 use crate::motion::Record;
 use crate::rock::{restitution, surface, walls};
 use crate::work::watched;
 
-/// Block-steps of a chunk for each thread: some 50 ms of work, after which Ctrl-C is noticed.
-const CHUNK_STEPS: usize = 10_000_000;
+/// Block-steps of a chunk for each thread: 10 to 50 ms of work, after which Ctrl-C is noticed. Smaller chunks
+/// leave the vectors of the kernel partly empty.
+const CHUNK_STEPS: usize = 25_000_000;
 /// The fewest objects of a chunk for each thread, which fill its lanes.
 const LEAST_OBJECTS: usize = 512;
 
@@ -83,15 +84,28 @@ impl Column {
     }
 
     /// Its kind, its bytes and its texts.
-    fn finish(self, py: Python<'_>) -> (&'static str, Bound<'_, PyBytes>, Vec<String>) {
+    fn finish(self, py: Python<'_>) -> PyResult<(&'static str, Bound<'_, PyBytes>, Vec<String>)> {
         let (kind, data, texts) = match self {
-            Self::Number(values) => ("number", bytes(values), Vec::new()),
-            Self::Count(values) => ("count", values.into_iter().flat_map(i64::to_ne_bytes).collect(), Vec::new()),
-            Self::Flag(values) => ("flag", values, Vec::new()),
-            Self::Text { codes, texts, .. } => ("text", codes.into_iter().flat_map(i32::to_ne_bytes).collect(), texts),
+            Self::Number(values) => ("number", bytes_of(py, &values, f64::to_ne_bytes)?, Vec::new()),
+            Self::Count(values) => ("count", bytes_of(py, &values, i64::to_ne_bytes)?, Vec::new()),
+            Self::Flag(values) => ("flag", PyBytes::new(py, &values), Vec::new()),
+            Self::Text { codes, texts, .. } => ("text", bytes_of(py, &codes, i32::to_ne_bytes)?, texts),
         };
-        (kind, PyBytes::new(py, &data), texts)
+        Ok((kind, data, texts))
     }
+}
+
+/// Values as bytes that Python owns, written where they stay.
+fn bytes_of<'py, T: Copy, const N: usize>(
+    py: Python<'py>,
+    values: &[T],
+    bytes: impl Fn(T) -> [u8; N],
+) -> PyResult<Bound<'py, PyBytes>> {
+    PyBytes::new_with(py, values.len() * N, |place| {
+        let (each, _) = place.as_chunks_mut::<N>();
+        each.iter_mut().zip(values).for_each(|(place, value)| *place = bytes(*value));
+        Ok(())
+    })
 }
 
 /// The code of a text, which is new if the text is.
@@ -165,10 +179,10 @@ pub(crate) fn spectrum<'py>(
     let grid =
         if given.flag("pairs") { Grid::pairs(heights_m, thicknesses_m) } else { Grid::new(heights_m, thicknesses_m) };
     let grid = given.keep(grid);
-    let blocks: Vec<Block> = grid.iter().flat_map(|grid| grid.blocks(0..grid.objects())).collect();
+    let blocks = || grid.iter().flat_map(|grid| grid.blocks(0..grid.objects())).collect::<Vec<Block>>();
     let options = RockingOptions {
         model,
-        restitution: restitution(&mut given, &blocks),
+        restitution: restitution(&mut given, blocks),
         accuracy: given.choice("accuracy", ACCURACIES).unwrap_or_default(),
         walls,
         ..RockingOptions::default()
@@ -210,8 +224,9 @@ pub(crate) fn spectrum<'py>(
     };
     let (all, warnings, timing) = watched(py, threads, work)?.map_err(raised_all)?;
     let made = |(name, column): (&'static str, Column)| {
-        let (kind, data, texts) = column.finish(py);
-        (name, kind, data, texts)
+        let (kind, data, texts) = column.finish(py)?;
+        Ok((name, kind, data, texts))
     };
-    Ok((all.into_iter().map(made).collect(), warnings, (timing.solve_s, timing.block_steps)))
+    let made: PyResult<Vec<Made<'py>>> = all.into_iter().map(made).collect();
+    Ok((made?, warnings, (timing.solve_s, timing.block_steps)))
 }

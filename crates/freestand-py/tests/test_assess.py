@@ -27,6 +27,8 @@ def test_check_inventory_takes_tables(tmp_path):
     assert list(found.table["height_m"]) == [2.0, 0.8]
     pyarrow = pytest.importorskip("pyarrow")
     assert fs.check_inventory(pyarrow.Table.from_pandas(frame)).objects == expected.objects
+    polars = pytest.importorskip("polars", reason="polars is not installed")
+    assert fs.check_inventory(polars.read_csv(tmp_path / "list.csv")).objects == expected.objects
 
 
 def test_a_doubtful_cell_is_a_problem_with_its_cell(tmp_path):

@@ -104,7 +104,8 @@ def waited(condition, seconds=30):
     return condition()
 
 
-@pytest.mark.parametrize(("workers", "shards"), [(1, 1), (2, 7), (4, None)])
+# 64: more than there are objects.
+@pytest.mark.parametrize(("workers", "shards"), [(1, 1), (2, 7), (2, 64), (4, None)])
 def test_the_files_are_those_of_one_process(city, clients, tmp_path, workers, shards):
     folder, _ = city
     out = tmp_path / "out"

@@ -1,11 +1,14 @@
 """Each exception, and messages that name arguments."""
 
 import inspect
+import io
+import json
 import pickle
 import re
 import warnings
 
 import freestand as fs
+import numpy as np
 import pytest
 from conftest import FLOOR, ROOT
 
@@ -66,6 +69,38 @@ def caught(kind, call):
         (lambda: fs.risk(options=5, outcomes=RISK / "outcomes.csv"), "options cannot be a int"),
         (lambda: fs.risk(RISK / "curves.csv", outcomes=RISK / "outcomes.csv", hazard=RISK / "hazard.csv"), "exclude"),
         (lambda: fs.assess({"building": {"storeys": object()}}), "storeys"),
+        (lambda: fs.assess(out=5), "out"),
+        (lambda: fs.assess(progress=5), "progress"),
+        (lambda: fs.run(""), "study"),
+        (lambda: fs.Motion([0, 1], "0.1"), "dt_s"),
+        (lambda: fs.Motion([0, 1], True), "dt_s"),
+        (lambda: fs.Motion([0, 1], 0.1, 5), "name"),
+        (lambda: fs.Motion(None, 0.1), "accel_m_s2"),
+        (lambda: fs.Motion(np.ma.masked_array([1.0, 2.0], mask=[0, 1]), 0.1), "accel_m_s2"),
+        (lambda: fs.Motion([0, 1], 0.1).scale("2"), "factor"),
+        (lambda: fs.Motion([0, 1], 0.1).write(5), "path"),
+        (lambda: fs.Motion.from_obspy(5, unit="g"), "trace"),
+        (lambda: fs.Motion.from_xarray(5), "array"),
+        (lambda: fs.read_motion(b"a.csv"), "paths"),
+        (lambda: fs.read_motion("a\0b"), "paths"),
+        (lambda: fs.read_motions(7), "paths"),
+        (lambda: fs.drop_test([]), "files"),
+        (lambda: fs.drop_test(io.StringIO("1,2")), "files"),
+        (lambda: fs.static_test(5), "files"),
+        (lambda: fs.Block(1, 0.5, 100, cushion=5), "cushion"),
+        (lambda: fs.shock(5, cg_rise_m=0.01), "block"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), walls=0.02), "walls"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), sliding=True), "sliding"),
+        (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), history="no"), "history"),
+        (lambda: fs.floor(5), "motions"),
+        (lambda: fs.floor(fs.Motion([0, 1, 0], 0.1), levels=[]), "levels"),
+        (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [], [0.3]), "heights_m"),
+        (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [float("nan")]), "thicknesses_m"),
+        (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [0.3], vertical=3), "vertical"),
+        # Every thread takes memory: a slip of the keyboard took all of it.
+        (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [0.3], threads=10**9), "threads"),
+        (lambda: fs.check_object(2, 0.3, place="Melbourne", friction="0.3"), "friction"),
+        (lambda: fs.check_object(2, 0.3, place="Melbourne", friction=(0.4, 0.3)), "friction"),
     ],
 )  # fmt: skip
 def test_bad_values_name_arguments(call, names):
@@ -104,6 +139,28 @@ def test_a_table_is_named_by_its_argument():
 
     said = hints(lambda: fs.fragility(pandas.DataFrame({"a": [1]})))
     assert "/tmp" not in said and ".csv" not in said and "outcomes" in said, said
+
+
+def test_a_result_names_tables_by_their_arguments():
+    import pandas
+
+    table = pandas.read_csv
+    ours = fs.risk(outcomes=table(RISK / "outcomes.csv"), hazard=RISK / "hazard.csv", bootstrap=0, years=50,
+                   inventory=table(RISK / "costs.csv"))  # fmt: skip
+    assert {"outcomes", "inventory"} <= {one["path"] for one in ours.inputs}
+    assert "freestand-" not in json.dumps([ours.inputs, ours.warnings])
+    listed = fs.check_inventory(pandas.DataFrame({"id": ["a"], "height [mm]": [2000], "thickness [mm]": [300]}))
+    assert listed.path == "inventory" and "freestand-" not in json.dumps(listed.to_dict())
+
+
+def test_numbers_of_numpy_are_numbers(floor_motion):
+    """Scalars and arrays of no dimension, wherever Python has a number; the block stays hashable."""
+    block = fs.Block(np.array(1.8), np.float64(0.4), np.int64(150), stiffness_n_m=np.float64(4.38e6))
+    assert block == fs.Block(1.8, 0.4, 150, stiffness_n_m=4.38e6) and hash(block)
+    ours = fs.spectrum(floor_motion, 1.8, np.array(0.4), threads=np.int64(1))
+    assert ours["uplift_m"].tolist() == fs.spectrum(floor_motion, [1.8], [0.4], threads=1)["uplift_m"].tolist()
+    at = [block.shock(cg_rise_m=0.01, at_m=at).to_dict() for at in ((0.1, 1.2), [0.1, 1.2], np.array([0.1, 1.2]))]
+    assert at[0] == at[1] == at[2]
 
 
 def test_files_that_cannot_be_read(tmp_path):

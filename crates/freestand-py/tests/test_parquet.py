@@ -47,9 +47,14 @@ def check(folder, name, schema):
         (["motion", "info", FLOOR, ROOT / "validation/rocking/records/onesine_T0.4.csv"], ["measures"], "motion-info"),
         (["motion", "spectrum", FLOOR], ["spectrum"], "motion-spectrum"),
         (["motion", "code-spectrum"], ["spectrum"], "code-spectrum"),
+        (["motion", "rotd", FLOOR, ROOT / "validation/rocking/records/onesine_T0.4.csv", "--periods", "0.2 s, 1 s"],
+         ["rotd"], "motion-rotd"),
+        (["motion", "simulate", "--magnitude", 6, "--distance", "30 km", "--count", 1], ["fourier_amplitude"],
+         "motion-simulate"),
         (["floor", "--motion", FLOOR, *BUILDING, "--spectra"], ["profile", "spectra"], "floor"),
         (["shock-spectrum", FLOOR], ["shock_spectrum"], "shock-spectrum"),
         (["rock", "--motion", FLOOR, "--scale", 3.5, *CABINET], ["history"], "rock"),
+        (["cushion", "static", "press.csv", "--load", "400 N"], ["curve-001"], "cushion-static"),
         (["cushion", "drop", ROOT / "validation/cushion/drop-001.csv"], ["loop-001"], "cushion-drop"),
         (["fragility", "--outcomes", RISK / "outcomes.csv", "--bootstrap", 20], ["fragility", "empirical"], "fragility"),
         (["risk", "--fragility", RISK / "curves.csv", "--hazard", RISK / "hazard.csv"], ["risk"], "risk"),
@@ -57,8 +62,10 @@ def check(folder, name, schema):
     ids=lambda value: value if isinstance(value, str) else None,
 )
 def test_tables_of_a_folder(command, names, schema, tmp_path):
-    out = tmp_path / "out"
-    told(*command, "--parquet", "--out", out)
+    out, press = tmp_path / "out", tmp_path / "press.csv"
+    force = "".join(f"{d / 100:.2f},{2000 * d / 100:.1f}\n" for d in range(60))
+    press.write_text("displacement [mm],force [N]\n" + force)
+    told(*[press if word == "press.csv" else word for word in command], "--parquet", "--out", out)
     for name in names:
         _, metadata = check(out, name, f"freestand.{schema}/1")
         files = [one["name"] for one in json.loads(metadata["freestand.inputs"])]

@@ -1,5 +1,8 @@
 """Figures: what is drawn is what the results say."""
 
+import subprocess
+import sys
+
 import freestand as fs
 import matplotlib.pyplot as plt
 import numpy as np
@@ -63,3 +66,10 @@ def test_loop_and_response_spectra(floor_motion):
     assert plot.spectrum(fs.code_spectrum()).get_xlabel() == "period [s]"
     assert plot.spectrum(fs.shock_spectrum(floor_motion)).get_xscale() == "log"
     assert floor_motion.plot().get_ylabel() == "acceleration [g]"
+
+
+def test_plot_needs_no_import_of_its_own():
+    """`freestand.plot.urs`, as the docs have it, in a process that imports freestand alone."""
+    subprocess.run([sys.executable, "-c", "import freestand as fs; fs.plot.urs"], check=True)
+    with pytest.raises(AttributeError, match="plots"):
+        fs.plots

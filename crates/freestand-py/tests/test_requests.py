@@ -157,6 +157,21 @@ def test_check_object_with_a_study():
         fs.check_object(2, 0.3, study=text.replace("site =", "sitee ="))
 
 
+def test_a_place_replaces_the_hazard_of_a_study(tmp_path):
+    """As in the command; the answer names the place. What a study does not state is as in the built-in study."""
+    path = tmp_path / "s.toml"
+    path.write_text('[ground]\ncode = "eurocode8"\nspectrum_type = 1\nsite = "B"\nground_acceleration = "0.3 g"\n'
+                    '[building]\nstoreys = 5\n')  # fmt: skip
+    flags = ["--height", "2 m", "--thickness", "300 mm", "--study", path, "--worlds", 40]
+    alone = fs.check_object(2, 0.3, study=path, worlds=40)
+    replaced = fs.check_object(2, 0.3, study=path, place="Wellington", worlds=40)
+    same(replaced.to_dict(), told("object", *flags, "--place", "Wellington"))
+    assert "Wellington" in replaced.answer and "Wellington" not in alone.answer
+    assert "Melbourne" in fs.check_object(2, 0.3, study={}, worlds=40).answer
+    with pytest.raises(fs.BadValue, match="place does not apply: the ground motions are records"):
+        fs.check_object(2, 0.3, study={"ground": {"motions": [str(FLOOR)]}}, place="Wellington")
+
+
 def test_check_object_with_the_file_of_a_study(tmp_path):
     path = tmp_path / "s.toml"
     path.write_text('[ground]\ncount = 4\n')

@@ -69,12 +69,26 @@ def _wave():
     return fs.Motion(6 * np.sin(np.arange(300) * 0.05), 0.01)
 
 
-def test_polars_and_pandas(table):
+def test_pandas(table):
     frame = table.to_pandas()
     assert len(frame) == len(table) and frame["outcome"].dtype == "category"
     assert frame["uplift_m"].to_numpy() == pytest.approx(table["uplift_m"], abs=0)
-    polars = pytest.importorskip("polars")
-    assert polars.DataFrame(table).shape == (len(table), len(table.column_names))
+
+
+def test_polars(table):
+    polars = pytest.importorskip("polars", reason="polars is not installed")
+    frame = polars.DataFrame(table)
+    assert frame.columns == table.column_names
+    assert frame["uplift_m"].to_list() == table["uplift_m"].tolist()
+    assert frame["edge_acceleration_g"].null_count() == int(np.isnan(table["edge_acceleration_g"]).sum())
+
+
+def test_duckdb(table):
+    duckdb = pytest.importorskip("duckdb", reason="duckdb is not installed")
+    rows = duckdb.connect().register("rows", table)
+    rocked = rows.sql("SELECT count(*), max(uplift_m) FROM rows WHERE outcome = 'rocked'")
+    is_rocked = table["outcome"] == "rocked"
+    assert rocked.fetchall() == [(int(is_rocked.sum()), table["uplift_m"][is_rocked].max())]
 
 
 def test_xarray_has_the_grid_and_the_units(table):

@@ -7,6 +7,8 @@
 All arguments and results are in SI units, and every name ends in its unit.
 """
 
+from typing import TYPE_CHECKING
+
 from ._block import Block, Cushion, Sliding, Walls
 from ._errors import BadValue, FreestandError, FreestandWarning, Interrupted, Problem, ReadError, SolveError, StudyError
 from ._freestand import study_toml
@@ -51,6 +53,19 @@ from ._results import (
     version,
 )
 from ._table import Table
+
+if TYPE_CHECKING:
+    from . import plot as plot
+else:
+
+    def __getattr__(name: str) -> object:
+        """`freestand.plot`, which is imported where it is used."""
+        if name == "plot":
+            import importlib
+
+            return importlib.import_module(".plot", __name__)
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __version__ = version()
 

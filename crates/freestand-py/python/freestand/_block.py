@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any
 
 from . import _freestand
-from ._convert import Given, PathLike, bad, given, words
+from ._convert import Given, PathLike, bad, given, of_kind, plain, words
 from ._results import DropTestResult
 
 
@@ -47,13 +47,14 @@ class Cushion:
             raise bad("damping_ratio and damping_n_s_m exclude each other", "keep one of them")
         if self.pad is not None and self.file is not None:
             raise bad("pad and file exclude each other", "keep one of them")
+        of_kind("pad", self.pad, DropTestResult, "a DropTestResult")
         toml = None
         if self.pad is not None:
             toml = self.pad.cushion_toml
             if toml is None:
                 raise bad("these drop tests give no pad", "see their pooled[\"reason\"]")
-        plain = {one.name: getattr(self, one.name) for one in fields(self) if one.name not in ("pad", "file")}
-        return given(cushion=words(**plain, cushion=self.file), pad_toml=toml)
+        keys = {one.name: getattr(self, one.name) for one in fields(self) if one.name not in ("pad", "file")}
+        return given(cushion=words(**keys, cushion=self.file), pad_toml=toml)
 
 
 def cushion_given(
@@ -70,6 +71,7 @@ def cushion_given(
         return Cushion(pad=cushion, pads_per_edge=pads_per_edge)._given()
     if isinstance(cushion, str | os.PathLike):
         return Cushion(file=cushion, pads_per_edge=pads_per_edge)._given()
+    of_kind("cushion", cushion, Cushion, "a freestand.Cushion, a DropTestResult or the path of a cushion file")
     if pads_per_edge is not None:
         raise bad("cushion states pads_per_edge itself", "leave pads_per_edge out")
     return cushion._given()
@@ -100,8 +102,9 @@ class Block:
     _body: _freestand.Body = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        plain = {name: getattr(self, name) for name in _SIZES}
-        values = given(**plain) | cushion_given(self.cushion, self.stiffness_n_m, None)
+        for name in (*_SIZES, "stiffness_n_m"):
+            object.__setattr__(self, name, plain(getattr(self, name)))
+        values = given(**{name: getattr(self, name) for name in _SIZES}) | cushion_given(self.cushion, self.stiffness_n_m, None)
         object.__setattr__(self, "_body", _freestand.Body(values))
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import contextlib
+import io
+import json
 import os
 import sys
 import warnings as python_warnings
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -40,6 +42,8 @@ def doubles(name: str, values: Numbers) -> Array:
     Strided, misaligned, read-only and big-endian arrays, float32 and integers, lists and one number
     are accepted; complex numbers, texts and objects are not.
     """
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise bad(f"{name} has masked values", f"fill them first, such as with {name}.filled(0)")
     try:
         array = np.asarray(values)
     except (TypeError, ValueError) as error:
@@ -54,8 +58,70 @@ def doubles(name: str, values: Numbers) -> Array:
 
 
 def data(name: str, values: Numbers | None) -> bytes | None:
-    """The same as bytes, which is how arrays cross."""
-    return None if values is None else doubles(name, values).tobytes()
+    """The same as bytes, which is how arrays cross; they must be finite, and at least one."""
+    if values is None:
+        return None
+    array = doubles(name, values)
+    if len(array) == 0:
+        raise bad(f"{name} is empty", f"give at least one value in {name}")
+    finite = np.isfinite(array)
+    if not finite.all():
+        at = int(np.argmin(finite))
+        raise bad(f"{name} holds {array[at]} (value {at}, counted from 0)", f"give finite numbers in {name}")
+    return array.tobytes()
+
+
+def number(name: str, value: Any) -> float:
+    """A number: neither a text nor a truth value, which Python would convert."""
+    if not isinstance(value, bool | np.bool_ | str | bytes):
+        with contextlib.suppress(TypeError, ValueError):
+            return float(value)
+    raise bad(f"{name} must be a number, not {value!r}", f"give {name} as a number in SI units")
+
+
+def plain(value: Any) -> Any:
+    """A number of NumPy, or an array of no dimension, as one of Python, which can be hashed."""
+    if isinstance(value, np.generic) or (isinstance(value, np.ndarray) and value.ndim == 0):
+        return value.item()
+    return value
+
+
+def whole(name: str, value: Any, least: int, most: int | None = None) -> int | None:
+    """A whole number, of Python or of NumPy, within limits; None if it was not given."""
+    if value is None:
+        return None
+    is_whole = hasattr(value, "__index__") and not isinstance(value, bool) and np.ndim(value) == 0
+    if not is_whole or value.__index__() < least or (most is not None and value.__index__() > most):
+        hint = f"give {name} as an int, or leave it out"
+        limits = f"at least {least}" if most is None else f"from {least} to {most}"
+        raise bad(f"{name} must be a whole number, {limits}, not {value!r}", hint)
+    return int(value.__index__())
+
+
+def of_kind(name: str, value: Any, kind: type | tuple[type, ...], expected: str) -> None:
+    """An argument that must be an object of these classes, or None."""
+    if value is not None and not isinstance(value, kind):
+        raise bad(f"{name} must be {expected}, not {type(value).__name__}", f"give {name} as {expected}")
+
+
+def path_text(name: str, path: PathLike) -> str:
+    """A path as text; `name` is its argument."""
+    text = os.fspath(path) if isinstance(path, str | os.PathLike) else None
+    if not isinstance(text, str):
+        raise bad(f"{name} must be a path as text, not {path!r}", f"give {name} as a str or a pathlib.Path")
+    if "\0" in text:
+        raise bad(f"{name} has a NUL character in {text!r}", f"give {name} as the path of a file")
+    return text
+
+
+def paths_text(name: str, paths: PathLike | Iterable[PathLike]) -> list[str]:
+    """One path or several as texts; `name` is their argument."""
+    if isinstance(paths, str | os.PathLike):
+        return [path_text(name, paths)]
+    # An open file is a sequence of its lines, and bytes of numbers.
+    if not isinstance(paths, Iterable) or isinstance(paths, bytes | io.IOBase):
+        raise bad(f"{name} must be a path or several, not {paths!r}", f"give {name} as a path or a list of paths")
+    return [path_text(name, path) for path in paths]
 
 
 def words(**values: Any) -> Given | None:
@@ -91,7 +157,9 @@ def study(source: PathLike | Mapping[str, Any] | None) -> Given:
         return {"study_text": source}
     if not isinstance(source, str | os.PathLike):
         raise bad(f"study cannot be a {type(source).__name__}", "give a path, TOML text or a dictionary")
-    return {"study": os.fspath(source)}
+    if source == "":
+        raise bad("study is an empty text", "give a path, TOML text or a dictionary")
+    return {"study": path_text("study", source)}
 
 
 def toml(tables: Mapping[str, Any]) -> str:
@@ -158,15 +226,28 @@ def removed_on_failure(folder: Path | None) -> Iterator[None]:
         raise
 
 
+class Source(NamedTuple):
+    """A list as a file: its path, and the argument that a temporary one was made of."""
+
+    path: str | None
+    argument: str | None = None
+
+    def named(self, document: str) -> str:
+        """A document (JSON) that names the argument where it would name a temporary file."""
+        if self.path is None or self.argument is None:
+            return document
+        return document.replace(json.dumps(self.path)[1:-1], self.argument)
+
+
 @contextlib.contextmanager
-def inventory(source: Any, name: str = "inventory") -> Iterator[str | None]:
+def inventory(source: Any, name: str = "inventory") -> Iterator[Source]:
     """An inventory as a file: a path as it is; a table of pandas, polars or pyarrow as CSV.
 
     The headings of a table are those of a file, with units: `height [mm]`. `name` is the argument, which
     messages about a table name.
     """
     if source is None or isinstance(source, str | os.PathLike):
-        yield None if source is None else os.fspath(source)
+        yield Source(None if source is None else path_text(name, source))
         return
     import tempfile
 
@@ -174,7 +255,7 @@ def inventory(source: Any, name: str = "inventory") -> Iterator[str | None]:
         path = os.path.join(folder, f"{name}.csv")
         _write_csv(source, path, name)
         try:
-            yield path
+            yield Source(path, name)
         except FreestandError as error:
             raise type(error)([_named(problem, path, name) for problem in error.problems]) from None
 

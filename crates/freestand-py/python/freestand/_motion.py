@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from . import _freestand
-from ._convert import Array, Numbers, PathLike, bad, data, given, warn, words
+from ._convert import Array, Numbers, PathLike, bad, data, doubles, given, number, of_kind, path_text, paths_text, warn, words
 from ._results import MotionSpectrumResult
 
 
@@ -25,12 +25,11 @@ class Motion:
     _accel: Array | None
 
     def __init__(self, accel_m_s2: Numbers, dt_s: float, name: str | None = None) -> None:
-        samples = data("accel_m_s2", accel_m_s2)
-        try:
-            step = float(dt_s)
-        except (TypeError, ValueError):
-            raise bad(f"dt_s must be a number, not {dt_s!r}", "give the time step in seconds") from None
-        self._record = _freestand.Record(samples or b"", step, "motion" if name is None else name)
+        if accel_m_s2 is None:
+            raise bad("accel_m_s2 is None", "give the accelerations as a list or an array of numbers")
+        of_kind("name", name, str, "a text")
+        samples = doubles("accel_m_s2", accel_m_s2).tobytes()
+        self._record = _freestand.Record(samples, number("dt_s", dt_s), "motion" if name is None else name)
         self._accel = None
 
     @classmethod
@@ -51,6 +50,9 @@ class Motion:
         """
         if unit is None:
             raise bad("a trace does not state its unit", 'give unit, such as unit="m/s2" after remove_response')
+        if not (hasattr(trace, "data") and hasattr(trace, "stats")):
+            raise bad(f"trace must be an ObsPy trace, not {type(trace).__name__}", "give one, such as stream[0]")
+        of_kind("unit", unit, str, "a text")
         factor = _freestand.acceleration_unit(unit)
         return cls(np.asarray(trace.data, "f8") * factor, float(trace.stats.delta), str(trace.id))
 
@@ -58,6 +60,8 @@ class Motion:
     def from_xarray(cls, array: Any) -> Motion:
         """A motion from a one-dimensional DataArray: its coordinate is the time in seconds, and
         `attrs["units"]` the unit of acceleration."""
+        if not (hasattr(array, "attrs") and hasattr(array, "dims")):
+            raise bad(f"array must be an xarray.DataArray, not {type(array).__name__}", "make one with a time coordinate")
         unit = array.attrs.get("units")
         if unit is None:
             raise bad("the array does not state its unit", 'set array.attrs["units"], such as "m/s2"')
@@ -145,11 +149,11 @@ class Motion:
 
     def scale(self, factor: float) -> Motion:
         """A copy with every sample multiplied by `factor`."""
-        return Motion._of(self._record.scaled(factor))
+        return Motion._of(self._record.scaled(number("factor", factor)))
 
     def write(self, path: PathLike) -> None:
         """Writes the motion as `.csv` (to the last bit) or `.at2` (8 digits)."""
-        self._record.write(path)
+        self._record.write(path_text("path", path))
 
     def plot(self, ax: Any = None) -> Any:
         """Acceleration against time."""
@@ -196,12 +200,12 @@ def read_motions(
     if isinstance(paths, str | os.PathLike):
         import glob
 
-        text = os.fspath(paths)
+        text = path_text("paths", paths)
         files = sorted(glob.glob(text)) if any(c in text for c in "*?[") and not os.path.exists(text) else [text]
         if not files:
             raise bad(f"no file is called {text}", "check the folder and the pattern")
     else:
-        files = [os.fspath(path) for path in paths]
+        files = paths_text("paths", paths)
     keys = words(
         unit=unit, dt_s=dt_s, component=component, scale=scale, station_xml=station_xml, keep_mean=keep_mean,
         azimuth_deg=azimuth_deg, baseline=baseline, taper_ratio=taper_ratio, low_cut_hz=low_cut_hz,

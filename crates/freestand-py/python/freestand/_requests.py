@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias, TypedDict
 
+import numpy as np
+
 from . import _freestand
 from ._block import Block, Cushion, Sliding, Walls, cushion_given
-from ._convert import Numbers, PathLike, bad, data, given, removed_on_failure, warn, words
+from ._convert import Numbers, PathLike, bad, data, given, of_kind, path_text, paths_text, removed_on_failure, warn
 from ._convert import inventory as as_file
 from ._convert import study as study_given
+from ._convert import whole, words
 from ._motion import Motion
 from ._results import (
     AssessResult,
@@ -76,8 +78,11 @@ def rock(
     `tangential_…` apply to it alone); `sliding` follows an object that slides or rolls. With
     `history=True` the result has arrays over time.
     """
-    if not isinstance(block, Block):
-        raise bad(f"block must be a freestand.Block, not {type(block).__name__}", "make one: Block(height_m, thickness_m)")
+    _check_block(block)
+    of_kind("walls", walls, Walls, "a freestand.Walls")
+    of_kind("sliding", sliding, Sliding, "a freestand.Sliding")
+    of_kind("history", history, (bool, np.bool_), "True or False")
+    history = bool(history)
     record = None if motion is None else _record("motion", motion)
     upward = None if vertical is None else _record("vertical", vertical)
     values: dict[str, Any] = {}
@@ -113,6 +118,11 @@ _COMPLIANT = ("cg_rise_m", "contacts", "at_m", "tangential_stiffness_n_m", "tang
 _OF_ROCKING = ("restitution", "restitution_factor", "model", "base", "initial_rotation_rad", "initial_velocity_rad_s")
 
 
+def _check_block(block: Block) -> None:
+    if not isinstance(block, Block):
+        raise bad(f"block must be a freestand.Block, not {type(block).__name__}", "make one: Block(height_m, thickness_m)")
+
+
 def _slid(sliding: Sliding, walls: Walls | None) -> dict[str, Any]:
     if walls is not None:
         raise bad("walls apply only to an object that rocks", "give the room as clearance_left_m and clearance_right_m")
@@ -126,21 +136,23 @@ def _record(name: str, motion: Motion) -> _freestand.Record:
     return motion._record
 
 
-def _motions(motions: Motion | Iterable[Motion]) -> list[Motion]:
+def _motions(motions: Motion | Iterable[Motion], name: str = "motions") -> list[Motion]:
+    if not isinstance(motions, Motion | Iterable):
+        _record(name, motions)
     found = [motions] if isinstance(motions, Motion) else list(motions)
     for motion in found:
-        _record("motions", motion)
+        _record(name, motion)
     if not found:
-        raise bad("there is no motion", "give at least one")
+        raise bad(f"there is no motion in {name}", "give at least one")
     return found
 
 
+#: More than any machine of today has cores for. Each thread takes memory, and a million of them all of it.
+MAX_THREADS = 1024
+
+
 def _threads(threads: Any) -> int | None:
-    if threads is None:
-        return None
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
-        raise bad(f"threads must be a whole number, at least 1, not {threads!r}", "leave it out for one per core")
-    return threads
+    return whole("threads", threads, 1, MAX_THREADS)
 
 
 def spectrum(
@@ -152,7 +164,7 @@ def spectrum(
     stiffness_n_m: float | None = None,
     cushion: Cushion | DropTestResult | PathLike | None = None,
     pairs: bool = False,
-    vertical: Iterable[Motion] | None = None,
+    vertical: Motion | Iterable[Motion] | None = None,
     restitution: float | None = None,
     restitution_factor: float | None = None,
     model: str | None = None,
@@ -170,7 +182,9 @@ def spectrum(
     result does not depend on it.
     """
     named = _motions(motions)
-    upward: list[Motion] = [] if vertical is None else list(vertical)
+    of_kind("walls", walls, Walls, "a freestand.Walls")
+    of_kind("sliding", sliding, Sliding, "a freestand.Sliding")
+    upward = [] if vertical is None else _motions(vertical, "vertical")
     if upward and len(upward) != len(named):
         raise bad(f"vertical has {len(upward)} motions, motions {len(named)}", "give one for each, in the same order")
     values = given(
@@ -244,6 +258,7 @@ def shock(
     cushion file is of one pad, and needs `pads_per_edge`). `scenario`: rocking (default), halted,
     overturn-floor, overturn-obstacle. With `tolerance_g` the result has a verdict.
     """
+    _check_block(block)
     values = given(
         cg_rise_m=cg_rise_m, uplift_m=uplift_m, rotation_rad=rotation_rad,
         angular_velocity_rad_s=angular_velocity_rad_s, drop_acceleration_g=drop_acceleration_g,
@@ -261,7 +276,10 @@ def shock(
 
 
 def _files(files: Files) -> list[str]:
-    return [os.fspath(files)] if isinstance(files, str | os.PathLike) else [os.fspath(file) for file in files]
+    found = paths_text("files", files)
+    if not found:
+        raise bad("files names no file", "give the file of at least one test")
+    return found
 
 
 def drop_test(
@@ -523,11 +541,12 @@ def check_object(
     """Whether an earthquake rocks one object and whether it falls over: `answer` is one sentence.
 
     Name the earthquake in one of four ways: `place`, `pga_g` (of the ground), `study` (a path, TOML text or
-    a dictionary), or `motions` of its floor. `cushion` is an entry of the cushion library. `friction` is one value or the two ends of a
+    a dictionary), or `motions` of its floor. With a study, `place` (with `site` and `return_period_years`)
+    replaces the hazard of the study and leaves its building; a study that states no hazard has that of the
+    built-in study, Melbourne. `answer` names the place that was used. `cushion` is an entry of the cushion library. `friction` is one value or the two ends of a
     range; `wall_gap_m` is behind the object and `neighbour_gap_m` on both sides of it, 0 where they touch;
     `casters` is "no", "free" or "braked"; `upper_…` describe what stands on the object.
     """
-    range_of_friction = (friction, friction) if isinstance(friction, int | float) else friction
     named = [] if motions is None else _motions(motions)
     values = given(
         height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, mass_kg=mass_kg,
@@ -535,7 +554,7 @@ def check_object(
         tolerance_duration_s=tolerance_duration_s,
         hazard=words(place=place, site=site, return_period_years=return_period_years), pga_g=pga_g,
         scales=data("scales", scales), floor=None if floor is None else str(floor), level_ratio=level_ratio,
-        storeys=storeys, storey_height_m=storey_height_m, friction=range_of_friction, wall_gap_m=wall_gap_m,
+        storeys=storeys, storey_height_m=storey_height_m, friction=friction, wall_gap_m=wall_gap_m,
         neighbour_gap_m=neighbour_gap_m, wall_height_m=wall_height_m, wall_stiffness_n_m=wall_stiffness_n_m,
         wall_restitution=wall_restitution, casters=casters, rolling_resistance=rolling_resistance,
         clearance_m=clearance_m, upper_height_m=upper_height_m, upper_thickness_m=upper_thickness_m,
@@ -611,10 +630,10 @@ def check_inventory(
         sheet=sheet, columns=columns, storeys=storeys, strict=strict or None, library=library,
         cushion_library=cushion_library, marked_copy=marked_copy,
     )  # fmt: skip
-    with as_file(inventory) as path:
-        if path is None:
+    with as_file(inventory) as listed:
+        if listed.path is None:
             raise bad("there is no inventory", "give a path or a table")
-        result = InventoryCheck._of(_freestand.check_inventory(path, values | study_given(study)))
+        result = InventoryCheck._of(listed.named(_freestand.check_inventory(listed.path, values | study_given(study))))
     warn(result.warnings)
     return result
 
@@ -625,9 +644,15 @@ def _folder(out: PathLike | None) -> tuple[Path, Path | None]:
     from pathlib import Path
 
     if out is not None:
-        return Path(out), None
+        return Path(path_text("out", out)), None
     folder = Path(tempfile.mkdtemp(prefix="freestand-"))
     return folder / "out", folder
+
+
+def _check_progress(progress: Progress | None) -> None:
+    if progress is not None and not callable(progress):
+        kind = type(progress).__name__
+        raise bad(f"progress must be a function of (stage, done, total), not {kind}", "give one, such as print")
 
 
 def assess(
@@ -667,10 +692,11 @@ def assess(
         resume=resume or None, force=force or None,
     )  # fmt: skip
     source = study_given(study)
+    _check_progress(progress)
     folder, own = _folder(out)
-    with removed_on_failure(own), as_file(inventory) as path:
-        text = _freestand.assess(path, folder, values | source, _threads(threads), progress)
-        result = AssessResult._of(text)
+    with removed_on_failure(own), as_file(inventory) as listed:
+        text = _freestand.assess(listed.path, folder, values | source, _threads(threads), progress)
+        result = AssessResult._of(listed.named(text))
     result._in(folder, own)
     warn(result.warnings)
     return result
@@ -699,6 +725,7 @@ def run(
         parquet=parquet or None, force=force or None,
     )  # fmt: skip
     source = study_given(study)
+    _check_progress(progress)
     folder, own = _folder(out)
     with removed_on_failure(own):
         result = RunResult._of(_freestand.run(folder, values | source, _threads(threads), progress))
@@ -728,9 +755,9 @@ def fragility(
     values = given(
         at=at, fit=fit, tolerance_g=tolerance_g, ceiling_g=ceiling_g, bootstrap=bootstrap, seed=seed,
     )  # fmt: skip
-    with as_file(outcomes, "outcomes") as path:
-        text, seen = _freestand.fragility(values | given(outcomes=path), _threads(threads))
-    result = FragilityResult(json.loads(text), seen)
+    with as_file(outcomes, "outcomes") as runs:
+        text, seen = _freestand.fragility(values | given(outcomes=runs.path), _threads(threads))
+    result = FragilityResult(json.loads(runs.named(text)), seen)
     warn(result.warnings)
     return result
 
@@ -778,8 +805,9 @@ def risk(
         as_file(inventory) as costs,
         as_file(options, "options") as bought,
     ):
-        files = given(outcomes=runs, inventory=costs, options=bought)
-        result = RiskResult._of(_freestand.risk(values | files, _threads(threads)))
+        files = given(outcomes=runs.path, inventory=costs.path, options=bought.path)
+        text = _freestand.risk(values | files, _threads(threads))
+    result = RiskResult._of(bought.named(costs.named(runs.named(text))))
     warn(result.warnings)
     return result
 

@@ -32,7 +32,9 @@ except ImportError as error:
 from ._convert import PathLike, bad, warn
 from ._convert import inventory as as_file
 from ._convert import study as study_given
+from ._convert import whole
 from ._errors import FreestandError, Interrupted, ReadError, SolveError, StudyError
+from ._requests import MAX_THREADS
 from ._results import AssessResult, version
 
 if TYPE_CHECKING:
@@ -81,33 +83,22 @@ def assess(
     """
     target = _folder(out)
     plan = target.with_name(target.name + "-plan")
-    shards = _count("shards", shards, 1, MAX_SHARDS)
-    threads = _count("threads", threads, 1) or 1
-    retries = _count("retries", retries, 1) or 1
-    seed = _count("seed", seed, 0, MAX_SEED)
+    shards = whole("shards", shards, 1, MAX_SHARDS)
+    threads = whole("threads", threads, 1, MAX_THREADS) or 1
+    retries = whole("retries", retries, 1) or 1
+    seed = whole("seed", seed, 0, MAX_SEED)
     _check_list(inventory)
     with _client(client) as client:
-        with _study_file(study) as study_path, as_file(inventory) as list_path:
-            shards = _plan(plan, study_path, list_path, seed, shards, client)
+        with _study_file(study) as study_path, as_file(inventory) as listed:
+            shards = _plan(plan, study_path, listed.path, seed, shards, client)
         _check_workers(client, plan)
         _run_all(client, plan, shards, threads, retries)
-    result = AssessResult._of(_merge(plan, target))
+    result = AssessResult._of(listed.named(_merge(plan, target)))
     result._in(target, None)
     # The results contain all that the shards wrote.
     shutil.rmtree(plan, ignore_errors=True)
     warn(result.warnings)
     return result
-
-
-def _count(name: str, value: Any, least: int, most: int | None = None) -> int | None:
-    if value is None:
-        return None
-    is_whole = hasattr(value, "__index__") and not isinstance(value, bool)
-    if not is_whole or value.__index__() < least or (most is not None and value.__index__() > most):
-        hint = f"give {name} as an int, or leave it out"
-        limits = f"at least {least}" if most is None else f"from {least} to {most}"
-        raise bad(f"{name} must be a whole number, {limits}, not {value!r}", hint)
-    return int(value.__index__())
 
 
 def _check_list(inventory: Any) -> None:

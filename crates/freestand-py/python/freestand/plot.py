@@ -30,7 +30,10 @@ if TYPE_CHECKING:
 def _axes(ax: Axes | None) -> Axes:
     if ax is not None:
         return ax
-    import matplotlib.pyplot as plt
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError as error:
+        raise ImportError('figures need matplotlib: pip install "freestand[plot]"') from error
 
     found: Axes = plt.subplots(layout="constrained")[1]
     return found
