@@ -7,8 +7,8 @@ use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::figure::Figure;
 use freestand_output::html::{CLOSING, Cell, escape, figure, heading, list, opening, paragraph, table, words};
 
-use super::objects::{ObjectRisk, RiskVerdict};
-use super::{RiskReport, rounded};
+use super::objects::{Limit, ObjectRisk, RiskVerdict};
+use super::{RiskReport, once_in, rounded};
 
 /// The page fits on one page, A4 or Letter.
 const CSS: &str = "\
@@ -232,7 +232,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
         heads.push(figure(format!("loss a year with the plan ({currency})")));
     }
     if has_verdicts {
-        heads.push(words("accepted rate"));
+        heads.push(words("compared with what is accepted"));
     }
     let left = |object: &ObjectRisk| {
         let loss = object.expected_annual_loss?;
@@ -259,17 +259,14 @@ fn objects(report: &RiskReport, years: &str) -> String {
             cells.push(loss(left(object)));
         }
         if has_verdicts {
-            cells.push(words(match (object.verdict, object.is_certain) {
-                (None, _) => "–",
-                (Some(RiskVerdict::Accepted), Some(false)) => "met, not certain",
-                (Some(RiskVerdict::Accepted), _) => "met",
-                (Some(RiskVerdict::Exceeds), Some(false)) => "exceeded, not certain",
-                (Some(RiskVerdict::Exceeds), _) => "exceeded",
-            }));
+            cells.push(words(&compared(object)));
         }
         cells
     };
     let mut html = heading("The objects");
+    if has_verdicts {
+        html.push_str(&paragraph(&verdicts(report)));
+    }
     let rows: Vec<Vec<Cell>> = sorted.iter().take(MAX_ROWS).map(row).collect();
     html.push_str(&table("", &[heads], &rows));
     let rest = sorted.get(MAX_ROWS..).unwrap_or_default();
@@ -279,6 +276,62 @@ fn objects(report: &RiskReport, years: &str) -> String {
         html.push_str(&paragraph(&format!("And {} more{of_losses}, in risk.csv.", rest.len())));
     }
     html
+}
+
+/// How many kinds of object keep to their accepted rates.
+fn verdicts(report: &RiskReport) -> String {
+    let many = |verdict: RiskVerdict| report.objects.iter().filter(|one| one.verdict == Some(verdict)).count();
+    let (broken, kept) = (many(RiskVerdict::Exceeds), many(RiskVerdict::Accepted));
+    let verb = if broken == 1 { "fails" } else { "fail" };
+    let mut said = match (broken, kept) {
+        (0, _) => "None of the objects fails more often than accepted.".to_owned(),
+        (_, 0) if broken == 1 => "The object with an accepted rate fails more often than that.".to_owned(),
+        (_, 0) => format!("All {} {verb} more often than accepted.", counted(broken, "kind") + " of object"),
+        _ => format!("{broken} of {} of object {verb} more often than accepted.", counted(broken + kept, "kind")),
+    };
+    let open = report.objects.iter().filter(|one| one.verdict.is_none()).count();
+    if open > 0 {
+        let what = counted(open, "kind");
+        said +=
+            &format!(" For {what} of object there is no comparison: no rate was accepted, or the rate is not known.");
+    }
+    said
+}
+
+/// How an object compares with the rates that its owner accepts, in a sentence or two.
+fn compared(object: &ObjectRisk) -> String {
+    let Some(verdict) = object.verdict else { return "–".to_owned() };
+    let accepted = |limit: &Limit| once_in(limit.accepted).unwrap_or_else(|| "never".to_owned());
+    let does = |limit: &Limit| if limit.limit_state == LimitState::Overturns { "Overturns" } else { "Is damaged" };
+    let limits = object.named_limits();
+    let mut sentences: Vec<String> = match verdict {
+        RiskVerdict::Accepted => limits
+            .iter()
+            .map(|limit| format!("{} no more often than accepted ({}).", does(limit), accepted(limit)))
+            .collect(),
+        RiskVerdict::Exceeds => limits
+            .iter()
+            .map(|limit| {
+                let more = more_often(limit.annual_rate.map_or(1.0, |rate| rate / limit.accepted));
+                format!("{} {more} accepted ({}).", does(limit), accepted(limit))
+            })
+            .collect(),
+    };
+    if object.is_certain == Some(false) {
+        sentences.push("This is not certain.".to_owned());
+    }
+    sentences.join(" ")
+}
+
+/// `3 times as often as`, `20 % more often than`: a rate over the accepted one.
+fn more_often(ratio: f64) -> String {
+    if ratio < 1.01 {
+        "slightly more often than".to_owned()
+    } else if ratio < 1.5 {
+        format!("{} more often than", percent_significant(ratio - 1.0, 1))
+    } else {
+        format!("{} times as often as", rounded(ratio, 2))
+    }
 }
 
 /// What the numbers leave out: first what this report misses, then what every one does.
@@ -352,6 +405,19 @@ mod tests {
             assert_eq!(grouped(value), expected.replace(' ', "\u{202f}"), "{value}");
         }
         assert_eq!(grouped(-25_900.0), "−25\u{202f}900");
+    }
+
+    #[test]
+    fn rates_are_compared_in_words() {
+        let cases = [
+            (1.001, "slightly more often than"),
+            (1.03, "3 % more often than"),
+            (1.6, "1.6 times as often as"),
+            (12.34, "12 times as often as"),
+        ];
+        for (ratio, said) in cases {
+            assert_eq!(more_often(ratio), said);
+        }
     }
 
     #[test]

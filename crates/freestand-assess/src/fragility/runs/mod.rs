@@ -499,19 +499,17 @@ fn changed_item(changed: &ChangedObject, inventory: &Inventory) -> Result<Item, 
         wrong(message, "correct its id, or leave out the row")
     })?;
     let Change { stiffness_n_m, base_thickness_m, mass_kg } = changed.change;
-    if let Some((base_m, thickness_m)) = base_thickness_m.zip(found.thickness_m).filter(|(base, whole)| base > whole) {
+    // Feet may reach beyond the object, but not into the wall behind it.
+    let reach_m = base_thickness_m.zip(found.thickness_m).map(|(base_m, thickness_m)| 0.5 * (base_m - thickness_m));
+    if let Some((reach_m, gap_m)) = reach_m.zip(found.surroundings.wall_gap_m).filter(|(reach, gap)| reach > gap) {
         let message = format!(
-            "line {}: the base of {} would be {} m wide, and the object is {} m",
+            "line {}: the feet of {} would reach {} m beyond it, and the wall is {} m behind it",
             changed.line,
             shorten(&changed.id),
-            shortest(base_m),
-            shortest(thickness_m)
+            significant(reach_m, 3),
+            shortest(gap_m)
         );
-        return Err(wrong(
-            message,
-            "the model is a block whose base is at most as wide as itself: run the wider \
-                                   object as a row of its own, and name its curves in the column curves",
-        ));
+        return Err(wrong(message, "correct base_thickness, or the gap to the wall in the list"));
     }
     let cushion = stiffness_n_m.map(Cushion::linear).transpose();
     let cushion = cushion.map_err(|error| wrong(format!("line {}: {error}", changed.line), "correct the stiffness"))?;
