@@ -262,7 +262,7 @@ pub(crate) fn load_options(
             let message = format!("the option changes the object itself, and no curves have the id \"{wanted}\"");
             let hint = "run the changed objects with freestand fragility, its list and these options, and give its \
                         fragility.csv or outcomes.csv here; or name a file in the column curves";
-            Problem::value(message, hint).in_file(path).at_line(object.line)
+            Problem::value(message, hint).in_file(&object.file).at_line(object.line)
         })?;
         Ok(Some(Effect::Curves(found.clone())))
     })?;
@@ -316,7 +316,7 @@ fn read_options(
             }
             (None, None, Some(change)) => {
                 let curve_id = curve_id(&name, &choice);
-                changed(ChangedObject { id: name.clone(), curve_id, change, line: row.line })
+                changed(ChangedObject { id: name.clone(), curve_id, change, file: path.to_path_buf(), line: row.line })
             }
             (factor, curves, change) => {
                 let given = [factor.is_some(), curves.is_some(), change.is_some()].iter().any(|is_given| *is_given);
@@ -502,7 +502,8 @@ mod tests {
             Ok(Some(Effect::MedianFactor(1.0)))
         });
         let change = Change { stiffness_n_m: Some(3e5), base_thickness_m: Some(0.6), mass_kg: None };
-        assert_eq!(seen, [ChangedObject { id: "a".to_owned(), curve_id: "a/pad".to_owned(), change, line: 2 }]);
+        let (id, curve_id, file) = ("a".to_owned(), "a/pad".to_owned(), PathBuf::from("o.csv"));
+        assert_eq!(seen, [ChangedObject { id, curve_id, change, file, line: 2 }]);
         assert_eq!(rows.unwrap().len(), 1);
     }
 }

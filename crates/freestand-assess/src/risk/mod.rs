@@ -421,12 +421,12 @@ impl RiskReport {
 
 /// A rate for people: how often, its 95 % interval if it has one, and the chance in a number of years.
 pub(crate) fn rate_words(rate: f64, ci95: Option<(f64, f64)>, probability: f64, years: &str) -> String {
-    let interval =
-        ci95.map_or(String::new(), |(low, high)| format!(", 95 %: {} to {}", number(low, 3), number(high, 3)));
+    let interval = |(low, high)| format!("; 95 % interval {} to {} a year", number(low, 3), number(high, 3));
     format!(
-        "{} a year{interval} ({}), {} in {years} years",
+        "{} a year ({}{}), {} in {years} years",
         number(rate, 3),
         once_in(rate).unwrap_or_else(|| "never".to_owned()),
+        ci95.map_or(String::new(), interval),
         percent_significant(probability, 3)
     )
 }

@@ -74,6 +74,11 @@ pub(crate) struct Limit {
 }
 
 impl Limit {
+    /// The rate over the accepted one; 0 where it is not known.
+    pub(crate) fn ratio(&self) -> f64 {
+        self.annual_rate.map_or(0.0, |rate| rate / self.accepted)
+    }
+
     fn is_broken(&self) -> bool {
         self.annual_rate.is_some_and(|rate| rate > self.accepted)
     }

@@ -32,12 +32,14 @@ figure { margin: .8rem 0; }
   .boxes small { font-size: 7.8pt; }
   .scroll { margin: .2rem 0 .3rem; }
   figure { margin: .4rem 0; }
-  figure svg { max-width: 100%; max-height: 58mm; }
+  figure svg { max-width: 100%; max-height: 52mm; }
 }
 ";
 
 /// The most objects of the table; the rest is added up.
-const MAX_ROWS: usize = 6;
+const MAX_ROWS: usize = 5;
+/// The most sentences about rates that are not accepted.
+const MAX_SENTENCES: usize = 3;
 /// The most ids that a list names.
 const MAX_NAMED: usize = 2;
 
@@ -278,59 +280,56 @@ fn objects(report: &RiskReport, years: &str) -> String {
     html
 }
 
-/// How many kinds of object keep to their accepted rates.
+/// How many kinds of object fail more often than accepted, and by how much the worst of them do.
 fn verdicts(report: &RiskReport) -> String {
-    let many = |verdict: RiskVerdict| report.objects.iter().filter(|one| one.verdict == Some(verdict)).count();
-    let (broken, kept) = (many(RiskVerdict::Exceeds), many(RiskVerdict::Accepted));
-    let verb = if broken == 1 { "fails" } else { "fail" };
-    let mut said = match (broken, kept) {
-        (0, _) => "None of the objects fails more often than accepted.".to_owned(),
-        (_, 0) if broken == 1 => "The object with an accepted rate fails more often than that.".to_owned(),
-        (_, 0) => format!("All {} {verb} more often than accepted.", counted(broken, "kind") + " of object"),
-        _ => format!("{broken} of {} of object {verb} more often than accepted.", counted(broken + kept, "kind")),
-    };
-    let open = report.objects.iter().filter(|one| one.verdict.is_none()).count();
-    if open > 0 {
-        let what = counted(open, "kind");
-        said +=
-            &format!(" For {what} of object there is no comparison: no rate was accepted, or the rate is not known.");
-    }
-    said
-}
-
-/// How an object compares with the rates that its owner accepts, in a sentence or two.
-fn compared(object: &ObjectRisk) -> String {
-    let Some(verdict) = object.verdict else { return "–".to_owned() };
-    let accepted = |limit: &Limit| once_in(limit.accepted).unwrap_or_else(|| "never".to_owned());
-    let does = |limit: &Limit| if limit.limit_state == LimitState::Overturns { "Overturns" } else { "Is damaged" };
-    let limits = object.named_limits();
-    let mut sentences: Vec<String> = match verdict {
-        RiskVerdict::Accepted => limits
-            .iter()
-            .map(|limit| format!("{} no more often than accepted ({}).", does(limit), accepted(limit)))
-            .collect(),
-        RiskVerdict::Exceeds => limits
-            .iter()
-            .map(|limit| {
-                let more = more_often(limit.annual_rate.map_or(1.0, |rate| rate / limit.accepted));
-                format!("{} {more} accepted ({}).", does(limit), accepted(limit))
-            })
-            .collect(),
-    };
-    if object.is_certain == Some(false) {
-        sentences.push("This is not certain.".to_owned());
+    let compared = report.objects.iter().filter(|one| one.verdict.is_some()).count();
+    let broken: Vec<&ObjectRisk> =
+        report.objects.iter().filter(|one| one.verdict == Some(RiskVerdict::Exceeds)).collect();
+    let kinds = format!("{} of object", counted(compared, "kind"));
+    let mut sentences = vec![match broken.len() {
+        0 => format!("Of {kinds} with an accepted rate, none fails more often than that."),
+        many => {
+            let verb = if many == 1 { "fails" } else { "fail" };
+            format!("Of {kinds} with an accepted rate, {many} {verb} more often than that.")
+        }
+    }];
+    let mut worst: Vec<(&ObjectRisk, Limit)> =
+        broken.iter().flat_map(|object| object.named_limits().into_iter().map(|limit| (*object, limit))).collect();
+    // Stable: what is equal stays in the order of the file.
+    worst.sort_by(|a, b| b.1.ratio().total_cmp(&a.1.ratio()));
+    let once = |rate: f64| once_in(rate).unwrap_or_else(|| "never".to_owned());
+    sentences.extend(worst.iter().take(MAX_SENTENCES).map(|(object, limit)| {
+        let does = if limit.limit_state == LimitState::Overturns { "overturns" } else { "is damaged" };
+        let (more, than) = more_often(limit.ratio());
+        let (found, accepted) = (once(limit.annual_rate.unwrap_or(0.0)), once(limit.accepted));
+        let sure = if object.is_certain == Some(false) { " This is not certain." } else { "" };
+        let id = shorten(&object.id);
+        format!("The object {id} {does} {more} {than} accepted: {found}, and {accepted} is accepted.{sure}")
+    }));
+    if worst.len() > MAX_SENTENCES {
+        sentences.push(format!("The other {} are in risk.json.", worst.len() - MAX_SENTENCES));
     }
     sentences.join(" ")
 }
 
-/// `3 times as often as`, `20 % more often than`: a rate over the accepted one.
-fn more_often(ratio: f64) -> String {
+/// How an object compares with the rates that its owner accepts, in a few words.
+fn compared(object: &ObjectRisk) -> String {
+    let Some(verdict) = object.verdict else { return "–".to_owned() };
+    let words = match verdict {
+        RiskVerdict::Accepted => "not more often".to_owned(),
+        RiskVerdict::Exceeds => more_often(object.named_limits().iter().map(Limit::ratio).fold(1.0, f64::max)).0,
+    };
+    if object.is_certain == Some(false) { format!("{words}, not certain") } else { words }
+}
+
+/// `3 times as often` as, `20 % more often` than: a rate over the accepted one.
+fn more_often(ratio: f64) -> (String, &'static str) {
     if ratio < 1.01 {
-        "slightly more often than".to_owned()
+        ("slightly more often".to_owned(), "than")
     } else if ratio < 1.5 {
-        format!("{} more often than", percent_significant(ratio - 1.0, 1))
+        (format!("{} more often", percent_significant(ratio - 1.0, 1)), "than")
     } else {
-        format!("{} times as often as", rounded(ratio, 2))
+        (format!("{} times as often", rounded(ratio, 2)), "as")
     }
 }
 
@@ -410,13 +409,13 @@ mod tests {
     #[test]
     fn rates_are_compared_in_words() {
         let cases = [
-            (1.001, "slightly more often than"),
-            (1.03, "3 % more often than"),
-            (1.6, "1.6 times as often as"),
-            (12.34, "12 times as often as"),
+            (1.001, ("slightly more often", "than")),
+            (1.03, ("3 % more often", "than")),
+            (1.6, ("1.6 times as often", "as")),
+            (12.34, ("12 times as often", "as")),
         ];
-        for (ratio, said) in cases {
-            assert_eq!(more_often(ratio), said);
+        for (ratio, (words, than)) in cases {
+            assert_eq!(more_often(ratio), (words.to_owned(), than));
         }
     }
 
