@@ -297,6 +297,7 @@ fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[Objec
         if !object.expected_annual_loss.is_none_or(f64::is_finite) {
             let message = format!("the loss a year of {id} is too large for a number");
             let problem = Problem::value(message, "correct its costs or its quantity");
+            let problem = object.cost.iter().fold(problem, |problem, cost| problem.at_line(cost.line));
             return Err(request.inventory.iter().fold(problem, |problem, path| problem.in_file(path)));
         }
     }
@@ -389,9 +390,9 @@ impl RiskReport {
             }
             if let Some(verdict) = object.verdict {
                 let limits = object.named_limits();
-                let limits = limits.iter().map(|(state, rate)| {
-                    let of = if *state == LimitState::Overturns { "overturning" } else { "exceeding" };
-                    format!("accepted for {of}: {} a year", number(*rate, 3))
+                let limits = limits.iter().map(|limit| {
+                    let of = if limit.limit_state == LimitState::Overturns { "overturning" } else { "exceeding" };
+                    format!("accepted for {of}: {} a year", number(limit.accepted, 3))
                 });
                 let accepted = format!(" ({})", limits.collect::<Vec<_>>().join("; "));
                 let sure = if object.is_certain == Some(false) { ", not certain" } else { "" };
@@ -418,10 +419,21 @@ impl RiskReport {
     }
 }
 
-/// A rate for people: how often, and the chance in a number of years.
-pub(crate) fn rate_words(rate: f64, probability: f64, years: &str) -> String {
-    let every = if rate > 0.0 { format!("once in {} years", rounded(1.0 / rate, 3)) } else { "never".to_owned() };
-    format!("{} a year ({every}), {} in {years} years", number(rate, 3), percent_significant(probability, 3))
+/// A rate for people: how often, its 95 % interval if it has one, and the chance in a number of years.
+pub(crate) fn rate_words(rate: f64, ci95: Option<(f64, f64)>, probability: f64, years: &str) -> String {
+    let interval = |(low, high)| format!("; 95 % interval {} to {} a year", number(low, 3), number(high, 3));
+    format!(
+        "{} a year ({}{}), {} in {years} years",
+        number(rate, 3),
+        once_in(rate).unwrap_or_else(|| "never".to_owned()),
+        ci95.map_or(String::new(), interval),
+        percent_significant(probability, 3)
+    )
+}
+
+/// `once in 475 years`; `None` for what never happens.
+pub(crate) fn once_in(rate: f64) -> Option<String> {
+    (rate > 0.0).then(|| format!("once in {} years", rounded(1.0 / rate, 3)))
 }
 
 /// A number with a few significant digits, also before the decimal point: 10900, not 10932.

@@ -50,7 +50,7 @@ impl StateRisk {
     pub(crate) fn words(&self, years: &str) -> String {
         match (self.annual_rate, self.annual_rate_upper) {
             (Some(rate), upper) => {
-                let words = rate_words(rate, self.probability.unwrap_or(0.0), years);
+                let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
                 // What the hazard beyond its last point might add.
                 match upper.filter(|upper| *upper > 1.01 * rate) {
                     Some(upper) => format!("{words}; up to {} a year", number(upper, 3)),
@@ -60,6 +60,27 @@ impl StateRisk {
             (None, Some(upper)) => format!("not known, at most {} a year", number(upper, 3)),
             (None, None) => "not known".to_owned(),
         }
+    }
+}
+
+/// An accepted rate, and the rate that it is compared with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Limit {
+    pub(crate) limit_state: LimitState,
+    /// \[1/year\]
+    pub(crate) accepted: f64,
+    /// `None`: not known \[1/year\].
+    pub(crate) annual_rate: Option<f64>,
+}
+
+impl Limit {
+    /// The rate over the accepted one; 0 where it is not known.
+    pub(crate) fn ratio(&self) -> f64 {
+        self.annual_rate.map_or(0.0, |rate| rate / self.accepted)
+    }
+
+    fn is_broken(&self) -> bool {
+        self.annual_rate.is_some_and(|rate| rate > self.accepted)
     }
 }
 
@@ -194,13 +215,13 @@ impl ObjectRisk {
     }
 
     /// The accepted rates that a verdict is about: those that are not kept, or all of them if they are.
-    pub(crate) fn named_limits(&self) -> Vec<(LimitState, f64)> {
+    pub(crate) fn named_limits(&self) -> Vec<Limit> {
         let accepted = [self.accepted_exceed_rate, self.accepted_rate];
-        let limits = LOSS_STATES.into_iter().zip(accepted).filter_map(|(state, rate)| Some((state, rate?)));
-        let (broken, kept): (Vec<_>, Vec<_>) = limits.partition(|(state, accepted)| {
-            let found = self.states.iter().find(|one| one.limit_state == *state);
-            found.and_then(|one| one.annual_rate).is_some_and(|rate| rate > *accepted)
+        let limits = LOSS_STATES.into_iter().zip(accepted).filter_map(|(limit_state, accepted)| {
+            let found = self.states.iter().find(|one| one.limit_state == limit_state);
+            Some(Limit { limit_state, accepted: accepted?, annual_rate: found.and_then(|one| one.annual_rate) })
         });
+        let (broken, kept): (Vec<Limit>, Vec<Limit>) = limits.partition(Limit::is_broken);
         if broken.is_empty() { kept } else { broken }
     }
 

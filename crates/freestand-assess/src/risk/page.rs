@@ -7,8 +7,8 @@ use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::figure::Figure;
 use freestand_output::html::{CLOSING, Cell, escape, figure, heading, list, opening, paragraph, table, words};
 
-use super::objects::{ObjectRisk, RiskVerdict};
-use super::{RiskReport, rounded};
+use super::objects::{Limit, ObjectRisk, RiskVerdict};
+use super::{RiskReport, once_in, rounded};
 
 /// The page fits on one page, A4 or Letter.
 const CSS: &str = "\
@@ -32,12 +32,14 @@ figure { margin: .8rem 0; }
   .boxes small { font-size: 7.8pt; }
   .scroll { margin: .2rem 0 .3rem; }
   figure { margin: .4rem 0; }
-  figure svg { max-width: 100%; max-height: 58mm; }
+  figure svg { max-width: 100%; max-height: 52mm; }
 }
 ";
 
 /// The most objects of the table; the rest is added up.
-const MAX_ROWS: usize = 6;
+const MAX_ROWS: usize = 5;
+/// The most sentences about rates that are not accepted.
+const MAX_SENTENCES: usize = 3;
 /// The most ids that a list names.
 const MAX_NAMED: usize = 2;
 
@@ -232,7 +234,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
         heads.push(figure(format!("loss a year with the plan ({currency})")));
     }
     if has_verdicts {
-        heads.push(words("accepted rate"));
+        heads.push(words("compared with what is accepted"));
     }
     let left = |object: &ObjectRisk| {
         let loss = object.expected_annual_loss?;
@@ -259,17 +261,14 @@ fn objects(report: &RiskReport, years: &str) -> String {
             cells.push(loss(left(object)));
         }
         if has_verdicts {
-            cells.push(words(match (object.verdict, object.is_certain) {
-                (None, _) => "–",
-                (Some(RiskVerdict::Accepted), Some(false)) => "met, not certain",
-                (Some(RiskVerdict::Accepted), _) => "met",
-                (Some(RiskVerdict::Exceeds), Some(false)) => "exceeded, not certain",
-                (Some(RiskVerdict::Exceeds), _) => "exceeded",
-            }));
+            cells.push(words(&compared(object)));
         }
         cells
     };
     let mut html = heading("The objects");
+    if has_verdicts {
+        html.push_str(&paragraph(&verdicts(report)));
+    }
     let rows: Vec<Vec<Cell>> = sorted.iter().take(MAX_ROWS).map(row).collect();
     html.push_str(&table("", &[heads], &rows));
     let rest = sorted.get(MAX_ROWS..).unwrap_or_default();
@@ -279,6 +278,59 @@ fn objects(report: &RiskReport, years: &str) -> String {
         html.push_str(&paragraph(&format!("And {} more{of_losses}, in risk.csv.", rest.len())));
     }
     html
+}
+
+/// How many kinds of object fail more often than accepted, and by how much the worst of them do.
+fn verdicts(report: &RiskReport) -> String {
+    let compared = report.objects.iter().filter(|one| one.verdict.is_some()).count();
+    let broken: Vec<&ObjectRisk> =
+        report.objects.iter().filter(|one| one.verdict == Some(RiskVerdict::Exceeds)).collect();
+    let kinds = format!("{} of object", counted(compared, "kind"));
+    let mut sentences = vec![match broken.len() {
+        0 => format!("Of {kinds} with an accepted rate, none fails more often than that."),
+        many => {
+            let verb = if many == 1 { "fails" } else { "fail" };
+            format!("Of {kinds} with an accepted rate, {many} {verb} more often than that.")
+        }
+    }];
+    let mut worst: Vec<(&ObjectRisk, Limit)> =
+        broken.iter().flat_map(|object| object.named_limits().into_iter().map(|limit| (*object, limit))).collect();
+    // Stable: what is equal stays in the order of the file.
+    worst.sort_by(|a, b| b.1.ratio().total_cmp(&a.1.ratio()));
+    let once = |rate: f64| once_in(rate).unwrap_or_else(|| "never".to_owned());
+    sentences.extend(worst.iter().take(MAX_SENTENCES).map(|(object, limit)| {
+        let does = if limit.limit_state == LimitState::Overturns { "overturns" } else { "is damaged" };
+        let (more, than) = more_often(limit.ratio());
+        let (found, accepted) = (once(limit.annual_rate.unwrap_or(0.0)), once(limit.accepted));
+        let sure = if object.is_certain == Some(false) { " This is not certain." } else { "" };
+        let id = shorten(&object.id);
+        format!("The object {id} {does} {more} {than} accepted: {found}, and {accepted} is accepted.{sure}")
+    }));
+    if worst.len() > MAX_SENTENCES {
+        sentences.push(format!("The other {} are in risk.json.", worst.len() - MAX_SENTENCES));
+    }
+    sentences.join(" ")
+}
+
+/// How an object compares with the rates that its owner accepts, in a few words.
+fn compared(object: &ObjectRisk) -> String {
+    let Some(verdict) = object.verdict else { return "–".to_owned() };
+    let words = match verdict {
+        RiskVerdict::Accepted => "not more often".to_owned(),
+        RiskVerdict::Exceeds => more_often(object.named_limits().iter().map(Limit::ratio).fold(1.0, f64::max)).0,
+    };
+    if object.is_certain == Some(false) { format!("{words}, not certain") } else { words }
+}
+
+/// `3 times as often` as, `20 % more often` than: a rate over the accepted one.
+fn more_often(ratio: f64) -> (String, &'static str) {
+    if ratio < 1.01 {
+        ("slightly more often".to_owned(), "than")
+    } else if ratio < 1.5 {
+        (format!("{} more often", percent_significant(ratio - 1.0, 1)), "than")
+    } else {
+        (format!("{} times as often", rounded(ratio, 2)), "as")
+    }
 }
 
 /// What the numbers leave out: first what this report misses, then what every one does.
@@ -352,6 +404,19 @@ mod tests {
             assert_eq!(grouped(value), expected.replace(' ', "\u{202f}"), "{value}");
         }
         assert_eq!(grouped(-25_900.0), "−25\u{202f}900");
+    }
+
+    #[test]
+    fn rates_are_compared_in_words() {
+        let cases = [
+            (1.001, ("slightly more often", "than")),
+            (1.03, ("3 % more often", "than")),
+            (1.6, ("1.6 times as often", "as")),
+            (12.34, ("12 times as often", "as")),
+        ];
+        for (ratio, (words, than)) in cases {
+            assert_eq!(more_often(ratio), (words.to_owned(), than));
+        }
     }
 
     #[test]

@@ -20,9 +20,9 @@ use super::objects::ObjectRisk;
 
 /// The return periods whose losses are stated \[years\].
 const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
-/// Share of worlds of the lowest level with a loss above which lower levels are missing.
+/// Share of worlds of the lowest intensity with a loss above which lower intensities are missing.
 const SMALL: f64 = 0.02;
-/// Share of missing pairs of motion and level above which runs are no stripes at all.
+/// Share of missing pairs of motion and intensity above which runs are no stripes at all.
 const NO_STRIPES: f64 = 0.5;
 
 /// The losses of all objects.
@@ -35,7 +35,7 @@ pub(crate) struct Portfolio {
     pub(super) is_at_least: bool,
 }
 
-/// A motion at a level: the classes of the objects with costs.
+/// A motion at an intensity, by their numbers: the classes of the objects with costs.
 type Pair = (usize, usize);
 
 pub(crate) fn portfolio(
@@ -79,8 +79,8 @@ pub(crate) fn portfolio(
     let known: usize = worlds.values().map(|classes| classes.iter().flatten().count()).sum();
     if (known as f64) < (1.0 - NO_STRIPES) * (wanted * priced.len()) as f64 {
         warnings.push(
-            "the motions have levels of their own, so there are no worlds that all objects share: the losses of all \
-             objects together were not calculated"
+            "the motions were not all scaled to the same intensities, so there are no worlds that all objects share: the \
+             losses of all objects together were not calculated"
                 .to_owned(),
         );
         return Ok(None);
@@ -98,14 +98,14 @@ pub(crate) fn portfolio(
                         shortest(*intensity),
                         table.measure.name()
                     );
-                    let hint = "the losses of all objects need every object under every motion at every level";
+                    let hint = "the losses of all objects need every object under every motion at every intensity";
                     return Err(Problem::value(message, hint).in_file(&table.file.path));
                 }
             }
         }
     }
     let strips = strip_rates(&levels, |x| hazard.hazard.annual_rate(x)).map_err(|error| {
-        Problem::new(ProblemKind::Value, error.to_string()).hint("give levels that the hazard covers")
+        Problem::new(ProblemKind::Value, error.to_string()).hint("give intensities that the hazard curve covers")
     })?;
     let loss = |classes: &[Option<OutcomeClass>]| -> f64 {
         let one = |(class, (_, cost)): (&Option<OutcomeClass>, &(usize, &CostRow))| match class {
@@ -128,8 +128,8 @@ pub(crate) fn portfolio(
     let is_at_least = failing as f64 > SMALL * motions as f64;
     if is_at_least {
         warnings.push(format!(
-            "at the lowest level, {} {}, something fails in {} of {}: weaker motions cause losses too, and the losses of \
-             all objects are at least those stated; add lower levels",
+            "at the lowest intensity, {} {}, something fails in {} of {}: weaker motions cause losses too, and the losses \
+             of all objects are at least those stated; add lower intensities",
             shortest(levels[0]),
             table.measure.name(),
             failing,
