@@ -106,6 +106,7 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
     };
     check_fit(report, request)?;
     let costs = request.inventory.as_deref().map(load_costs).transpose()?;
+    warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
     let objects = objects(report, request, costs.as_ref(), ids, &mut warnings)?;
     let listed = Listed { objects: &objects, currency: costs.as_ref().and_then(|costs| costs.currency.as_deref()) };
     let id_table = id_table(&objects, ids, folder, &mut warnings)?;

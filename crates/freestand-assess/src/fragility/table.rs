@@ -7,7 +7,8 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, nearest};
 
-/// A heading, `pfv [m/s]`: its name, and the unit between the brackets.
+/// A heading, `pfv [m/s]`: its name in small letters with `_` for blanks, and the unit between the
+/// brackets.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Heading {
     pub(crate) name: String,
@@ -148,6 +149,24 @@ impl Table {
         Ok(table)
     }
 
+    /// What to tell of columns that are none of `known`: a name that is written in another way would
+    /// silently count for nothing.
+    pub(crate) fn unused(&self, known: &[&str]) -> Option<String> {
+        let unknown = |heading: &&Heading| !heading.name.is_empty() && !known.contains(&heading.name.as_str());
+        let said: Vec<String> = self
+            .headings
+            .iter()
+            .filter(unknown)
+            .map(|heading| {
+                let near = nearest(&heading.name, known).map(|near| format!(" (is it {near}?)")).unwrap_or_default();
+                format!("{}{near}", shorten(&heading.written))
+            })
+            .collect();
+        let columns = if said.len() == 1 { "this column is" } else { "these columns are" };
+        let file = self.path.display();
+        (!said.is_empty()).then(|| format!("{file}: {columns} not used: {}", said.join(", ")))
+    }
+
     /// A problem with the headings.
     pub(crate) fn header_problem(&self, message: String) -> Problem {
         Problem::new(ProblemKind::Format, message).in_file(&self.path).at_line(self.line).hint(self.hint)
@@ -264,7 +283,7 @@ fn line_of(bytes: &[u8], position: &csv::Position) -> usize {
 fn heading(cell: &str) -> Heading {
     let split = cell.strip_suffix(']').and_then(|cell| cell.rsplit_once('['));
     let (name, unit) = split.map_or((cell, None), |(name, unit)| (name, Some(unit.trim().to_owned())));
-    Heading { name: name.trim().to_owned(), unit, written: cell.to_owned() }
+    Heading { name: name.trim().to_lowercase().replace(' ', "_"), unit, written: cell.to_owned() }
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, parse_positive, shorten};
+use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
@@ -13,6 +14,26 @@ use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
                     accepted_exceed_annual_rate [1/yr], floor, longitude, latitude";
+/// The columns of an inventory; its items are for people.
+const COLUMNS: [&str; 14] = [
+    "id",
+    "item",
+    "quantity",
+    "repair_cost",
+    "replacement_cost",
+    "downtime",
+    "downtime_cost",
+    "casualty_probability",
+    "casualty_cost",
+    "accepted_annual_rate",
+    "accepted_exceed_annual_rate",
+    "floor",
+    "longitude",
+    "latitude",
+];
+/// The columns of options.
+const OPTION_COLUMNS: [&str; 9] =
+    ["id", "option", "cost", "life", "median_factor", "curves", "stiffness", "base_thickness", "mass"];
 const OPTIONS_HINT: &str = "the columns are id, option, cost [AUD], perhaps life [yr], and one effect: median_factor, \
                             curves, or a change of stiffness [N/mm], base_thickness [mm] or mass [kg]";
 
@@ -75,6 +96,7 @@ pub(crate) struct Costs {
     pub(crate) file: InputFile,
     pub(crate) currency: Option<String>,
     pub(crate) rows: Vec<CostRow>,
+    pub(crate) warnings: Vec<String>,
 }
 
 /// The currency of a column, `AUD` of `[AUD]` and of `[AUD/day]`; all columns have the same.
@@ -159,7 +181,24 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
             site_deg: site_deg?,
         })
     })?;
-    Ok(Costs { file: InputFile::new(path, bytes), currency, rows })
+    let mut warnings: Vec<String> = table.unused(&COLUMNS).into_iter().collect();
+    if let Some(quantity) = table.column("quantity") {
+        let blank = table.rows.iter().filter(|row| table.text(row, quantity).is_empty()).count();
+        let has = if blank == 1 { "has" } else { "have" };
+        let said = format!("{}: {} {has} no quantity: 1 is counted", path.display(), counted(blank, "row"));
+        warnings.extend((blank > 0).then_some(said));
+    }
+    for row in
+        rows.iter().filter(|row| row.replacement.is_some() && row.repair.is_some_and(|cost| cost > row.overturned()))
+    {
+        warnings.push(format!(
+            "{}:{}: to repair {} costs more than its overturning does: are the two columns the right way round?",
+            path.display(),
+            row.line,
+            shorten(&row.id)
+        ));
+    }
+    Ok(Costs { file: InputFile::new(path, bytes), currency, rows, warnings })
 }
 
 /// The text of a cell that no row above has; `known` are the lines of those above.
@@ -244,19 +283,23 @@ pub(crate) struct OptionRow {
     pub(crate) effect: Effect,
 }
 
+/// The options of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Options {
+    pub(crate) file: InputFile,
+    pub(crate) rows: Vec<OptionRow>,
+    pub(crate) warnings: Vec<String>,
+}
+
 /// Reads the options; `currency` is that of the costs, and `curves` those of all objects, with those of
 /// changed objects as `ID/option`.
 ///
 /// # Errors
 /// Another currency, no effect or two, an option that is there twice, a changed object without
 /// curves; all rows that are wrong.
-pub(crate) fn load_options(
-    path: &Path,
-    currency: Option<&str>,
-    curves: &[ObjectCurves],
-) -> Result<(InputFile, Vec<OptionRow>), Problems> {
+pub(crate) fn load_options(path: &Path, currency: Option<&str>, curves: &[ObjectCurves]) -> Result<Options, Problems> {
     let bytes = load(path)?;
-    let rows = read_options(&bytes, path, currency, |object| {
+    let (rows, warnings) = read_options(&bytes, path, currency, |object| {
         let found = curves.iter().find(|one| one.id == object.curve_id).ok_or_else(|| {
             let wanted = shorten(&object.curve_id);
             let message = format!("the option changes the object itself, and no curves have the id \"{wanted}\"");
@@ -266,7 +309,7 @@ pub(crate) fn load_options(
         })?;
         Ok(Some(Effect::Curves(found.clone())))
     })?;
-    Ok((InputFile::new(path, &bytes), rows))
+    Ok(Options { file: InputFile::new(path, &bytes), rows, warnings })
 }
 
 /// The objects that options change, of a file of options.
@@ -288,13 +331,14 @@ pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Prob
     Ok((InputFile::new(path, &bytes), objects))
 }
 
-/// `changed` gives the effect of an option that changes its object; `None`: the option is left out.
+/// The options, and what to know about the file. `changed` gives the effect of an option that changes its
+/// object; `None`: the option is left out.
 fn read_options(
     bytes: &[u8],
     path: &Path,
     currency: Option<&str>,
     mut changed: impl FnMut(ChangedObject) -> Result<Option<Effect>, Problem>,
-) -> Result<Vec<OptionRow>, Problems> {
+) -> Result<(Vec<OptionRow>, Vec<String>), Problems> {
     let mut rows = RowProblems::default();
     let table = Table::read_rows(bytes, path, OPTIONS_HINT, &mut rows)?;
     let mut problems = Problems::default();
@@ -333,7 +377,7 @@ fn read_options(
         let (cost, life_years) = (cost?, life_years?);
         Some(effect.map(|effect| OptionRow { id: name, line: row.line, option: choice, cost, life_years, effect }))
     })?;
-    Ok(rows.into_iter().flatten().collect())
+    Ok((rows.into_iter().flatten().collect(), table.unused(&OPTION_COLUMNS).into_iter().collect()))
 }
 
 /// The object of a row and its option; `known` are the lines of those above.
@@ -427,6 +471,20 @@ mod tests {
     }
 
     #[test]
+    fn what_counts_for_nothing_is_said() {
+        let said = |text: &str| costs(text).unwrap().warnings.join("; ");
+        assert_eq!(said("ID,Item,Quantity,Repair cost [AUD],floor\na,x,2,100,1\n"), "");
+        assert_eq!(costs("id,Repair cost [AUD]\na,100\n").unwrap().rows[0].repair, Some(100.0));
+        assert_eq!(
+            said("id,qty,repair_costs [AUD]\na,2,5\n"),
+            "i.csv: these columns are not used: qty, repair_costs [AUD] (is it repair_cost?)"
+        );
+        assert_eq!(said("id,quantity\na,\nb,3\n"), "i.csv: 1 row has no quantity: 1 is counted");
+        let dear = said("id,repair_cost [AUD],replacement_cost [AUD]\na,100,5\n");
+        assert!(dear.starts_with("i.csv:2: to repair a costs more than its overturning"), "{dear}");
+    }
+
+    #[test]
     fn what_is_wrong_is_said_with_line_and_column() {
         let cases = [
             ("id,repair_cost [AUD],replacement_cost [USD]\na,1,2\n", "is in USD, and other costs are in AUD"),
@@ -449,7 +507,8 @@ mod tests {
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
         let options = |text: &str| read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| Ok(None));
-        let fine = options("id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n").unwrap();
+        let fine =
+            options("id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n").unwrap().0;
         assert_eq!((fine.len(), fine[0].life_years, fine[1].life_years), (2, Some(15.0), None));
         let cases = [
             ("id,option,cost [USD],median_factor\na,strap,100,3\n", "is in USD"),
@@ -504,6 +563,6 @@ mod tests {
         let change = Change { stiffness_n_m: Some(3e5), base_thickness_m: Some(0.6), mass_kg: None };
         let (id, curve_id, file) = ("a".to_owned(), "a/pad".to_owned(), PathBuf::from("o.csv"));
         assert_eq!(seen, [ChangedObject { id, curve_id, change, file, line: 2 }]);
-        assert_eq!(rows.unwrap().len(), 1);
+        assert_eq!(rows.unwrap().0.len(), 1);
     }
 }

@@ -65,8 +65,9 @@ impl HazardGiven {
     /// Where the hazard comes from.
     ///
     /// # Errors
-    /// No source or several, or a source that needs more.
+    /// No source or several, a source that needs more, or what its kind does not use.
     pub fn source(self) -> Result<HazardSource, Problem> {
+        self.check_used()?;
         let needed = |key: &'static str, example: &'static str| {
             move || Problem::value(format!("the hazard needs `{key}`"), format!("give `{key}`, such as {example}"))
         };
@@ -91,6 +92,31 @@ impl HazardGiven {
                 let message = "only one of `hazard`, `hazard_power` and `hazard_code` can be given";
                 Err(Problem::value(message, "keep one of them"))
             }
+        }
+    }
+}
+
+impl HazardGiven {
+    /// Refuses what the source would ignore.
+    fn check_used(&self) -> Result<(), Problem> {
+        let refused = |key: &'static str, source: &str| {
+            Err(Problem::value(format!("{source} does not use `{key}`"), format!("leave out `{key}`")).of(&[key]))
+        };
+        if self.file.is_some() && self.measure.is_some() {
+            return refused("hazard_im", "a hazard file, which names its measure,");
+        }
+        let of_code = [
+            (self.site.is_some(), "site"),
+            (self.hazard_factor.is_some(), "hazard_factor"),
+            (self.fault_distance_m.is_some(), "fault_distance"),
+        ];
+        let has_source = self.file.is_some() || self.power_law.is_some();
+        match (self.code, of_code.into_iter().find(|(is_given, _)| *is_given)) {
+            (None, Some((_, key))) if has_source => refused(key, "a hazard that is not that of a code"),
+            (Some(HazardCode::As1170_4), _) if self.fault_distance_m.is_some() => {
+                refused("fault_distance", "AS 1170.4")
+            }
+            _ => Ok(()),
         }
     }
 }
@@ -420,12 +446,15 @@ fn of_code(
             (SiteClass::parse(site).map_err(class)?.shape_factor_ratio(period_s), probability_factors())
         }
         HazardCode::Nzs1170_5 => {
-            let near = fault_distance_km.map_or(1.0, |km| near_fault_ratio(period_s, km));
-            (near * SubsoilClass::parse(site).map_err(class)?.shape_factor_ratio(period_s), return_period_factors())
+            (SubsoilClass::parse(site).map_err(class)?.shape_factor_ratio(period_s), return_period_factors())
         }
     };
+    let near = |factor: f64| match (code, fault_distance_km) {
+        (HazardCode::Nzs1170_5, Some(km)) => near_fault_ratio(period_s, km, factor),
+        _ => 1.0,
+    };
     let points = factors.iter().map(|&(years, factor)| HazardPoint {
-        intensity: factor * hazard_factor * shape,
+        intensity: factor * hazard_factor * shape * near(factor),
         annual_rate: 1.0 / f64::from(years),
     });
     let hazard = Hazard::points(points.collect())
@@ -440,6 +469,8 @@ fn of_code(
 
 #[cfg(test)]
 mod tests {
+    use freestand::code_spectrum::Nzs1170_5;
+
     use super::*;
 
     fn file(text: &str) -> Result<MeasuredHazard, Problems> {
@@ -553,6 +584,27 @@ mod tests {
         }
     }
 
+    #[test]
+    fn what_a_source_does_not_use_is_refused() {
+        let code = HazardGiven {
+            code: Some(HazardCode::As1170_4),
+            measure: Some(Measure::Pga),
+            site: Some("De".to_owned()),
+            hazard_factor: Some(0.12),
+            ..HazardGiven::default()
+        };
+        assert!(code.clone().source().is_ok());
+        let file = HazardGiven { file: Some("h.csv".into()), ..HazardGiven::default() };
+        for (given, said) in [
+            (HazardGiven { fault_distance_m: Some(3e3), ..code }, "AS 1170.4 does not use `fault_distance`"),
+            (HazardGiven { measure: Some(Measure::Pga), ..file.clone() }, "does not use `hazard_im`"),
+            (HazardGiven { hazard_factor: Some(0.1), ..file }, "does not use `hazard_factor`"),
+        ] {
+            let problem = given.source().unwrap_err();
+            assert!(problem.message.contains(said) && problem.hint.is_some(), "{problem}");
+        }
+    }
+
     /// Sydney, rock: 0.08 g every 500 years, 1.8 times as much every 2500.
     #[test]
     fn the_return_periods_of_a_code_are_points() {
@@ -561,6 +613,12 @@ mod tests {
         assert!((hazard.annual_rate(0.08 * 1.8) * 2500.0 - 1.0).abs() < 1e-12);
         let new_zealand = of_code(HazardCode::Nzs1170_5, "C", 0.4, None, Measure::Sa { period_s: 0.5 }).unwrap().hazard;
         assert!((new_zealand.annual_rate(0.8) - 1.0 / 500.0).abs() < 1e-15);
+        // Near a fault every point is the spectrum of the code, which ignores the fault up to 250 years.
+        let near = of_code(HazardCode::Nzs1170_5, "C", 0.4, Some(2.0), Measure::Sa { period_s: 2.0 }).unwrap().hazard;
+        for years in [100, 250, 500, 1000] {
+            let code = Nzs1170_5::new(SubsoilClass::C, 0.4, years, Some(2.0)).unwrap();
+            assert!((near.annual_rate(code.sa_g(2.0)) * f64::from(years) - 1.0).abs() < 1e-12, "{years}");
+        }
         assert!(of_code(HazardCode::As1170_4, "X", 0.08, None, Measure::Pga).is_err());
         assert!(of_code(HazardCode::As1170_4, "Be", 0.08, None, Measure::Pgv).is_err());
     }

@@ -8,7 +8,7 @@ use freestand_output::figure::Figure;
 use freestand_output::html::{CLOSING, Cell, escape, figure, heading, list, opening, paragraph, table, words};
 
 use super::objects::{Limit, ObjectRisk, RiskVerdict};
-use super::{RiskReport, once_in, rounded};
+use super::{RiskReport, least, once_in, rounded};
 
 /// The page fits on one page, A4 or Letter.
 const CSS: &str = "\
@@ -95,7 +95,7 @@ fn grouped(value: f64) -> String {
 
 fn state(object: &ObjectRisk, limit_state: LimitState) -> Option<(f64, f64)> {
     let one = object.states.iter().find(|one| one.limit_state == limit_state)?;
-    one.annual_rate.zip(one.probability)
+    one.rates.annual_rate.zip(one.probability)
 }
 
 /// The numbers at the top, each with what it is.
@@ -104,7 +104,7 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
     let mut boxes = Vec::new();
     if let Some(loss) = report.expected_annual_loss() {
         boxes.push((
-            format!("{} a year", money(loss, currency)),
+            format!("{}{} a year", least(report.is_at_least()), money(loss, currency)),
             "Expected loss: the mean over very many years. Most years cost nothing, a few cost much.".to_owned(),
         ));
     }
@@ -112,9 +112,8 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
         Some(portfolio) => {
             let rate = portfolio.curve.first().map_or(0.0, |point| point.annual_rate);
             let chance = probability_in_years(rate, report.years);
-            let least = if portfolio.is_at_least { "at least " } else { "" };
             boxes.push((
-                format!("{least}{}", percent_significant(chance, 2)),
+                format!("{}{}", least(portfolio.is_at_least), percent_significant(chance, 2)),
                 format!("Chance that an earthquake causes a loss within {years} years."),
             ));
         }
@@ -146,7 +145,7 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
             ),
         ));
         boxes.push((
-            format!("{} a year", money(left.max(0.0), currency)),
+            format!("{}{} a year", least(report.is_at_least()), money(left.max(0.0), currency)),
             "Expected loss that remains with the plan.".to_owned(),
         ));
     }
@@ -245,7 +244,9 @@ fn objects(report: &RiskReport, years: &str) -> String {
     let row = |object: &&ObjectRisk| {
         let overturns = state(object, LimitState::Overturns);
         let chance = |one: Option<(f64, f64)>| figure(one.map_or("–".to_owned(), |one| percent_significant(one.1, 2)));
-        let loss = |loss: Option<f64>| figure(loss.map_or("–".to_owned(), grouped));
+        let loss = |loss: Option<f64>| {
+            figure(loss.map_or("–".to_owned(), |loss| format!("{}{}", least(object.is_at_least), grouped(loss))))
+        };
         let every = overturns.filter(|one| one.0 > 0.0).map_or("–".to_owned(), |one| grouped(1.0 / one.0));
         let mut cells = vec![
             words(&shorten(&object.id)),
@@ -302,7 +303,11 @@ fn verdicts(report: &RiskReport) -> String {
         let does = if limit.limit_state == LimitState::Overturns { "overturns" } else { "is damaged" };
         let (more, than) = more_often(limit.ratio());
         let (found, accepted) = (once(limit.annual_rate.unwrap_or(0.0)), once(limit.accepted));
-        let sure = if object.is_certain == Some(false) { " This is not certain." } else { "" };
+        let sure = match object.is_certain {
+            Some(true) => "",
+            Some(false) => " This is not certain.",
+            None => " How certain this is, is not known.",
+        };
         let id = shorten(&object.id);
         format!("The object {id} {does} {more} {than} accepted: {found}, and {accepted} is accepted.{sure}")
     }));
@@ -319,7 +324,7 @@ fn compared(object: &ObjectRisk) -> String {
         RiskVerdict::Accepted => "not more often".to_owned(),
         RiskVerdict::Exceeds => more_often(object.named_limits().iter().map(Limit::ratio).fold(1.0, f64::max)).0,
     };
-    if object.is_certain == Some(false) { format!("{words}, not certain") } else { words }
+    format!("{words}{}", object.uncertainty_words())
 }
 
 /// `3 times as often` as, `20 % more often` than: a rate over the accepted one.

@@ -9,13 +9,14 @@ use freestand::risk::{
     loss_exceedance,
 };
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::{counted, number, shortest};
+use freestand_input::words::{counted, number};
 use freestand_output::facts::Facts;
 
 use crate::fragility::{At, FragilityReport};
 
 use super::costs::{CostRow, Costs};
 use super::hazard::MeasuredHazard;
+use super::least;
 use super::objects::ObjectRisk;
 
 /// The return periods whose losses are stated \[years\].
@@ -92,11 +93,10 @@ pub(crate) fn portfolio(
                 if classes.and_then(|classes| classes.get(place).copied().flatten()).is_none() {
                     let name = |names: &[String], i: usize| names.get(i).cloned().unwrap_or_default();
                     let message = format!(
-                        "object {} has no outcome under motion {} at {} {}",
+                        "object {} has no outcome under motion {} at {}",
                         name(&table.objects, *object),
                         name(&table.motions, motion),
-                        shortest(*intensity),
-                        table.measure.name()
+                        table.measure.value_words(*intensity)
                     );
                     let hint = "the losses of all objects need every object under every motion at every intensity";
                     return Err(Problem::value(message, hint).in_file(&table.file.path));
@@ -119,19 +119,21 @@ pub(crate) fn portfolio(
         .iter()
         .map(|((_, level), classes)| World { annual_rate: strips[*level] / motions as f64, loss: loss(classes) })
         .collect();
+    // Below the hazard nothing is counted, nor below the lowest level.
+    let lowest = strips.iter().position(|strip| *strip > 0.0).unwrap_or(0);
     let failing = worlds
         .iter()
         .filter(|((_, level), classes)| {
-            *level == 0 && classes.iter().flatten().any(|class| *class > OutcomeClass::Rocked)
+            *level == lowest && classes.iter().flatten().any(|class| *class > OutcomeClass::Rocked)
         })
         .count();
     let is_at_least = failing as f64 > SMALL * motions as f64;
     if is_at_least {
         warnings.push(format!(
-            "at the lowest intensity, {} {}, something fails in {} of {}: weaker motions cause losses too, and the losses \
-             of all objects are at least those stated; add lower intensities",
-            shortest(levels[0]),
-            table.measure.name(),
+            "at the lowest intensity that is counted, {}, something fails in {} of {}: weaker motions cause losses too, \
+             and the losses of all objects are at least those stated; add lower intensities to the outcomes, and to the \
+             hazard if it begins there",
+            levels.get(lowest).map_or(String::new(), |level| table.measure.value_words(*level)),
             failing,
             counted(motions, "motion")
         ));
@@ -192,7 +194,7 @@ impl Portfolio {
     }
 
     pub(crate) fn text(&self, currency: &str) -> String {
-        let least = if self.is_at_least { "at least " } else { "" };
+        let least = least(self.is_at_least);
         let mut text = format!(
             "All objects under common motions ({}): {least}{} {currency} a year\n",
             counted(self.worlds, "world"),
