@@ -585,8 +585,14 @@ fn a_verdict_names_its_limit_and_wrong_words_are_refused() {
     let output = freestand(folder.path(), &[&base[..], &["--inventory", "accepted.csv"]].concat());
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(text.contains("more often than accepted (accepted for exceeding: 1e-12 a year)"), "{text}");
-    assert!(text.contains("more often than accepted (accepted for overturning: 1e-12 a year)"), "{text}");
+    assert!(
+        text.contains("more often than accepted, uncertainty not known (accepted for exceeding: 1e-12 a year)"),
+        "{text}"
+    );
+    assert!(
+        text.contains("more often than accepted, uncertainty not known (accepted for overturning: 1e-12 a year)"),
+        "{text}"
+    );
 
     let whole = refused(folder.path(), &[&base[..], &["--discount", "3"]].concat());
     assert!(whole.contains("a discount rate of 3 is 300 % a year"), "{whole}");

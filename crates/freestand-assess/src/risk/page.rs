@@ -306,7 +306,7 @@ fn verdicts(report: &RiskReport) -> String {
         let sure = match object.is_certain {
             Some(true) => "",
             Some(false) => " This is not certain.",
-            None => " How certain this is, is not known.",
+            None => " It is not known how certain this is.",
         };
         let id = shorten(&object.id);
         format!("The object {id} {does} {more} {than} accepted: {found}, and {accepted} is accepted.{sure}")
