@@ -259,9 +259,16 @@ fn an_option_that_changes_its_object_is_run_and_worth_what_its_curves_say() {
     let args = ["risk", "--outcomes", "plain/outcomes.csv", "--bootstrap", "0", "--options", "options.csv"];
     let missing = refused(folder, &[&args[..], &hazard[..], &money[..]].concat());
     assert!(missing.contains("options.csv:2: ") && missing.contains("shelf/feet"), "{missing}");
-    fs::write(folder.join("wide.csv"), "id,option,cost [AUD],base_thickness [mm]\nshelf,arms,50,900\n").unwrap();
-    let wide = refused(folder, &[&call[..], &["--options", "wide.csv"]].concat());
-    assert!(wide.contains("0.9 m wide"), "{wide}");
+    // Outriggers reach beyond the object, but not into its wall.
+    fs::write(folder.join("wide.csv"), "id,option,cost [AUD],base_thickness [mm]\nshelf,arms,50,1100\n").unwrap();
+    let wide = done(folder, &[&call[..], &["--options", "wide.csv"]].concat());
+    let of_wide = wide["objects"][2]["counts"]["overturned"].as_f64().unwrap();
+    assert!(of_wide < overturned(2), "{of_wide} {}", overturned(2));
+    let walled = "id,floor,height [m],thickness [m],wall_gap [mm]\nshelf,2,1.8,0.7,150\n";
+    fs::write(folder.join("walled.csv"), walled).unwrap();
+    let args = ["fragility", "study.toml", "--inventory", "walled.csv", "--options", "wide.csv"];
+    let in_wall = refused(folder, &args);
+    assert!(in_wall.contains("the feet of shelf would reach 0.2 m beyond it"), "{in_wall}");
     let nobody = "id,option,cost [AUD],mass [kg]\nshelve,ballast,50,400\n";
     fs::write(folder.join("nobody.csv"), nobody).unwrap();
     let nobody = refused(folder, &[&call[..], &["--options", "nobody.csv"]].concat());

@@ -255,7 +255,9 @@ fn flags_that_do_not_go_together_are_refused() {
     assert!(refused(folder.path(), &with(&["--hazard-power", law])).contains("needs --hazard-im"));
     assert!(refused(folder.path(), &with(&["--hazard-im", "pgx", "--hazard-power", law])).contains("\"pgx\" is not"));
     let both = [&base[..], &["--hazard", &hazard, "--hazard-power", law]].concat();
-    assert!(refused(folder.path(), &both).contains("exclude each other"));
+    assert!(
+        refused(folder.path(), &both).contains("only one of --hazard, --hazard-power and --hazard-code can be given")
+    );
     let code = ["--hazard-code", "as1170.4", "--hazard-im", "pga", "--site", "De", "--hazard-factor", "0.1"];
     assert!(refused(folder.path(), &with(&code)).contains("the hazard is that of pga of the ground"));
     let budget = [&base[..], &["--hazard", &hazard, "--budget", "100 AUD"]].concat();
@@ -447,7 +449,7 @@ fn numbers_that_no_one_means_are_refused() {
     assert!(high.contains("high.csv: the annual rate of cabinet is above"), "{high}");
     write(folder.path(), "costs.csv", "id,quantity,replacement_cost [AUD]\ncabinet,1e200,1e200\n");
     let rich = [&base[..], &["--hazard", &hazard, "--inventory", "costs.csv"]].concat();
-    assert!(refused(folder.path(), &rich).contains("costs.csv: the loss a year of cabinet is too large"));
+    assert!(refused(folder.path(), &rich).contains("costs.csv:2: the loss a year of cabinet is too large"));
     write(folder.path(), "costs.csv", "id,replacement_cost [AUD]\ncabinet,9000\n");
     write(folder.path(), "options.csv", "id,option,cost [AUD],stiffness [N/mm]\ncabinet,soft pads,50,400\n");
     let pads = [&base[..], &["--hazard", &hazard, "--inventory", "costs.csv", "--options", "options.csv"]].concat();
@@ -473,6 +475,9 @@ fn the_owner_gets_one_page() {
         "<strong>10.5 AUD a year</strong>",
         "Casualties, for which no amount was given: cabinet, server-rack.",
         "Net present value (thousand AUD)",
+        "Of 2 kinds of object with an accepted rate, 2 fail more often than that. The object cabinet overturns 1.6 times \
+         as often as accepted: once in 626 years, and once in 1000 years is accepted.",
+        "<td>3 % more often</td>",
     ];
     for text in said {
         assert!(page.contains(text), "{text}");
@@ -492,6 +497,82 @@ fn the_owner_gets_one_page() {
     assert!(!folder.path().join("p/risk.svg").exists());
 }
 
+/// Rates that were fitted are told with their 95 % intervals, those of curves without any.
+#[test]
+fn rates_are_told_with_their_intervals() {
+    let folder = tempfile::tempdir().unwrap();
+    let (outcomes, curves, hazard) = (example("outcomes.csv"), example("curves.csv"), example("hazard.csv"));
+    let text = |args: &[&str]| {
+        let output = freestand(folder.path(), &[&["risk"], args, &["--hazard", &hazard]].concat());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let fitted = text(&["--outcomes", &outcomes, "--bootstrap", "50"]);
+    let rates: Vec<&str> = fitted.lines().filter(|line| line.contains(" a year")).collect();
+    assert!(rates.len() == 6 && rates.iter().all(|line| line.contains("; 95 % interval ")), "{fitted}");
+    assert!(!text(&["--fragility", &curves]).contains("95 %"), "curves have none");
+}
+
+/// Every bad row of every table is told at once, with its line and column, and nothing is written.
+#[test]
+fn all_bad_rows_are_told_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let (curves, hazard) = (example("curves.csv"), example("hazard.csv"));
+    write(folder.path(), "h.csv", "pgv [m/s],annual_rate\n0.1,0.1\n0.2\n0.3,x\n0.4,0.5\n");
+    write(folder.path(), "c.csv", "id,repair_cost [AUD],floor\ncabinet,-1,1\nserver-rack,1,roof\n");
+    write(folder.path(), "good.csv", "id,replacement_cost [AUD]\ncabinet,9000\nserver-rack,9000\n");
+    let options = "id,option,cost [AUD],median_factor\nshelf,strap,100,3\ncabinet,strap,100,3\nrack,strap,100,3\n";
+    write(folder.path(), "o.csv", options);
+    write(folder.path(), "bad.csv", "id,option,cost [AUD],median_factor\ncabinet,strap,,3\ncabinet,strap,100,\n");
+    let told = |args: &[&str]| -> Vec<String> {
+        let output = freestand(folder.path(), &[&["risk", "--out", "o"], args].concat());
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{args:?}: {text}");
+        let errors = text.lines().filter_map(|line| line.strip_prefix("error: "));
+        let errors: Vec<String> = errors.map(str::to_owned).collect();
+        assert_eq!(text.lines().filter(|line| line.starts_with("hint: ")).count(), errors.len(), "{text}");
+        errors
+    };
+    let starts = |errors: &[String], wanted: &[&str]| {
+        assert_eq!(errors.len(), wanted.len(), "{errors:?}");
+        assert!(errors.iter().zip(wanted).all(|(error, start)| error.starts_with(start)), "{errors:?}");
+    };
+    starts(&told(&["--fragility", &curves, "--hazard", "h.csv"]), &["h.csv:3: ", "h.csv:4: ", "h.csv:5: "]);
+    let base = ["--fragility", &curves, "--hazard", &hazard, "--horizon", "40 yr", "--discount", "3 %"];
+    let with = |args: &[&'static str]| told(&[&base[..], args].concat());
+    starts(&with(&["--inventory", "c.csv"]), &["c.csv:2: column 2", "c.csv:3: column 3"]);
+    let unknown = with(&["--inventory", "good.csv", "--options", "o.csv"]);
+    starts(&unknown, &["o.csv:2: the option \"strap\" is for shelf", "o.csv:4: the option \"strap\" is for rack"]);
+    let bad = with(&["--inventory", "good.csv", "--options", "bad.csv"]);
+    starts(&bad, &["bad.csv:2: column 3", "bad.csv:3: column 2"]);
+    assert!(!folder.path().join("o").exists(), "nothing is written");
+}
+
+/// Ids that OpenQuake or pelicun would refuse are changed, a table says which is which, and a warning says so.
+#[test]
+fn ids_are_mapped_for_other_programs() {
+    let folder = tempfile::tempdir().unwrap();
+    let long = "x".repeat(60);
+    let rows: String = ["2 racks/Ä", &long, "plain"]
+        .iter()
+        .flat_map(|id| {
+            [(0.1, "rocked"), (0.2, "overturned"), (0.3, "rocked"), (0.4, "overturned")]
+                .map(|(x, outcome)| format!("{id},m{x},{x},{outcome}\n"))
+        })
+        .collect();
+    write(folder.path(), "o.csv", &format!("object,motion,pgv [m/s],outcome\n{rows}"));
+    let formats = ["--format", "pelicun", "--format", "openquake", "--site-coordinates", "1,2", "--demand", "0.3 m/s"];
+    let base = ["fragility", "--outcomes", "o.csv", "--bootstrap", "0", "--out", "out"];
+    let output = freestand(folder.path(), &[&base[..], &formats].concat());
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && told.contains("2 ids were changed for OpenQuake, such as"), "{told}");
+    assert!(told.contains("openquake/ids.csv has both"), "{told}");
+    let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let cut = "x".repeat(50);
+    assert_eq!(read("openquake/ids.csv"), format!("id,exported_id\n2 racks/Ä,2_racks__\n{long},{cut}\nplain,plain\n"));
+    assert!(read("pelicun/ids.csv").contains("2 racks/Ä,FS.2_racks__\n"));
+    assert!(read("openquake/exposure.csv").contains(&format!("\n{cut},1,2,{cut},1,1\n")));
+}
+
 /// The verdict names the limit that is not kept, and what a person wrote by mistake is asked about.
 #[test]
 fn a_verdict_names_its_limit_and_wrong_words_are_refused() {
@@ -504,8 +585,14 @@ fn a_verdict_names_its_limit_and_wrong_words_are_refused() {
     let output = freestand(folder.path(), &[&base[..], &["--inventory", "accepted.csv"]].concat());
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(text.contains("more often than accepted (accepted for exceeding: 1e-12 a year)"), "{text}");
-    assert!(text.contains("more often than accepted (accepted for overturning: 1e-12 a year)"), "{text}");
+    assert!(
+        text.contains("more often than accepted, uncertainty not known (accepted for exceeding: 1e-12 a year)"),
+        "{text}"
+    );
+    assert!(
+        text.contains("more often than accepted, uncertainty not known (accepted for overturning: 1e-12 a year)"),
+        "{text}"
+    );
 
     let whole = refused(folder.path(), &[&base[..], &["--discount", "3"]].concat());
     assert!(whole.contains("a discount rate of 3 is 300 % a year"), "{whole}");

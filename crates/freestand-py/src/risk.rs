@@ -120,7 +120,7 @@ pub(crate) fn risk(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<u
     let hazard = given.keep(hazard.source());
     let (file, outcomes) = (given.path("fragility"), given.path("outcomes"));
     if file.is_some() && outcomes.is_some() {
-        let message = "fragility and outcomes exclude each other";
+        let message = "only one of fragility and outcomes can be given";
         given.push(Problem::value(message, "keep one of them: outcomes are fitted, curves are used as they are"));
     }
     let curves = given.keep(RiskCurves::given(file, outcomes, |outcomes| fitting.request(outcomes)));

@@ -147,15 +147,39 @@ impl Block {
     ///
     /// # Errors
     /// A width that is not positive, or larger than the thickness of the object.
-    pub fn with_base_width(mut self, base_width_m: f64) -> Result<Self, BlockError> {
-        self.base_width_m = length("base width", base_width_m)?;
-        if base_width_m > self.thickness_m {
+    pub fn with_base_width(self, base_width_m: f64) -> Result<Self, BlockError> {
+        if base_width_m > self.thickness_m && base_width_m.is_finite() {
             return Err(BlockError::OutOfObject {
                 name: "base width",
                 value_m: base_width_m,
                 limit_m: self.thickness_m,
             });
         }
+        self.with_outriggers(base_width_m)
+    }
+
+    /// The block on feet that reach beyond it on both sides, such as outriggers or a base plate, with
+    /// their edges `base_width_m` apart. The feet are rigid and have no mass: the inertia about the
+    /// centre of gravity does not change.
+    ///
+    /// # Limitation
+    /// Nothing knows where the feet are but at their edges: a wall beside the object must leave them
+    /// room.
+    ///
+    /// # Errors
+    /// A width that is not positive.
+    ///
+    /// # Example
+    /// Outriggers that double the base double the floor acceleration that lifts an edge, tan α:
+    /// ```
+    /// let rack = freestand_rocking::block::Block::uniform(2.0, 0.5)?;
+    /// let wide = rack.with_outriggers(1.0)?;
+    /// assert!((rack.pivot().slenderness_angle_rad.tan() - 0.25).abs() < 1e-15);
+    /// assert!((wide.pivot().slenderness_angle_rad.tan() - 0.5).abs() < 1e-15);
+    /// # Ok::<(), freestand_rocking::block::BlockError>(())
+    /// ```
+    pub fn with_outriggers(mut self, base_width_m: f64) -> Result<Self, BlockError> {
+        self.base_width_m = length("base width", base_width_m)?;
         self.check_offset()
     }
 
@@ -225,7 +249,8 @@ impl Block {
         self.thickness_m
     }
 
-    /// B: distance between the pivot edges \[m\]; equal to t unless the base is narrower.
+    /// B: distance between the pivot edges \[m\]; equal to t unless the base is narrower or has
+    /// outriggers.
     pub fn base_width_m(&self) -> f64 {
         self.base_width_m
     }
@@ -316,6 +341,18 @@ mod tests {
 
     /// General block, r = 1 − 2mR² sin²α/I₀: narrow base, high centre of gravity, doubled central
     /// inertia.
+    /// I₀/m = (h² + t²)/12 + (B/2)² + (h/2)², and Housner's ratio with the arms of the wider base.
+    #[test]
+    fn outriggers_move_the_edges_and_nothing_else() {
+        let wide = Block::uniform(2.0, 0.5).unwrap().with_outriggers(1.0).unwrap();
+        let inertia = (4.0 + 0.25) / 12.0 + 0.25 + 1.0;
+        let pivot = wide.pivot();
+        assert!((pivot.inertia_per_mass_m2 - inertia).abs() < 1e-15, "{pivot:?}");
+        assert!((pivot.half_diagonal_m - 1.25_f64.sqrt()).abs() < 1e-15);
+        assert!((wide.landing_ratio() - (1.0 - 0.5 / inertia)).abs() < 1e-15);
+        assert_eq!((wide.thickness_m(), wide.base_width_m()), (0.5, 1.0));
+    }
+
     #[test]
     fn general_block_without_offset_follows_the_general_formula() {
         let block = Block::uniform(2.0, 0.8).unwrap().with_base_width(0.6).unwrap().with_cg_height(1.2).unwrap();
@@ -359,6 +396,7 @@ mod tests {
         }
         let block = Block::uniform(2.0, 1.0).unwrap();
         assert!(block.with_base_width(1.1).is_err());
+        assert!(block.with_base_width(f64::INFINITY).is_err() && block.with_outriggers(-1.0).is_err());
         assert!(block.with_cg_height(2.1).is_err());
         assert!(block.with_cg_offset(0.5).is_err());
         assert!(block.with_cg_offset(f64::NAN).is_err());

@@ -10,7 +10,8 @@ use std::path::PathBuf;
 use freestand::fragility::{CurveKind, FitKind, LimitState};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::Choices;
+use freestand_input::words::{Choices, counted};
+use freestand_output::rows::csv;
 use serde_json::{Value, json};
 
 use crate::fragility::{FragilityReport, ObjectFragility};
@@ -98,17 +99,18 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
     let demand = request.demand.as_deref().map(|text| report.table.measure.quantity(text)).transpose();
     let demand = demand.map_err(|problem| problem.named("demand"))?;
     let mut warnings = Vec::new();
-    let (folder, start, fine) = match request.format {
+    let (folder, ids) = match request.format {
         ExportFormat::Csv => return Ok(Exported { files: Vec::new(), warnings }),
-        // A hyphen in an id breaks pelicun.
-        ExportFormat::Pelicun => ("pelicun", "FS.", "_."),
-        ExportFormat::OpenQuake => ("openquake", "", "_-"),
+        ExportFormat::Pelicun => ("pelicun", &PELICUN_IDS),
+        ExportFormat::OpenQuake => ("openquake", &OPENQUAKE_IDS),
     };
     check_fit(report, request)?;
     let costs = request.inventory.as_deref().map(load_costs).transpose()?;
-    let objects = objects(report, request, costs.as_ref(), (start, fine), &mut warnings)?;
+    warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
+    let objects = objects(report, request, costs.as_ref(), ids, &mut warnings)?;
     let listed = Listed { objects: &objects, currency: costs.as_ref().and_then(|costs| costs.currency.as_deref()) };
-    let files = match request.format {
+    let id_table = id_table(&objects, ids, folder, &mut warnings)?;
+    let mut files = match request.format {
         ExportFormat::Csv => Vec::new(),
         ExportFormat::Pelicun => {
             if request.hazard.is_some() {
@@ -128,6 +130,7 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
             openquake::files(report, request, &listed, demand, hazard.as_ref())?
         }
     };
+    files.extend(id_table);
     let files = files.into_iter().map(|(name, bytes)| (format!("{folder}/{name}"), bytes)).collect();
     Ok(Exported { files, warnings })
 }
@@ -189,10 +192,11 @@ fn objects<'a>(
     report: &'a FragilityReport,
     request: &ExportRequest,
     costs: Option<&'a Costs>,
-    (start, fine): (&str, &str),
+    style: &IdStyle,
     warnings: &mut Vec<String>,
 ) -> Result<Vec<ExportObject<'a>>, Problem> {
-    let ids = plain_ids(report.objects.iter().map(|object| object.id.as_str()), start, fine);
+    let names: Vec<&str> = report.objects.iter().map(|object| object.id.as_str()).collect();
+    let ids = plain_ids(&names, style);
     let mut objects = Vec::new();
     for (object, id) in report.objects.iter().zip(ids) {
         let cost = costs.and_then(|costs| costs.rows.iter().find(|row| row.id == object.id));
@@ -209,7 +213,7 @@ fn objects<'a>(
         } else {
             let overturns = exported(object, LimitState::Overturns, request.beta)?.ok_or_else(|| {
                 let message = format!("object {} has no curve of overturning", shorten(&object.id));
-                Problem::value(message, "run more levels, or leave out the object")
+                Problem::value(message, "run it at more intensities, or leave out the object")
             })?;
             Shape::Lognormal { exceeds: exported(object, LimitState::Exceeds, request.beta)?, overturns }
         };
@@ -229,21 +233,86 @@ fn objects<'a>(
     Ok(objects)
 }
 
-/// Ids as another program accepts them: a start, letters, digits and the characters in `fine`.
-fn plain_ids<'a>(ids: impl Iterator<Item = &'a str>, start: &str, fine: &str) -> Vec<String> {
-    let mut used = BTreeSet::new();
-    ids.map(|id| {
-        let is_fine = |c: char| c.is_ascii_alphanumeric() || fine.contains(c);
-        let plain: String = id.chars().map(|c| if is_fine(c) { c } else { '_' }).collect();
-        let base = format!("{start}{plain}");
-        let unique = std::iter::once(base.clone())
-            .chain((2..).map(|i| format!("{base}_{i}")))
-            .find(|id| !used.contains(id))
-            .unwrap_or(base);
-        used.insert(unique.clone());
-        unique
-    })
-    .collect()
+/// The ids that another program accepts.
+struct IdStyle {
+    program: &'static str,
+    /// What they begin with.
+    start: &'static str,
+    /// Characters besides letters and digits.
+    fine: &'static str,
+    /// The most characters; `None`: any number.
+    longest: Option<usize>,
+}
+
+/// A hyphen in an id ends it: pelicun joins ids, locations and directions by hyphens.
+const PELICUN_IDS: IdStyle = IdStyle { program: "pelicun", start: "FS.", fine: "_.", longest: None };
+/// Ids of assets have at most 50 characters (`ASSET_ID_LENGTH`, OpenQuake 3.26), and those of functions
+/// no quotation marks.
+const OPENQUAKE_IDS: IdStyle = IdStyle { program: "OpenQuake", start: "", fine: "_-", longest: Some(50) };
+
+impl IdStyle {
+    fn words(&self) -> String {
+        let others: Vec<String> = self.fine.chars().map(String::from).collect();
+        let longest = self.longest.map_or(String::new(), |most| format!(", at most {most} characters"));
+        format!("letters from a to z, digits, {}{longest}", others.join(" and "))
+    }
+
+    /// The id with other characters replaced by `_`, and cut off where it is too long.
+    fn plain(&self, id: &str) -> String {
+        let is_fine = |c: char| c.is_ascii_alphanumeric() || self.fine.contains(c);
+        let plain = id.chars().map(|c| if is_fine(c) { c } else { '_' });
+        self.start.chars().chain(plain).take(self.longest.unwrap_or(usize::MAX)).collect()
+    }
+
+    /// An id with a number at its end, which is not longer than allowed.
+    fn numbered(&self, id: &str, number: usize) -> String {
+        let end = format!("_{number}");
+        let room = self.longest.map_or(usize::MAX, |most| most.saturating_sub(end.len()));
+        id.chars().take(room).chain(end.chars()).collect()
+    }
+}
+
+/// Ids as another program accepts them, each once. What is accepted as it is keeps its id.
+fn plain_ids(ids: &[&str], style: &IdStyle) -> Vec<String> {
+    let plain: Vec<String> = ids.iter().map(|id| style.plain(id)).collect();
+    let is_kept = |(id, plain): (&&str, &String)| plain.strip_prefix(style.start) == Some(*id);
+    let mut used: BTreeSet<String> =
+        ids.iter().zip(&plain).filter(|pair| is_kept(*pair)).map(|(_, plain)| plain.clone()).collect();
+    let mut unique = |(id, plain): (&&str, &String)| {
+        let mut id_there = plain.clone();
+        if !is_kept((id, plain)) {
+            let mut number = 2;
+            while !used.insert(id_there.clone()) {
+                id_there = style.numbered(plain, number);
+                number += 1;
+            }
+        }
+        id_there
+    };
+    ids.iter().zip(&plain).map(&mut unique).collect()
+}
+
+/// `ids.csv`, where ids were changed: which is which, and a warning that says so.
+fn id_table(
+    objects: &[ExportObject],
+    style: &IdStyle,
+    folder: &str,
+    warnings: &mut Vec<String>,
+) -> Result<Option<(String, Vec<u8>)>, Problem> {
+    let is_changed = |one: &&ExportObject| one.id.strip_prefix(style.start) != Some(one.object.id.as_str());
+    let changed: Vec<&ExportObject> = objects.iter().filter(is_changed).collect();
+    let Some(first) = changed.first() else { return Ok(None) };
+    let verb = if changed.len() == 1 { "was" } else { "were" };
+    warnings.push(format!(
+        "{} {verb} changed for {}, such as \"{}\" to {}: it accepts {}; {folder}/ids.csv has both",
+        counted(changed.len(), "id"),
+        style.program,
+        shorten(&first.object.id),
+        first.id,
+        style.words()
+    ));
+    let rows = objects.iter().map(|one| vec![one.object.id.clone(), one.id.clone()]);
+    Ok(Some(("ids.csv".to_owned(), csv(&["id", "exported_id"], rows)?)))
 }
 
 /// Median and β of a limit state for another program; a state without β takes that of the user.
@@ -260,13 +329,13 @@ fn exported(object: &ObjectFragility, state: LimitState, beta: Option<f64>) -> R
         (Some(median), Some(beta)) => Ok(Some((median, beta))),
         (Some(_), None) => {
             let message = format!("object {id}: {state} is a step, which has no beta");
-            Err(Problem::value(message, "give a β for such states, such as `beta = 0.25`, or run more levels"))
+            Err(Problem::value(message, "give a β for such states, such as `beta = 0.25`, or run more intensities"))
         }
         (None, _) => {
             let message = format!("object {id}: {state} has no curve ({})", kind.name());
             Err(Problem::value(
                 message,
-                "run more levels, leave out the object, or export its points: `discrete = true`",
+                "run more intensities, leave out the object, or export its points: `discrete = true`",
             ))
         }
     }
@@ -303,6 +372,26 @@ mod tests {
     #[test]
     fn ids_are_plain_and_unique() {
         let ids = ["CAB-01", "CAB_01", "Schrank Ä", "a.b"];
-        assert_eq!(plain_ids(ids.into_iter(), "FS.", "_."), ["FS.CAB_01", "FS.CAB_01_2", "FS.Schrank__", "FS.a.b"]);
+        // What is accepted as it is keeps its id.
+        assert_eq!(plain_ids(&ids, &PELICUN_IDS), ["FS.CAB_01_2", "FS.CAB_01", "FS.Schrank__", "FS.a.b"]);
+    }
+
+    /// Spaces, umlauts, slashes, quotation marks, first digits, ids longer than 50 characters that differ at
+    /// their end only, and ids that would be equal after all this.
+    #[test]
+    fn openquake_gets_ids_that_it_accepts() {
+        let (long, longer) = ("x".repeat(60), format!("{}y", "x".repeat(60)));
+        let exact = "z".repeat(50);
+        let ids = ["2 racks/Ä", "2_racks__", "it's", "a\"b#c", &long, &longer, &exact, "007", "a_b_c", "", "ß"];
+        let found = plain_ids(&ids, &OPENQUAKE_IDS);
+        let is_fine = |id: &String| {
+            (1..=50).contains(&id.len()) && id.bytes().all(|b| b.is_ascii_alphanumeric() || b"_-".contains(&b))
+        };
+        let unique: BTreeSet<&String> = found.iter().collect();
+        assert_eq!(unique.len(), ids.len(), "{found:?}");
+        assert!(found.iter().enumerate().all(|(i, id)| ids[i].is_empty() || is_fine(id)), "{found:?}");
+        assert_eq!(found[..4], ["2_racks___2", "2_racks__", "it_s", "a_b_c_2"]);
+        assert_eq!((found[4].as_str(), found[5].as_str()), (&*"x".repeat(50), &*format!("{}_2", "x".repeat(48))));
+        assert_eq!([&found[6], &found[7], &found[8]], [&*exact, "007", "a_b_c"]);
     }
 }

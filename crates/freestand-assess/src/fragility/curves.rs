@@ -1,15 +1,16 @@
 //! Fragility curves as a table.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use freestand::fragility::{Curve, CurveKind, Fit, FitKind, LimitState};
 use freestand_input::file::{InputFile, load};
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::significant;
 
 use super::measure::{At, MEASURES, Measure};
-use super::table::{Row, Table};
+use super::table::{Row, RowProblems, Table};
 
 const HINT: &str =
     "the columns are id,im,im_unit,at,limit_state,kind,median,beta, and lower,upper for a step or bounds";
@@ -84,19 +85,21 @@ const GRID: u32 = 400;
 ///
 /// # Errors
 /// A missing column, an unknown word, a median or β that is not above 0, a limit state that is there
-/// twice, two measures for one object, each with its line and column.
-pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problem> {
+/// twice, two measures for one object, each with its line and column; all rows that are wrong.
+pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problems> {
     let bytes = load(path)?;
     Ok((InputFile::new(path, &bytes), read(&bytes, path)?))
 }
 
-fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problem> {
-    let table = Table::read(bytes, path, HINT)?;
+fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
+    let mut problems = RowProblems::default();
+    let table = Table::read_rows(bytes, path, HINT, &mut problems)?;
     let [id, im, unit, at, state] = ["id", "im", "im_unit", "at", "limit_state"].map(|name| table.needed(name));
     let (id, im, unit, at, state) = (id?, im?, unit?, at?, state?);
     let (kind, median, beta) = (table.needed("kind")?, table.needed("median")?, table.needed("beta")?);
     let mut objects: Vec<ObjectCurves> = Vec::new();
-    for row in &table.rows {
+    let mut places: HashMap<String, usize> = HashMap::new();
+    let mut add = |row: &Row| -> Result<(), Problem> {
         let bad = |column: usize, what: &str, hint: &str| {
             let message = format!("\"{}\" is not {what}", shorten(table.text(row, column)));
             table.cell_problem(row, column, &message).hint(hint)
@@ -116,7 +119,8 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problem> {
             limit_state.ok_or_else(|| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
         let kind = kind_of(&table, row, (kind, median, beta), factor)?;
         let curve = Curve { limit_state, kind };
-        match objects.iter_mut().find(|object| object.id == name) {
+        let number = *places.entry(name.to_owned()).or_insert(objects.len());
+        match objects.get_mut(number) {
             None => objects.push(ObjectCurves {
                 id: name.to_owned(),
                 measure,
@@ -135,7 +139,9 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problem> {
                 object.curves.sort_by_key(|curve| curve.limit_state);
             }
         }
-    }
+        Ok(())
+    };
+    table.each_row(problems, |row, problems| problems.keep(add(row)))?;
     Ok(objects)
 }
 
@@ -186,6 +192,10 @@ mod tests {
     const HEAD: &str = "id,im,im_unit,at,limit_state,kind,median,beta";
 
     fn read_text(text: &str) -> Result<Vec<ObjectCurves>, Problem> {
+        read_all(text).map_err(|problems| problems.problems[0].clone())
+    }
+
+    fn read_all(text: &str) -> Result<Vec<ObjectCurves>, Problems> {
         read(text.as_bytes(), Path::new("f.csv"))
     }
 
@@ -244,6 +254,10 @@ mod tests {
             let problem = read_text(&format!("{HEAD}\n{row}\n")).unwrap_err();
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
+        let rows: String = cases.iter().map(|(row, _)| format!("{row}\n")).collect();
+        let all = read_all(&format!("{HEAD}\n{rows}")).unwrap_err();
+        let lines: Vec<Option<usize>> = all.problems.iter().take(7).map(|problem| problem.line).collect();
+        assert_eq!((all.len(), lines), (cases.len(), (2..9).map(Some).collect()), "all rows at once");
         let row = "a,pgv,m/s,ground,overturns,lognormal,1,1";
         assert!(read_text(&format!("{HEAD}\n{row}\n{row}\n")).unwrap_err().message.contains("twice"));
     }

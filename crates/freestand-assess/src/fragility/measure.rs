@@ -112,6 +112,14 @@ impl Measure {
         }
     }
 
+    /// A value with its unit, and with the name where it has none: `0.2 m/s`, `velocity_ratio 0.5`.
+    pub(crate) fn value_words(self, value: f64) -> String {
+        match self.unit() {
+            "1" => format!("{} {}", self.name(), shortest(value)),
+            unit => format!("{} {unit}", shortest(value)),
+        }
+    }
+
     /// Its name with the unit, as on an axis.
     pub fn with_unit(self) -> String {
         match self.unit() {

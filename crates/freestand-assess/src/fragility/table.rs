@@ -3,11 +3,12 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::nearest;
+use freestand_input::words::{counted, nearest};
 
-/// A heading, `pfv [m/s]`: its name, and the unit between the brackets.
+/// A heading, `pfv [m/s]`: its name in small letters with `_` for blanks, and the unit between the
+/// brackets.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Heading {
     pub(crate) name: String,
@@ -21,6 +22,44 @@ pub(crate) struct Heading {
 pub(crate) struct Row {
     pub(crate) line: usize,
     cells: Vec<String>,
+}
+
+/// The most problems with rows of a table that are told one by one.
+const MAX_TOLD: usize = 20;
+
+/// The problems with the rows of a table, which are told together.
+#[derive(Debug, Default)]
+pub(crate) struct RowProblems {
+    told: Problems,
+    /// Problems beyond [`MAX_TOLD`].
+    more: usize,
+}
+
+impl RowProblems {
+    /// Adds a problem.
+    pub(crate) fn push(&mut self, problem: Problem) {
+        if self.told.len() < MAX_TOLD {
+            self.told.push(problem);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// The value of a result; its problem is collected.
+    pub(crate) fn keep<T>(&mut self, result: Result<T, Problem>) -> Option<T> {
+        result.map_err(|problem| self.push(problem)).ok()
+    }
+
+    /// # Errors
+    /// All problems that were collected in this file, the first ones in full.
+    pub(crate) fn finish(mut self, path: &Path) -> Result<(), Problems> {
+        if self.more > 0 {
+            let message = format!("{} more", counted(self.more, "problem"));
+            self.told
+                .push(Problem::value(message, "correct the problems above, and run the command again").in_file(path));
+        }
+        self.told.finish(Some(()))
+    }
 }
 
 /// A table.
@@ -40,6 +79,18 @@ pub(crate) struct Table {
 impl Table {
     /// Reads the bytes of a file; `hint` says what its headings should be.
     pub(crate) fn read(bytes: &[u8], path: &Path, hint: &'static str) -> Result<Self, Problem> {
+        let mut problems = RowProblems::default();
+        let table = Self::read_rows(bytes, path, hint, &mut problems)?;
+        problems.told.problems.into_iter().next().map_or(Ok(table), Err)
+    }
+
+    /// As [`Table::read`], without the rows whose number of cells is wrong, which are collected.
+    pub(crate) fn read_rows(
+        bytes: &[u8],
+        path: &Path,
+        hint: &'static str,
+        problems: &mut RowProblems,
+    ) -> Result<Self, Problem> {
         let format = |message: String| Problem::new(ProblemKind::Format, message).in_file(path).hint(hint);
         if bytes.starts_with(b"PK\x03\x04") {
             let problem = format("this is a workbook, not a CSV file".to_owned());
@@ -76,7 +127,8 @@ impl Table {
             if row.cells.len() != headings.len() {
                 let message = format!("this row has {} cells, and the header has {}", row.cells.len(), headings.len());
                 let hint = "write one row per line with a cell for each heading; quote a text that has a comma";
-                return Err(format(message).at_line(row.line).hint(hint));
+                problems.push(format(message).at_line(row.line).hint(hint));
+                continue;
             }
             rows.push(row);
         }
@@ -91,10 +143,28 @@ impl Table {
                 return Err(table.header_problem(format!("the column \"{}\" is there twice", shorten(&one.name))));
             }
         }
-        if table.rows.is_empty() {
+        if table.rows.is_empty() && problems.told.is_empty() {
             return Err(table.header_problem("no rows follow the headings".to_owned()));
         }
         Ok(table)
+    }
+
+    /// What to tell of columns that are none of `known`: a name that is written in another way would
+    /// silently count for nothing.
+    pub(crate) fn unused(&self, known: &[&str]) -> Option<String> {
+        let unknown = |heading: &&Heading| !heading.name.is_empty() && !known.contains(&heading.name.as_str());
+        let said: Vec<String> = self
+            .headings
+            .iter()
+            .filter(unknown)
+            .map(|heading| {
+                let near = nearest(&heading.name, known).map(|near| format!(" (is it {near}?)")).unwrap_or_default();
+                format!("{}{near}", shorten(&heading.written))
+            })
+            .collect();
+        let columns = if said.len() == 1 { "this column is" } else { "these columns are" };
+        let file = self.path.display();
+        (!said.is_empty()).then(|| format!("{file}: {columns} not used: {}", said.join(", ")))
     }
 
     /// A problem with the headings.
@@ -116,6 +186,18 @@ impl Table {
         })
     }
 
+    /// What `read` makes of each row; `problems` are those that were found before. `read` adds what is wrong
+    /// with a row to them and then returns `None`: all of them are told together.
+    pub(crate) fn each_row<'a, T>(
+        &'a self,
+        mut problems: RowProblems,
+        mut read: impl FnMut(&'a Row, &mut RowProblems) -> Option<T>,
+    ) -> Result<Vec<T>, Problems> {
+        let values = self.rows.iter().filter_map(|row| read(row, &mut problems)).collect();
+        problems.finish(&self.path)?;
+        Ok(values)
+    }
+
     /// A problem with a cell.
     pub(crate) fn cell_problem(&self, row: &Row, column: usize, message: &str) -> Problem {
         let written = self.headings.get(column).map_or("", |heading| heading.written.as_str());
@@ -123,6 +205,11 @@ impl Table {
             .in_file(&self.path)
             .at_line(row.line)
             .hint("correct the cell, or leave out the row")
+    }
+
+    /// A problem with a whole row.
+    pub(crate) fn row_problem(&self, row: &Row, message: String) -> Problem {
+        Problem::value(message, self.hint).in_file(&self.path).at_line(row.line)
     }
 
     /// The text of a cell.
@@ -155,6 +242,17 @@ impl Table {
         self.number(row, column, "a number of 0 or more", |value| value >= 0.0)
     }
 
+    /// An angle of at most `most` to either side \[degrees\].
+    pub(crate) fn degrees(&self, row: &Row, column: usize, most: f64) -> Result<f64, Problem> {
+        let value = self.number(row, column, "a number of degrees", |value| value.abs() <= most);
+        value.map_err(|problem| problem.hint(format!("write degrees, from -{most} to {most}")))
+    }
+
+    /// The place of a column whose cell is not empty.
+    pub(crate) fn given(&self, row: &Row, name: &str) -> Option<usize> {
+        self.column(name).filter(|&column| !self.text(row, column).is_empty())
+    }
+
     /// A number of 0 or more; `None` without the column or in an empty cell.
     pub(crate) fn optional(&self, row: &Row, column: Option<usize>) -> Result<Option<f64>, Problem> {
         let filled = column.filter(|&column| !self.text(row, column).is_empty());
@@ -185,7 +283,7 @@ fn line_of(bytes: &[u8], position: &csv::Position) -> usize {
 fn heading(cell: &str) -> Heading {
     let split = cell.strip_suffix(']').and_then(|cell| cell.rsplit_once('['));
     let (name, unit) = split.map_or((cell, None), |(name, unit)| (name, Some(unit.trim().to_owned())));
-    Heading { name: name.trim().to_owned(), unit, written: cell.to_owned() }
+    Heading { name: name.trim().to_lowercase().replace(' ', "_"), unit, written: cell.to_owned() }
 }
 
 #[cfg(test)]
@@ -204,6 +302,23 @@ mod tests {
         assert_eq!(table.positive(&table.rows[0], 1), Ok(0.5));
         let problem = table.positive(&table.rows[1], 1).unwrap_err();
         assert_eq!(problem.to_string(), "t.csv:7: column 2 (\"pfv [m/s]\"): \"x\" is not a number above 0");
+    }
+
+    /// All bad rows at once, also those with a cell too few; of very many the first 20, and the number of the rest.
+    #[test]
+    fn the_problems_of_all_rows_are_told() {
+        let numbers = |text: &str| {
+            let mut problems = RowProblems::default();
+            let table = Table::read_rows(text.as_bytes(), Path::new("t.csv"), "a, b", &mut problems).unwrap();
+            table.each_row(problems, |row, problems| problems.keep(table.positive(row, 1)))
+        };
+        assert_eq!(numbers("a,b\nx,1\ny,2\n"), Ok(vec![1.0, 2.0]));
+        let problems = numbers("a,b\nx,0\ny\ny,2\nz,\n").unwrap_err();
+        let mut lines: Vec<Option<usize>> = problems.problems.iter().map(|problem| problem.line).collect();
+        lines.sort();
+        assert_eq!(lines, [Some(2), Some(3), Some(5)]);
+        let many = numbers(&format!("a,b\n{}", "x,0\n".repeat(50))).unwrap_err();
+        assert_eq!((many.len(), many.problems[20].to_string().as_str()), (21, "t.csv: 30 problems more"));
     }
 
     #[test]

@@ -701,7 +701,8 @@ pub(super) fn is_plausible_reading(all: &Understood, one: &Use, row: &Row, text:
     is_plausible(one.column, found.si)
 }
 
-/// The volume of the box of a row \[m³\], where its sizes have one reading.
+/// The volume of the box of a row \[m³\], where its sizes have one reading. Sizes that no object has say
+/// nothing about its mass.
 fn volume(all: &Understood, row: &Row) -> Option<f64> {
     let size = |column: Column| {
         let one = all.get(column)?;
@@ -711,10 +712,10 @@ fn volume(all: &Understood, row: &Row) -> Option<f64> {
             let found = quantity(&text, Dimension::Length, one.unit_at(row.number), choice).ok()?;
             Some(found.si)
         };
-        if let Some(choice) = choice_of(cell, &text, one.dialect) {
-            return read(choice);
-        }
         let is_size = |size: &f64| is_plausible(column, *size);
+        if let Some(choice) = choice_of(cell, &text, one.dialect) {
+            return read(choice).filter(is_size);
+        }
         match (read(Choice::Decimal).filter(is_size), read(Choice::Thousands).filter(is_size)) {
             (Some(size), None) | (None, Some(size)) => Some(size),
             _ => None,

@@ -1,17 +1,39 @@
 //! What failures and options cost: the user's columns, never a default.
 
-use std::path::Path;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 
 use freestand_input::file::{InputFile, load};
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, parse_positive, shorten};
+use freestand_input::words::counted;
 
-use crate::fragility::table::{Row, Table};
+use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
                     accepted_exceed_annual_rate [1/yr], floor, longitude, latitude";
+/// The columns of an inventory; its items are for people.
+const COLUMNS: [&str; 14] = [
+    "id",
+    "item",
+    "quantity",
+    "repair_cost",
+    "replacement_cost",
+    "downtime",
+    "downtime_cost",
+    "casualty_probability",
+    "casualty_cost",
+    "accepted_annual_rate",
+    "accepted_exceed_annual_rate",
+    "floor",
+    "longitude",
+    "latitude",
+];
+/// The columns of options.
+const OPTION_COLUMNS: [&str; 9] =
+    ["id", "option", "cost", "life", "median_factor", "curves", "stiffness", "base_thickness", "mass"];
 const OPTIONS_HINT: &str = "the columns are id, option, cost [AUD], perhaps life [yr], and one effect: median_factor, \
                             curves, or a change of stiffness [N/mm], base_thickness [mm] or mass [kg]";
 
@@ -22,6 +44,8 @@ const MAX_FLOOR: u32 = 1000;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CostRow {
     pub(crate) id: String,
+    /// Its line in the file, from 1.
+    pub(crate) line: usize,
     pub(crate) quantity: f64,
     pub(crate) repair: Option<f64>,
     pub(crate) replacement: Option<f64>,
@@ -72,6 +96,7 @@ pub(crate) struct Costs {
     pub(crate) file: InputFile,
     pub(crate) currency: Option<String>,
     pub(crate) rows: Vec<CostRow>,
+    pub(crate) warnings: Vec<String>,
 }
 
 /// The currency of a column, `AUD` of `[AUD]` and of `[AUD/day]`; all columns have the same.
@@ -111,57 +136,109 @@ fn check_unit(table: &Table, name: &str, units: &[&str]) -> Result<(), Problem> 
 /// Reads the costs of an inventory.
 ///
 /// # Errors
-/// Two currencies, a number below 0, an id that is there twice or missing.
-pub(crate) fn load_costs(path: &Path) -> Result<Costs, Problem> {
+/// Two currencies, a number below 0, an id that is there twice or missing; all rows that are wrong.
+pub(crate) fn load_costs(path: &Path) -> Result<Costs, Problems> {
     let bytes = load(path)?;
     read_costs(&bytes, path)
 }
 
-fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problem> {
-    let table = Table::read(bytes, path, HINT)?;
-    let id = table.needed("id")?;
+fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
+    let mut rows = RowProblems::default();
+    let table = Table::read_rows(bytes, path, HINT, &mut rows)?;
+    let mut problems = Problems::default();
+    let id = problems.keep(table.needed("id"));
     let amounts = [("repair_cost", ""), ("replacement_cost", ""), ("downtime_cost", "/day"), ("casualty_cost", "")];
-    let currency = currency_of(&table, &amounts, None)?;
-    check_unit(&table, "downtime", &["day", "days", "d"])?;
+    let currency = problems.keep(currency_of(&table, &amounts, None));
+    problems.keep(check_unit(&table, "downtime", &["day", "days", "d"]));
     for name in ["accepted_annual_rate", "accepted_exceed_annual_rate"] {
-        check_unit(&table, name, &["1/yr", "/yr", "1/year"])?;
+        problems.keep(check_unit(&table, name, &["1/yr", "/yr", "1/year"]));
     }
-    let mut rows: Vec<CostRow> = Vec::new();
-    for row in &table.rows {
-        let name = table.filled(row, id)?;
-        if rows.iter().any(|other| other.id == name) {
-            return Err(table.cell_problem(row, id, "this id is there twice"));
-        }
-        let of = |name: &str| table.optional(row, table.column(name));
-        let probability = of("casualty_probability")?;
-        if let (Some(column), true) = (table.column("casualty_probability"), probability.is_some_and(|p| p > 1.0)) {
-            return Err(table.cell_problem(row, column, "a probability cannot be above 1"));
-        }
-        let positive = |name: &str| match filled(&table, row, name) {
-            Some(column) => table.positive(row, column).map(Some),
-            None => Ok(None),
-        };
-        rows.push(CostRow {
-            id: name.to_owned(),
-            quantity: of("quantity")?.unwrap_or(1.0),
-            repair: of("repair_cost")?,
-            replacement: of("replacement_cost")?,
-            downtime_days: of("downtime")?,
-            downtime_cost: of("downtime_cost")?,
-            casualty_probability: probability,
-            casualty_cost: of("casualty_cost")?,
-            accepted_rate: positive("accepted_annual_rate")?,
-            accepted_exceed_rate: positive("accepted_exceed_annual_rate")?,
-            floor: floor_of(&table, row)?,
-            site_deg: site_of(&table, row)?,
-        });
+    let (id, currency) = problems.finish(id.zip(currency))?;
+    let mut known = HashMap::new();
+    let rows = table.each_row(rows, |row, problems| {
+        let name = problems.keep(new_name(&table, row, id, &mut known, "id"));
+        let mut amount = |name: &str| problems.keep(table.optional(row, table.column(name)));
+        let (quantity, repair, replacement) = (amount("quantity"), amount("repair_cost"), amount("replacement_cost"));
+        let (downtime_days, downtime_cost) = (amount("downtime"), amount("downtime_cost"));
+        let casualty_cost = amount("casualty_cost");
+        let casualty_probability = problems.keep(probability_of(&table, row));
+        let mut rate = |name: &str| problems.keep(positive_of(&table, row, name));
+        let (accepted_rate, accepted_exceed_rate) = (rate("accepted_annual_rate"), rate("accepted_exceed_annual_rate"));
+        let (floor, site_deg) = (problems.keep(floor_of(&table, row)), problems.keep(site_of(&table, row)));
+        Some(CostRow {
+            id: name?,
+            line: row.line,
+            quantity: quantity?.unwrap_or(1.0),
+            repair: repair?,
+            replacement: replacement?,
+            downtime_days: downtime_days?,
+            downtime_cost: downtime_cost?,
+            casualty_probability: casualty_probability?,
+            casualty_cost: casualty_cost?,
+            accepted_rate: accepted_rate?,
+            accepted_exceed_rate: accepted_exceed_rate?,
+            floor: floor?,
+            site_deg: site_deg?,
+        })
+    })?;
+    let mut warnings: Vec<String> = table.unused(&COLUMNS).into_iter().collect();
+    if let Some(quantity) = table.column("quantity") {
+        let blank = table.rows.iter().filter(|row| table.text(row, quantity).is_empty()).count();
+        let has = if blank == 1 { "has" } else { "have" };
+        let said = format!("{}: {} {has} no quantity: 1 is counted", path.display(), counted(blank, "row"));
+        warnings.extend((blank > 0).then_some(said));
     }
-    Ok(Costs { file: InputFile::new(path, bytes), currency, rows })
+    for row in
+        rows.iter().filter(|row| row.replacement.is_some() && row.repair.is_some_and(|cost| cost > row.overturned()))
+    {
+        warnings.push(format!(
+            "{}:{}: to repair {} costs more than its overturning does: are the two columns the right way round?",
+            path.display(),
+            row.line,
+            shorten(&row.id)
+        ));
+    }
+    Ok(Costs { file: InputFile::new(path, bytes), currency, rows, warnings })
+}
+
+/// The text of a cell that no row above has; `known` are the lines of those above.
+fn new_name(
+    table: &Table,
+    row: &Row,
+    column: usize,
+    known: &mut HashMap<String, usize>,
+    what: &str,
+) -> Result<String, Problem> {
+    let name = table.filled(row, column)?.to_owned();
+    twice(table, row, column, known.insert(name.clone(), row.line), &format!("the {what} \"{}\"", shorten(&name)))?;
+    Ok(name)
+}
+
+fn twice(table: &Table, row: &Row, column: usize, above: Option<usize>, what: &str) -> Result<(), Problem> {
+    above.map_or(Ok(()), |line| {
+        let message = format!("{what} is there twice, first in line {line}");
+        Err(table.cell_problem(row, column, &message).hint("give each its own, or leave out one of the rows"))
+    })
+}
+
+/// A number above 0; `None` without the column or in an empty cell.
+fn positive_of(table: &Table, row: &Row, name: &str) -> Result<Option<f64>, Problem> {
+    table.given(row, name).map(|column| table.positive(row, column)).transpose()
+}
+
+fn probability_of(table: &Table, row: &Row) -> Result<Option<f64>, Problem> {
+    let Some(column) = table.given(row, "casualty_probability") else { return Ok(None) };
+    let probability = table.non_negative(row, column)?;
+    if probability > 1.0 {
+        let message = format!("{} is not a probability, which is at most 1", shorten(table.text(row, column)));
+        return Err(table.cell_problem(row, column, &message).hint("write a number from 0 to 1"));
+    }
+    Ok(Some(probability))
 }
 
 /// The number of a floor, from 0 for the ground.
 fn floor_of(table: &Table, row: &Row) -> Result<Option<u32>, Problem> {
-    let Some(column) = filled(table, row, "floor") else { return Ok(None) };
+    let Some(column) = table.given(row, "floor") else { return Ok(None) };
     let text = table.text(row, column);
     let floor = text.parse::<u32>().ok().filter(|floor| *floor <= MAX_FLOOR);
     floor.map(Some).ok_or_else(|| {
@@ -171,15 +248,8 @@ fn floor_of(table: &Table, row: &Row) -> Result<Option<u32>, Problem> {
 }
 
 fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
-    let degrees = |name: &str, most: f64| -> Result<Option<f64>, Problem> {
-        let Some(column) = filled(table, row, name) else { return Ok(None) };
-        let text = table.text(row, column);
-        let value = text.parse::<f64>().ok().filter(|value| value.abs() <= most);
-        value.map(Some).ok_or_else(|| {
-            let message = format!("\"{}\" is not a {name} in degrees", shorten(text));
-            table.cell_problem(row, column, &message)
-        })
-    };
+    let degrees =
+        |name: &str, most: f64| table.given(row, name).map(|column| table.degrees(row, column, most)).transpose();
     match (degrees("longitude", 360.0)?, degrees("latitude", 90.0)?) {
         (Some(lon), Some(lat)) => Ok(Some((lon, lat))),
         (None, None) => Ok(None),
@@ -190,11 +260,6 @@ fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
             Err(table.cell_problem(row, column, &message).hint("give both, in degrees, or neither"))
         }
     }
-}
-
-/// The place of a column whose cell is not empty.
-fn filled(table: &Table, row: &Row, name: &str) -> Option<usize> {
-    table.column(name).filter(|&column| !table.text(row, column).is_empty())
 }
 
 /// How an option changes the curves of an object.
@@ -210,10 +275,20 @@ pub(crate) enum Effect {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct OptionRow {
     pub(crate) id: String,
+    /// Its line in the file, from 1.
+    pub(crate) line: usize,
     pub(crate) option: String,
     pub(crate) cost: f64,
     pub(crate) life_years: Option<f64>,
     pub(crate) effect: Effect,
+}
+
+/// The options of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Options {
+    pub(crate) file: InputFile,
+    pub(crate) rows: Vec<OptionRow>,
+    pub(crate) warnings: Vec<String>,
 }
 
 /// Reads the options; `currency` is that of the costs, and `curves` those of all objects, with those of
@@ -221,31 +296,27 @@ pub(crate) struct OptionRow {
 ///
 /// # Errors
 /// Another currency, no effect or two, an option that is there twice, a changed object without
-/// curves.
-pub(crate) fn load_options(
-    path: &Path,
-    currency: Option<&str>,
-    curves: &[ObjectCurves],
-) -> Result<(InputFile, Vec<OptionRow>), Problem> {
+/// curves; all rows that are wrong.
+pub(crate) fn load_options(path: &Path, currency: Option<&str>, curves: &[ObjectCurves]) -> Result<Options, Problems> {
     let bytes = load(path)?;
-    let rows = read_options(&bytes, path, currency, |object| {
+    let (rows, warnings) = read_options(&bytes, path, currency, |object| {
         let found = curves.iter().find(|one| one.id == object.curve_id).ok_or_else(|| {
             let wanted = shorten(&object.curve_id);
             let message = format!("the option changes the object itself, and no curves have the id \"{wanted}\"");
             let hint = "run the changed objects with freestand fragility, its list and these options, and give its \
                         fragility.csv or outcomes.csv here; or name a file in the column curves";
-            Problem::value(message, hint).in_file(path).at_line(object.line)
+            Problem::value(message, hint).in_file(&object.file).at_line(object.line)
         })?;
         Ok(Some(Effect::Curves(found.clone())))
     })?;
-    Ok((InputFile::new(path, &bytes), rows))
+    Ok(Options { file: InputFile::new(path, &bytes), rows, warnings })
 }
 
 /// The objects that options change, of a file of options.
 ///
 /// # Errors
 /// As for the options of `risk`, or none that changes an object.
-pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Problem> {
+pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Problems> {
     let bytes = load(path)?;
     let mut objects: Vec<ChangedObject> = Vec::new();
     read_options(&bytes, path, None, |object| {
@@ -254,51 +325,72 @@ pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Prob
     })?;
     if objects.is_empty() {
         let hint = "give a column stiffness [N/mm], base_thickness [mm] or mass [kg], or leave the options out";
-        return Err(Problem::value("no option changes an object, so there is nothing to run", hint).in_file(path));
+        let problem = Problem::value("no option changes an object, so there is nothing to run", hint);
+        return Err(problem.in_file(path).into());
     }
     Ok((InputFile::new(path, &bytes), objects))
 }
 
-/// `changed` gives the effect of an option that changes its object; `None`: the option is left out.
+/// The options, and what to know about the file. `changed` gives the effect of an option that changes its
+/// object; `None`: the option is left out.
 fn read_options(
     bytes: &[u8],
     path: &Path,
     currency: Option<&str>,
     mut changed: impl FnMut(ChangedObject) -> Result<Option<Effect>, Problem>,
-) -> Result<Vec<OptionRow>, Problem> {
-    let table = Table::read(bytes, path, OPTIONS_HINT)?;
-    let (id, option, cost) = (table.needed("id")?, table.needed("option")?, table.needed("cost")?);
-    currency_of(&table, &[("cost", "")], currency)?;
-    check_unit(&table, "life", &["yr", "year", "years"])?;
-    let (factor, curves) = (table.column("median_factor"), table.column("curves"));
-    let mut rows: Vec<OptionRow> = Vec::new();
-    for row in &table.rows {
-        let (name, choice) = (table.filled(row, id)?.to_owned(), table.filled(row, option)?.to_owned());
-        if rows.iter().any(|other| other.id == name && other.option == choice) {
-            return Err(table.cell_problem(row, option, "this option of the object is there twice"));
-        }
-        let is_filled = |column: Option<usize>| column.filter(|&column| !table.text(row, column).is_empty());
-        let change = change_of(&table, row)?;
-        let effect = match (is_filled(factor), is_filled(curves), change) {
-            (Some(column), None, None) => Some(Effect::MedianFactor(table.positive(row, column)?)),
-            (None, Some(column), None) => Some(Effect::Curves(curves_of(&table, row, column, &name, &choice)?)),
+) -> Result<(Vec<OptionRow>, Vec<String>), Problems> {
+    let mut rows = RowProblems::default();
+    let table = Table::read_rows(bytes, path, OPTIONS_HINT, &mut rows)?;
+    let mut problems = Problems::default();
+    let [id, option, cost] = ["id", "option", "cost"].map(|name| problems.keep(table.needed(name)));
+    problems.keep(currency_of(&table, &[("cost", "")], currency));
+    problems.keep(check_unit(&table, "life", &["yr", "year", "years"]));
+    let ((id, option), cost) = problems.finish(id.zip(option).zip(cost))?;
+    let (mut known, mut files) = (HashMap::new(), CurveFiles::new());
+    let rows = table.each_row(rows, |row, problems| {
+        let names = problems.keep(names_of(&table, row, (id, option), &mut known));
+        let cost = problems.keep(table.non_negative(row, cost));
+        let life_years = problems.keep(positive_of(&table, row, "life"));
+        let change = problems.keep(change_of(&table, row));
+        let (name, choice) = names?;
+        let effect = match (table.given(row, "median_factor"), table.given(row, "curves"), change?) {
+            (Some(column), None, None) => table.positive(row, column).map(Effect::MedianFactor).map(Some),
+            (None, Some(column), None) => {
+                curves_of(&table, row, column, &curve_id(&name, &choice), &mut files).map(Effect::Curves).map(Some)
+            }
             (None, None, Some(change)) => {
                 let curve_id = curve_id(&name, &choice);
-                changed(ChangedObject { id: name.clone(), curve_id, change, line: row.line })?
+                changed(ChangedObject { id: name.clone(), curve_id, change, file: path.to_path_buf(), line: row.line })
             }
-            _ => {
-                let message = "an option needs one effect: a median_factor, curves, or a change of the object";
-                return Err(table.cell_problem(row, option, message).hint(OPTIONS_HINT));
+            (factor, curves, change) => {
+                let given = [factor.is_some(), curves.is_some(), change.is_some()].iter().any(|is_given| *is_given);
+                let message = format!(
+                    "the option \"{}\" of {} has {} effect",
+                    shorten(&choice),
+                    shorten(&name),
+                    if given { "more than one" } else { "no" }
+                );
+                Err(table.cell_problem(row, option, &message).hint(OPTIONS_HINT))
             }
         };
-        let life_years = match is_filled(table.column("life")) {
-            Some(column) => Some(table.positive(row, column)?),
-            None => None,
-        };
-        let cost = table.non_negative(row, cost)?;
-        rows.extend(effect.map(|effect| OptionRow { id: name, option: choice, cost, life_years, effect }));
-    }
-    Ok(rows)
+        let effect = problems.keep(effect)?;
+        let (cost, life_years) = (cost?, life_years?);
+        Some(effect.map(|effect| OptionRow { id: name, line: row.line, option: choice, cost, life_years, effect }))
+    })?;
+    Ok((rows.into_iter().flatten().collect(), table.unused(&OPTION_COLUMNS).into_iter().collect()))
+}
+
+/// The object of a row and its option; `known` are the lines of those above.
+fn names_of(
+    table: &Table,
+    row: &Row,
+    (id, option): (usize, usize),
+    known: &mut HashMap<(String, String), usize>,
+) -> Result<(String, String), Problem> {
+    let names = (table.filled(row, id)?.to_owned(), table.filled(row, option)?.to_owned());
+    let what = format!("the option \"{}\" of {}", shorten(&names.1), shorten(&names.0));
+    twice(table, row, option, known.insert(names.clone(), row.line), &what)?;
+    Ok(names)
 }
 
 /// The id of the curves of an object with an option.
@@ -309,7 +401,7 @@ pub(crate) fn curve_id(id: &str, option: &str) -> String {
 /// What an option changes; `None`: nothing.
 fn change_of(table: &Table, row: &Row) -> Result<Option<Change>, Problem> {
     let of = |name: &str, dimension: Dimension, example: &str| -> Result<Option<f64>, Problem> {
-        let Some(column) = filled(table, row, name) else { return Ok(None) };
+        let Some(column) = table.given(row, name) else { return Ok(None) };
         let Some(unit) = table.headings.get(column).and_then(|heading| heading.unit.as_deref()) else {
             return Err(table.header_problem(format!("the column {name} states no unit, as in \"{name} [{example}]\"")));
         };
@@ -325,13 +417,27 @@ fn change_of(table: &Table, row: &Row) -> Result<Option<Change>, Problem> {
     Ok(Some(change).filter(|change| *change != Change::default()))
 }
 
+/// Files of curves that options name, each read once.
+type CurveFiles = HashMap<PathBuf, Result<Vec<ObjectCurves>, Problems>>;
+
 /// The curves `ID/option` of a file that an option names, relative to its own.
-fn curves_of(table: &Table, row: &Row, column: usize, id: &str, option: &str) -> Result<ObjectCurves, Problem> {
+fn curves_of(
+    table: &Table,
+    row: &Row,
+    column: usize,
+    wanted: &str,
+    files: &mut CurveFiles,
+) -> Result<ObjectCurves, Problem> {
     let folder = table.path.parent().unwrap_or_else(|| Path::new(""));
-    let (_, objects) = load_curves(&folder.join(table.text(row, column)))?;
-    let wanted = curve_id(id, option);
-    objects.into_iter().find(|object| object.id == wanted).ok_or_else(|| {
-        let message = format!("the file has no curves with the id \"{}\"", shorten(&wanted));
+    let path = folder.join(table.text(row, column));
+    let read = files.entry(path).or_insert_with_key(|path| load_curves(path).map(|(_, objects)| objects));
+    let objects = read.as_ref().map_err(|problems| {
+        let first = problems.problems.first().map_or(String::new(), Problem::to_string);
+        let message = format!("the curves cannot be read: {first}");
+        table.cell_problem(row, column, &message).hint("correct that file, or name another one")
+    })?;
+    objects.iter().find(|object| object.id == wanted).cloned().ok_or_else(|| {
+        let message = format!("the file has no curves with the id \"{}\"", shorten(wanted));
         table.cell_problem(row, column, &message).hint("name the curves of an option ID/option")
     })
 }
@@ -340,8 +446,15 @@ fn curves_of(table: &Table, row: &Row, column: usize, id: &str, option: &str) ->
 mod tests {
     use super::*;
 
-    fn costs(text: &str) -> Result<Costs, Problem> {
+    fn costs(text: &str) -> Result<Costs, Problems> {
         read_costs(text.as_bytes(), Path::new("i.csv"))
+    }
+
+    /// The only problem.
+    fn only<T>(result: Result<T, Problems>) -> Problem {
+        let problems = result.err().unwrap();
+        assert_eq!(problems.len(), 1, "{problems}");
+        problems.problems[0].clone()
     }
 
     #[test]
@@ -358,6 +471,20 @@ mod tests {
     }
 
     #[test]
+    fn what_counts_for_nothing_is_said() {
+        let said = |text: &str| costs(text).unwrap().warnings.join("; ");
+        assert_eq!(said("ID,Item,Quantity,Repair cost [AUD],floor\na,x,2,100,1\n"), "");
+        assert_eq!(costs("id,Repair cost [AUD]\na,100\n").unwrap().rows[0].repair, Some(100.0));
+        assert_eq!(
+            said("id,qty,repair_costs [AUD]\na,2,5\n"),
+            "i.csv: these columns are not used: qty, repair_costs [AUD] (is it repair_cost?)"
+        );
+        assert_eq!(said("id,quantity\na,\nb,3\n"), "i.csv: 1 row has no quantity: 1 is counted");
+        let dear = said("id,repair_cost [AUD],replacement_cost [AUD]\na,100,5\n");
+        assert!(dear.starts_with("i.csv:2: to repair a costs more than its overturning"), "{dear}");
+    }
+
+    #[test]
     fn what_is_wrong_is_said_with_line_and_column() {
         let cases = [
             ("id,repair_cost [AUD],replacement_cost [USD]\na,1,2\n", "is in USD, and other costs are in AUD"),
@@ -366,32 +493,63 @@ mod tests {
             ("id,repair_cost [AUD]\na,-1\n", "i.csv:2: column 2"),
             ("id,repair_cost [AUD]\na,1\na,2\n", "i.csv:3: column 1"),
             ("id,downtime [h]\na,1\n", "is not in day"),
-            ("id,casualty_probability\na,1.5\n", "above 1"),
+            (
+                "id,casualty_probability\na,1.5\n",
+                "i.csv:2: column 2 (\"casualty_probability\"): 1.5 is not a probability",
+            ),
             ("id,accepted_annual_rate\na,1e-4\n", "is not in 1/yr"),
             ("id,floor\na,1.5\n", "i.csv:2: column 2 (\"floor\"): \"1.5\" is not the number of a floor"),
             ("id,longitude,latitude\na,151,-133\n", "i.csv:2: column 3"),
             ("id,longitude,latitude\na,151,\n", "the row has a longitude and no latitude"),
         ];
         for (text, said) in cases {
-            let problem = costs(text).unwrap_err();
+            let problem = only(costs(text));
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
         let options = |text: &str| read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| Ok(None));
-        let fine = options("id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n").unwrap();
+        let fine =
+            options("id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n").unwrap().0;
         assert_eq!((fine.len(), fine[0].life_years, fine[1].life_years), (2, Some(15.0), None));
         let cases = [
             ("id,option,cost [USD],median_factor\na,strap,100,3\n", "is in USD"),
             ("id,option,cost [AUD],stiffness\na,pad,100,3\n", "states no unit"),
             ("id,option,cost [AUD],stiffness [kg]\na,pad,100,3\n", "o.csv:2: column 4 (\"stiffness [kg]\")"),
             ("id,option,cost [AUD],mass [kg]\na,pad,100,-3\n", "o.csv:2: column 4"),
-            ("id,option,cost [AUD],mass [kg],median_factor\na,pad,100,3,2\n", "one effect"),
-            ("id,option,cost [AUD],median_factor\na,strap,100,\n", "o.csv:2: column 2"),
-            ("id,option,cost [AUD],median_factor\na,strap,100,2\na,strap,100,3\n", "there twice"),
+            ("id,option,cost [AUD],mass [kg],median_factor\na,pad,100,3,2\n", "\"pad\" of a has more than one effect"),
+            (
+                "id,option,cost [AUD],median_factor\na,strap,100,\n",
+                "o.csv:2: column 2 (\"option\"): the option \"strap\"",
+            ),
+            ("id,option,cost [AUD],median_factor\na,strap,-100,3\n", "o.csv:2: column 3"),
+            (
+                "id,option,cost [AUD],median_factor\na,strap,,3\n",
+                "o.csv:2: column 3 (\"cost [AUD]\"): the cell is empty",
+            ),
+            ("id,option,cost [AUD],median_factor\na,strap,1,2\na,strap,2,3\n", "o.csv:3: column 2"),
+            (
+                "id,option,cost [AUD],curves\na,strap,100,none.csv\n",
+                "o.csv:2: column 4 (\"curves\"): the curves cannot",
+            ),
         ];
         for (text, said) in cases {
-            let problem = options(text).unwrap_err();
+            let problem = only(options(text));
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
+    }
+
+    /// Every wrong cell is told at once, also two of one row.
+    #[test]
+    fn all_wrong_rows_are_told_at_once() {
+        let lines = |problems: Problems| -> Vec<Option<usize>> {
+            problems.problems.iter().map(|problem| problem.line).collect()
+        };
+        let text = "id,quantity,repair_cost [AUD],floor\na,x,-1,0\nb,1,1,1\n,1,1,1.5\nb,1,1,\n";
+        assert_eq!(lines(costs(text).unwrap_err()), [Some(2), Some(2), Some(4), Some(4), Some(5)]);
+        let text = "id,downtime [h],repair_cost\na,1,1\n";
+        assert_eq!(costs(text).unwrap_err().len(), 2, "both headings");
+        let text = "id,option,cost [AUD],median_factor,life [yr]\na,strap,-1,2,0\na,pad,1,0,\nb,,1,2,\n";
+        let read = read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| Ok(None));
+        assert_eq!(lines(read.unwrap_err()), [Some(2), Some(2), Some(3), Some(4)]);
     }
 
     #[test]
@@ -403,7 +561,8 @@ mod tests {
             Ok(Some(Effect::MedianFactor(1.0)))
         });
         let change = Change { stiffness_n_m: Some(3e5), base_thickness_m: Some(0.6), mass_kg: None };
-        assert_eq!(seen, [ChangedObject { id: "a".to_owned(), curve_id: "a/pad".to_owned(), change, line: 2 }]);
-        assert_eq!(rows.unwrap().len(), 1);
+        let (id, curve_id, file) = ("a".to_owned(), "a/pad".to_owned(), PathBuf::from("o.csv"));
+        assert_eq!(seen, [ChangedObject { id, curve_id, change, file, line: 2 }]);
+        assert_eq!(rows.unwrap().0.len(), 1);
     }
 }

@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use freestand::code_spectrum::{SiteClass, SubsoilClass, near_fault_ratio, probability_factors, return_period_factors};
-use freestand::risk::{Hazard, HazardPoint};
+use freestand::risk::{Hazard, HazardError, HazardPoint};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{Choices, counted};
+use freestand_input::words::{Choices, counted, shortest};
 use freestand_output::facts::Facts;
 
 use super::number_and_unit;
 use crate::fragility::measure::MEASURES;
-use crate::fragility::table::Table;
+use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{At, Measure};
 
 /// Where the hazard comes from.
@@ -65,8 +65,9 @@ impl HazardGiven {
     /// Where the hazard comes from.
     ///
     /// # Errors
-    /// No source or several, or a source that needs more.
+    /// No source or several, a source that needs more, or what its kind does not use.
     pub fn source(self) -> Result<HazardSource, Problem> {
+        self.check_used()?;
         let needed = |key: &'static str, example: &'static str| {
             move || Problem::value(format!("the hazard needs `{key}`"), format!("give `{key}`, such as {example}"))
         };
@@ -88,9 +89,34 @@ impl HazardGiven {
                 "give one of `hazard`, `hazard_power` and `hazard_code`",
             )),
             _ => {
-                let message = "`hazard`, `hazard_power` and `hazard_code` exclude each other";
+                let message = "only one of `hazard`, `hazard_power` and `hazard_code` can be given";
                 Err(Problem::value(message, "keep one of them"))
             }
+        }
+    }
+}
+
+impl HazardGiven {
+    /// Refuses what the source would ignore.
+    fn check_used(&self) -> Result<(), Problem> {
+        let refused = |key: &'static str, source: &str| {
+            Err(Problem::value(format!("{source} does not use `{key}`"), format!("leave out `{key}`")).of(&[key]))
+        };
+        if self.file.is_some() && self.measure.is_some() {
+            return refused("hazard_im", "a hazard file, which names its measure,");
+        }
+        let of_code = [
+            (self.site.is_some(), "site"),
+            (self.hazard_factor.is_some(), "hazard_factor"),
+            (self.fault_distance_m.is_some(), "fault_distance"),
+        ];
+        let has_source = self.file.is_some() || self.power_law.is_some();
+        match (self.code, of_code.into_iter().find(|(is_given, _)| *is_given)) {
+            (None, Some((_, key))) if has_source => refused(key, "a hazard that is not that of a code"),
+            (Some(HazardCode::As1170_4), _) if self.fault_distance_m.is_some() => {
+                refused("fault_distance", "AS 1170.4")
+            }
+            _ => Ok(()),
         }
     }
 }
@@ -154,7 +180,7 @@ pub(crate) fn hazard_of(
     site_deg: Option<(f64, f64)>,
 ) -> Result<MeasuredHazard, Problems> {
     match source {
-        HazardSource::File(path) => Ok(from_file(&load(path)?, path, at, site_deg)?),
+        HazardSource::File(path) => from_file(&load(path)?, path, at, site_deg),
         HazardSource::PowerLaw { text, measure } => {
             let hazard = power_law(text, *measure).map_err(|problem| problem.named("hazard_power"))?;
             let at = measure.at(at)?;
@@ -174,12 +200,13 @@ fn from_file(
     path: &Path,
     at: Option<At>,
     site_deg: Option<(f64, f64)>,
-) -> Result<MeasuredHazard, Problem> {
-    let table = Table::read(bytes, path, HINT)?;
+) -> Result<MeasuredHazard, Problems> {
+    let mut problems = RowProblems::default();
+    let table = Table::read_rows(bytes, path, HINT, &mut problems)?;
     let is_openquake = table.headings.iter().any(|heading| heading.name.starts_with("poe-"));
     let file = Some(InputFile::new(path, bytes));
     if is_openquake {
-        return Ok(MeasuredHazard { file, ..openquake(&table, at, site_deg)? });
+        return Ok(MeasuredHazard { file, ..openquake(&table, problems, at, site_deg)? });
     }
     let rates = table.needed("annual_rate")?;
     let found = table.headings.iter().enumerate().find_map(|(i, heading)| Some((i, Measure::parse(&heading.name)?)));
@@ -190,35 +217,63 @@ fn from_file(
     })?;
     let unit = table.headings.get(column).and_then(|heading| heading.unit.as_deref());
     let factor = measure.factor_from(unit).map_err(|problem| table.header_problem(problem.message))?;
-    let points = table.rows.iter().map(|row| {
-        Ok(HazardPoint { intensity: factor * table.positive(row, column)?, annual_rate: table.positive(row, rates)? })
-    });
-    let points = points.collect::<Result<Vec<_>, Problem>>()?;
-    let hazard =
-        Hazard::points(points).map_err(|error| match error.point().and_then(|point| table.rows.get(point - 1)) {
-            Some(row) => {
-                let is_rate = matches!(error, freestand::risk::HazardError::NotFalling { .. });
-                table.cell_problem(row, if is_rate { rates } else { column }, &error.to_string()).hint(HINT)
-            }
-            None => table.header_problem(error.to_string()),
-        })?;
+    let mut before: Option<(&Row, HazardPoint)> = None;
+    let points = table.each_row(problems, |row, problems| {
+        let intensity = problems.keep(table.positive(row, column));
+        let annual_rate = problems.keep(table.positive(row, rates));
+        let point = HazardPoint { intensity: factor * intensity?, annual_rate: annual_rate? };
+        if let Some((above, last)) = before.replace((row, point))
+            && let Err(error) = Hazard::points(vec![last, point])
+        {
+            let column = if matches!(error, HazardError::NotFalling { .. }) { rates } else { column };
+            problems.push(disorder(&table, (above, column), (row, column), error));
+            return None;
+        }
+        Some(point)
+    })?;
+    let hazard = Hazard::points(points).map_err(|error| table.header_problem(error.to_string()))?;
     Ok(MeasuredHazard { hazard, measure, at: measure.at(at)?, file, warnings: Vec::new() })
 }
 
+/// A cell that does not continue the curve of the cell before it, with both as they are written.
+fn disorder(table: &Table, above: (&Row, usize), at: (&Row, usize), error: HazardError) -> Problem {
+    let [before, here] = [above, at].map(|(row, column)| shorten(table.text(row, column)));
+    let (message, hint) = match error {
+        HazardError::NotFalling { .. } => (
+            format!("the rate {here} is not below {before}, that of the weaker motions before it"),
+            "each stronger intensity must be rarer: correct the rate, or leave the point out",
+        ),
+        HazardError::NotRising { .. } => (
+            format!("the intensity {here} is not above {before}, the one before it"),
+            "write the points with rising intensities, each once",
+        ),
+        other => (other.to_string(), HINT),
+    };
+    table.cell_problem(at.0, at.1, &message).hint(hint)
+}
+
 /// A hazard curve of OpenQuake: probabilities of exceedance in an investigation time.
-fn openquake(table: &Table, at: Option<At>, site_deg: Option<(f64, f64)>) -> Result<MeasuredHazard, Problem> {
+fn openquake(
+    table: &Table,
+    rows: RowProblems,
+    at: Option<At>,
+    site_deg: Option<(f64, f64)>,
+) -> Result<MeasuredHazard, Problems> {
     let comment = table.comments.join(",");
     let stated = |key: &str| {
         let (_, rest) = comment.split_once(&format!("{key}="))?;
         let end = rest.find([',', '"']).unwrap_or(rest.len());
-        Some(rest[..end].trim().trim_matches('\'').to_owned())
+        Some(rest.get(..end)?.trim().trim_matches('\'').to_owned())
     };
     let lost = |key: &str| {
         let message = format!("the comment above the headings does not state {key}");
         table.header_problem(message).hint("give the file as OpenQuake wrote it, with its first line")
     };
-    let years = stated("investigation_time").and_then(|years| years.parse::<f64>().ok()).filter(|years| *years > 0.0);
-    let years = years.ok_or_else(|| lost("investigation_time"))?;
+    let years = stated("investigation_time").ok_or_else(|| lost("investigation_time"))?;
+    let years = years.parse::<f64>().ok().filter(|years| *years > 0.0 && years.is_finite()).ok_or_else(|| {
+        let message = format!("the investigation_time \"{}\" is not a number of years above 0", shorten(&years));
+        table.header_problem(message).hint("give the file as OpenQuake wrote it, with its first line")
+    })?;
     let imt = stated("imt").ok_or_else(|| lost("imt"))?;
     let (measure, factor) = match imt.as_str() {
         "PGA" => (Measure::Pga, 1.0),
@@ -227,48 +282,106 @@ fn openquake(table: &Table, at: Option<At>, site_deg: Option<(f64, f64)>) -> Res
             Some(measure) => (measure, 1.0),
             None => {
                 let message = format!("the measure {} is not one of PGA, PGV and SA", shorten(other));
-                return Err(table.header_problem(message).hint("export hazard curves of PGA, PGV or SA"));
+                let problem = table.header_problem(message).hint("export hazard curves of PGA, PGV or SA");
+                return Err(problem.into());
             }
         },
     };
-    let (lon, lat) = (table.needed("lon")?, table.needed("lat")?);
-    let mut rows = Vec::new();
-    for row in &table.rows {
-        let of = |column| table.text(row, column).parse::<f64>().ok();
-        // Coordinates are written with five decimals.
-        let is_it = site_deg.is_none_or(|site| {
-            of(lon).zip(of(lat)).is_some_and(|(lon, lat)| (lon - site.0).abs() < 1e-4 && (lat - site.1).abs() < 1e-4)
-        });
-        if is_it {
-            rows.push(row);
-        }
-    }
-    let [row] = rows.as_slice() else {
-        let message = format!("{} of the file match", counted(rows.len(), "site"));
-        let hint = "name one site of the file, with `site_coordinates = \"151.2,-33.9\"`";
-        return Err(table.header_problem(message).hint(hint));
-    };
-    let (mut points, mut warnings, mut certain) = (Vec::new(), Vec::new(), 0);
+    let row = row_of_site(table, rows, site_deg)?;
+    let mut problems = Problems::default();
+    let (mut points, mut certain, mut equal): (Vec<HazardPoint>, usize, usize) = (Vec::new(), 0, 0);
+    let mut before: Option<usize> = None;
     for (column, heading) in table.headings.iter().enumerate() {
-        let Some(level) = heading.name.strip_prefix("poe-") else { continue };
-        let level = level.parse::<f64>().ok().filter(|level| *level > 0.0);
-        let level =
-            level.ok_or_else(|| table.header_problem(format!("\"{}\" states no level", shorten(&heading.name))))?;
-        let poe = table.non_negative(row, column)?;
-        if poe > 1.0 {
-            return Err(table.cell_problem(row, column, "a probability cannot be above 1"));
-        }
+        let Some(text) = heading.name.strip_prefix("poe-") else { continue };
+        let level = text.parse::<f64>().ok().filter(|level| *level > 0.0 && level.is_finite()).ok_or_else(|| {
+            let message = format!("column {}: \"{}\" states no intensity", column + 1, shorten(&heading.name));
+            table.header_problem(message).hint("write poe- and an intensity above 0, such as poe-0.1")
+        });
+        let poe = table.non_negative(row, column).and_then(|poe| {
+            let hint = "write the probability that the intensity is exceeded, from 0 to 1";
+            let problem = || table.cell_problem(row, column, &format!("{poe} is not a probability")).hint(hint);
+            if poe > 1.0 { Err(problem()) } else { Ok(poe) }
+        });
+        let (Some(level), Some(poe)) = (problems.keep(level), problems.keep(poe)) else { continue };
         if poe == 1.0 {
             certain += 1;
-        } else if poe > 0.0 {
-            points.push(HazardPoint { intensity: factor * level, annual_rate: -(-poe).ln_1p() / years });
+            continue;
+        } else if poe == 0.0 {
+            continue;
         }
+        let point = HazardPoint { intensity: factor * level, annual_rate: -(-poe).ln_1p() / years };
+        let last = points.last().copied();
+        // OpenQuake writes seven digits, so that neighbours may have one rate: the stronger motions
+        // are known to be as frequent.
+        if last.is_some_and(|last| last.annual_rate == point.annual_rate && last.intensity < point.intensity) {
+            equal += 1;
+            points.pop();
+        } else if let (Some(last), Some(above)) = (last, before)
+            && let Err(error) = Hazard::points(vec![last, point])
+        {
+            problems.push(match error {
+                HazardError::NotFalling { .. } => disorder(table, (row, above), (row, column), error),
+                _ => {
+                    let message = format!("column {}: {}", column + 1, disorder_of_levels(table, above, column));
+                    table.header_problem(message).hint("write the intensities rising, each once")
+                }
+            });
+            continue;
+        }
+        before = Some(column);
+        points.push(point);
     }
-    if certain > 0 {
-        warnings.push(format!("{} with a probability of 1 left out: its rate is not known", counted(certain, "level")));
+    problems.finish(Some(()))?;
+    if points.len() < 2 {
+        let message = format!(
+            "{} of the site {} a probability between 0 and 1, and a hazard curve needs two",
+            counted(points.len(), "intensity"),
+            if points.len() == 1 { "has" } else { "have" }
+        );
+        let hint = "export the curve with weaker or stronger intensities, or a shorter investigation time";
+        return Err(table.row_problem(row, message).hint(hint).into());
     }
-    let hazard = Hazard::points(points).map_err(|error| table.header_problem(error.to_string()))?;
+    let left_out =
+        |count: usize, why: &str| (count > 0).then(|| format!("hazard: {} left out: {why}", counted(count, "point")));
+    let warnings = [
+        left_out(certain, "the probability is 1, so that the rate is not known"),
+        left_out(equal, "the next, stronger intensity has the same probability"),
+    ];
+    let hazard = Hazard::points(points).map_err(|error| table.row_problem(row, error.to_string()))?;
+    let warnings = warnings.into_iter().flatten().collect();
     Ok(MeasuredHazard { hazard, measure, at: measure.at(at)?, file: None, warnings })
+}
+
+fn disorder_of_levels(table: &Table, before: usize, here: usize) -> String {
+    let [before, here] = [before, here].map(|i| table.headings.get(i).map_or("", |heading| heading.name.as_str()));
+    format!("\"{}\" is not above \"{}\"", shorten(here), shorten(before))
+}
+
+/// The row of a site, or the only one.
+fn row_of_site(table: &Table, rows: RowProblems, site_deg: Option<(f64, f64)>) -> Result<&Row, Problems> {
+    let columns = [(table.needed("lon")?, 360.0), (table.needed("lat")?, 90.0)];
+    let sites = table.each_row(rows, |row, problems| {
+        let [lon, lat] = columns.map(|(column, most)| problems.keep(table.degrees(row, column, most)));
+        Some((row, lon?, lat?))
+    })?;
+    // Coordinates are written with five decimals.
+    let is_it = |(_, lon, lat): &&(&Row, f64, f64)| {
+        site_deg.is_none_or(|site| (lon - site.0).abs() < 1e-4 && (lat - site.1).abs() < 1e-4)
+    };
+    let found: Vec<_> = sites.iter().filter(is_it).collect();
+    match (found.as_slice(), sites.first()) {
+        ([(row, _, _)], _) => Ok(row),
+        (found, Some((_, lon, lat))) => {
+            let message = match (site_deg, found.len()) {
+                (Some((lon, lat)), 0) => format!("the file has no site at {},{}", shortest(lon), shortest(lat)),
+                (_, many) => format!("the file has {}", counted(many, "site")),
+            };
+            let example = format!("{},{}", shortest(*lon), shortest(*lat));
+            let hint = format!("name one site of the file, such as `site_coordinates = \"{example}\"`");
+            Err(table.header_problem(message).hint(hint).into())
+        }
+        (_, None) => Err(table.header_problem("the file has no site".to_owned()).into()),
+    }
 }
 
 /// `k0=1e-4 /yr, k=2.5, reference=1 m/s`.
@@ -333,12 +446,15 @@ fn of_code(
             (SiteClass::parse(site).map_err(class)?.shape_factor_ratio(period_s), probability_factors())
         }
         HazardCode::Nzs1170_5 => {
-            let near = fault_distance_km.map_or(1.0, |km| near_fault_ratio(period_s, km));
-            (near * SubsoilClass::parse(site).map_err(class)?.shape_factor_ratio(period_s), return_period_factors())
+            (SubsoilClass::parse(site).map_err(class)?.shape_factor_ratio(period_s), return_period_factors())
         }
     };
+    let near = |factor: f64| match (code, fault_distance_km) {
+        (HazardCode::Nzs1170_5, Some(km)) => near_fault_ratio(period_s, km, factor),
+        _ => 1.0,
+    };
     let points = factors.iter().map(|&(years, factor)| HazardPoint {
-        intensity: factor * hazard_factor * shape,
+        intensity: factor * hazard_factor * shape * near(factor),
         annual_rate: 1.0 / f64::from(years),
     });
     let hazard = Hazard::points(points.collect())
@@ -353,10 +469,19 @@ fn of_code(
 
 #[cfg(test)]
 mod tests {
+    use freestand::code_spectrum::Nzs1170_5;
+
     use super::*;
 
-    fn file(text: &str) -> Result<MeasuredHazard, Problem> {
+    fn file(text: &str) -> Result<MeasuredHazard, Problems> {
         from_file(text.as_bytes(), Path::new("h.csv"), None, None)
+    }
+
+    /// The only problem.
+    fn only(result: Result<MeasuredHazard, Problems>) -> Problem {
+        let problems = result.unwrap_err();
+        assert_eq!(problems.len(), 1, "{problems}");
+        problems.problems[0].clone()
     }
 
     #[test]
@@ -365,17 +490,28 @@ mod tests {
         assert_eq!((read.measure, read.at), (Measure::Pgv, At::Ground));
         assert!((read.hazard.annual_rate(0.05) - 0.02).abs() < 1e-15);
         let cases = [
-            ("pgv [m/s],annual_rate\n0.1,0.02\n0.1,0.01\n", "h.csv:3: column 1"),
-            ("pgv [m/s],annual_rate\n0.1,0.02\n0.2,0.02\n", "h.csv:3: column 2"),
+            (
+                "pgv [cm/s],annual_rate\n10,0.02\n10,0.01\n",
+                "h.csv:3: column 1 (\"pgv [cm/s]\"): the intensity 10 is not above 10",
+            ),
+            (
+                "pgv [m/s],annual_rate\n0.1,0.02\n0.2,0.02\n",
+                "h.csv:3: column 2 (\"annual_rate\"): the rate 0.02 is not below 0.02",
+            ),
             ("pgv [m/s],annual_rate\n0.1,0\n0.2,0.02\n", "h.csv:2: column 2"),
             ("pgv [m/s],annual_rate\n0.1,0.02\n", "at least two points"),
             ("pgv [m/s],rate\n0.1,0.02\n", "there is no column \"annual_rate\""),
             ("pgv,annual_rate\n0.1,0.02\n", "pgv has no unit"),
         ];
         for (text, said) in cases {
-            let problem = file(text).unwrap_err();
+            let problem = only(file(text));
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
+        let ugly = "pgv [m/s],annual_rate\n0.05,3\n0.1,0.02\n0.1,0.01\n0.3,0\nx,\n0.4,0.05\n";
+        let lines: Vec<Option<usize>> = file(ugly).unwrap_err().problems.iter().map(|one| one.line).collect();
+        assert_eq!(lines, [Some(4), Some(5), Some(6), Some(6), Some(7)], "all bad rows at once");
+        // Motions may be more frequent than once a year.
+        assert!(file("pgv [m/s],annual_rate\n0.001,30\n0.1,0.02\n").is_ok());
     }
 
     const OPENQUAKE: &str = "#,,,,\"generated_by='OpenQuake engine 3.26.2', start_date='2026-01-01T00:00:00', \
@@ -391,8 +527,44 @@ mod tests {
         assert_eq!((points.len(), read_one.measure, read_one.warnings.len()), (2, Measure::Pgv, 1));
         assert!((points[0].intensity - 0.1).abs() < 1e-15);
         assert!((points[0].annual_rate + 0.9_f64.ln() / 50.0).abs() < 1e-15);
-        assert!(read(None).unwrap_err().message.contains("2 sites"));
-        assert!(read(Some((0.0, 0.0))).unwrap_err().message.contains("0 sites"));
+        assert!(only(read(None)).message.contains("2 sites"));
+        let elsewhere = only(read(Some((0.0, 0.0))));
+        assert!(elsewhere.message.contains("no site at 0,0"), "{elsewhere}");
+        assert!(elsewhere.hint.is_some_and(|hint| hint.contains("151.2,-33.9")));
+    }
+
+    #[test]
+    fn ugly_curves_of_openquake_are_refused_or_mended_aloud() {
+        let file = |comment: &str, levels: &str, row: &str| {
+            file(&format!("#,,,,\"kind='mean', {comment}imt='PGA'\"\nlon,lat,depth,{levels}\n{row}\n"))
+        };
+        let ten = "investigation_time=10.0, ";
+        let cases = [
+            (file("", "poe-0.1,poe-0.2", "1,2,0,0.5,0.1"), "h.csv:2: the comment above the headings does not state"),
+            (file("investigation_time=0, ", "poe-0.1,poe-0.2", "1,2,0,0.5,0.1"), "\"0\" is not a number of years"),
+            (
+                file(ten, "poe-0.1,poe-0.2", "1,2,0,0.1,0.5"),
+                "h.csv:3: column 5 (\"poe-0.2\"): the rate 0.5 is not below",
+            ),
+            (file(ten, "poe-0.1,poe-0.1", "1,2,0,0.5,0.1"), "h.csv:2: the column \"poe-0.1\" is there twice"),
+            (file(ten, "poe-0.2,poe-0.1", "1,2,0,0.5,0.1"), "h.csv:2: column 5: \"poe-0.1\" is not above"),
+            (
+                file(ten, "poe-0.1,poe-0.2", "1,2,0,0.5,1.5"),
+                "h.csv:3: column 5 (\"poe-0.2\"): 1.5 is not a probability",
+            ),
+            (file(ten, "poe-0.1,poe-x", "1,2,0,0.5,0.1"), "h.csv:2: column 5: \"poe-x\" states no intensity"),
+            (file(ten, "poe-0.1,poe-0.2", "1,200,0,0.5,0.1"), "h.csv:3: column 2"),
+            (file(ten, "poe-0.1,poe-0.2,poe-0.4", "1,2,0,1,0.5,0"), "h.csv:3: 1 intensity of the site has"),
+        ];
+        for (read, said) in cases {
+            let problem = only(read);
+            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
+        }
+        // Equal probabilities: the stronger intensity has the rate.
+        let flat = file(ten, "poe-0.1,poe-0.2,poe-0.4", "1,2,0,0.5,0.5,0.1").unwrap();
+        let Hazard::Points(points) = &flat.hazard else { panic!() };
+        assert_eq!((points.len(), points[0].intensity, flat.warnings.len()), (2, 0.2, 1));
+        assert!((points[0].annual_rate - 0.5_f64.ln().abs() / 10.0).abs() < 1e-15);
     }
 
     #[test]
@@ -412,6 +584,27 @@ mod tests {
         }
     }
 
+    #[test]
+    fn what_a_source_does_not_use_is_refused() {
+        let code = HazardGiven {
+            code: Some(HazardCode::As1170_4),
+            measure: Some(Measure::Pga),
+            site: Some("De".to_owned()),
+            hazard_factor: Some(0.12),
+            ..HazardGiven::default()
+        };
+        assert!(code.clone().source().is_ok());
+        let file = HazardGiven { file: Some("h.csv".into()), ..HazardGiven::default() };
+        for (given, said) in [
+            (HazardGiven { fault_distance_m: Some(3e3), ..code }, "AS 1170.4 does not use `fault_distance`"),
+            (HazardGiven { measure: Some(Measure::Pga), ..file.clone() }, "does not use `hazard_im`"),
+            (HazardGiven { hazard_factor: Some(0.1), ..file }, "does not use `hazard_factor`"),
+        ] {
+            let problem = given.source().unwrap_err();
+            assert!(problem.message.contains(said) && problem.hint.is_some(), "{problem}");
+        }
+    }
+
     /// Sydney, rock: 0.08 g every 500 years, 1.8 times as much every 2500.
     #[test]
     fn the_return_periods_of_a_code_are_points() {
@@ -420,6 +613,12 @@ mod tests {
         assert!((hazard.annual_rate(0.08 * 1.8) * 2500.0 - 1.0).abs() < 1e-12);
         let new_zealand = of_code(HazardCode::Nzs1170_5, "C", 0.4, None, Measure::Sa { period_s: 0.5 }).unwrap().hazard;
         assert!((new_zealand.annual_rate(0.8) - 1.0 / 500.0).abs() < 1e-15);
+        // Near a fault every point is the spectrum of the code, which ignores the fault up to 250 years.
+        let near = of_code(HazardCode::Nzs1170_5, "C", 0.4, Some(2.0), Measure::Sa { period_s: 2.0 }).unwrap().hazard;
+        for years in [100, 250, 500, 1000] {
+            let code = Nzs1170_5::new(SubsoilClass::C, 0.4, years, Some(2.0)).unwrap();
+            assert!((near.annual_rate(code.sa_g(2.0)) * f64::from(years) - 1.0).abs() < 1e-12, "{years}");
+        }
         assert!(of_code(HazardCode::As1170_4, "X", 0.08, None, Measure::Pga).is_err());
         assert!(of_code(HazardCode::As1170_4, "Be", 0.08, None, Measure::Pgv).is_err());
     }

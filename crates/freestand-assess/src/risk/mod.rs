@@ -24,7 +24,7 @@ use freestand_output::table::Table;
 
 use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
 
-use costs::{curve_id, load_options};
+use costs::{Options, curve_id, load_options};
 use objects::ObjectRisk;
 use plan::Measures;
 use portfolio::Portfolio;
@@ -208,11 +208,13 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
     check_measures(request, &hazard, &curves)?;
     let costs = request.inventory.as_deref().map(load_costs).transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
+    warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let options = match &request.options {
         Some(path) => {
-            let (file, options) = load_options(path, currency.as_deref(), &curves)?;
+            let Options { file, rows: options, warnings: said } = load_options(path, currency.as_deref(), &curves)?;
             inputs.push(file);
+            warnings.extend(said);
             // Changed objects are not there beside those that they replace.
             curves.retain(|one| options.iter().all(|option| curve_id(&option.id, &option.option) != one.id));
             Some(options)
@@ -227,6 +229,7 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
         objects.push(ObjectRisk::new(one, fit, cost, &hazard.hazard, years, request.accepted_rate));
     }
     check_finite(request, &hazard, &objects)?;
+    warnings.extend(begins_too_high(&hazard, &objects));
     warnings.extend(unmatched(costs.as_ref(), &curves));
     let measures = match &options {
         Some(options) => Some(plan::measures(request, options, &objects, &hazard, currency.as_deref())?),
@@ -277,7 +280,7 @@ fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[Objec
     let is_fine = |rate: Option<f64>| rate.is_none_or(|rate| rate < MAX_ANNUAL_RATE);
     for object in objects {
         let id = shorten(&object.id);
-        if !object.states.iter().all(|one| is_fine(one.annual_rate) && is_fine(one.annual_rate_upper)) {
+        if !object.states.iter().all(|one| is_fine(one.rates.annual_rate) && is_fine(one.rates.annual_rate_upper)) {
             let limit = shortest(MAX_ANNUAL_RATE);
             return Err(match &hazard.hazard {
                 Hazard::PowerLaw { rate, exponent, .. } => {
@@ -297,10 +300,26 @@ fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[Objec
         if !object.expected_annual_loss.is_none_or(f64::is_finite) {
             let message = format!("the loss a year of {id} is too large for a number");
             let problem = Problem::value(message, "correct its costs or its quantity");
+            let problem = object.cost.iter().fold(problem, |problem, cost| problem.at_line(cost.line));
             return Err(request.inventory.iter().fold(problem, |problem, path| problem.in_file(path)));
         }
     }
     Ok(())
+}
+
+/// A hazard that begins above the intensities at which objects fail.
+fn begins_too_high(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<String> {
+    let Hazard::Points(points) = &hazard.hazard else { return None };
+    let is_cut = |object: &&ObjectRisk| object.states.iter().any(|one| one.rates.begins_too_high());
+    let cut: Vec<&ObjectRisk> = objects.iter().filter(is_cut).collect();
+    let (first, one) = (points.first()?, cut.first()?);
+    let rest = if cut.len() > 1 { format!(" and {} more", cut.len() - 1) } else { String::new() };
+    Some(format!(
+        "the hazard curve begins at {}, and weaker motions reach limit states of {}{rest}: those rates are at least \
+         the ones stated; give the hazard curve from weaker motions on",
+        hazard.measure.value_words(first.intensity),
+        shorten(&one.id)
+    ))
 }
 
 /// Objects of one list that the other does not have.
@@ -334,6 +353,11 @@ impl RiskReport {
         (!losses.is_empty()).then(|| losses.iter().sum())
     }
 
+    /// Whether the losses may be larger, because a rate of an object with costs may be.
+    fn is_at_least(&self) -> bool {
+        self.objects.iter().any(|object| object.expected_annual_loss.is_some() && object.is_at_least)
+    }
+
     /// The document.
     pub fn facts(&self) -> Facts<'static> {
         let inputs: Vec<Facts> = self
@@ -351,6 +375,7 @@ impl RiskReport {
             .key("hazard", self.hazard.facts())
             .key("objects", self.objects.iter().map(ObjectRisk::facts).collect::<Vec<_>>())
             .key("expected_annual_loss", self.expected_annual_loss())
+            .key("is_at_least", self.is_at_least())
             .key("portfolio", self.portfolio.as_ref().map(|portfolio| portfolio.facts(self.currency.as_deref())))
             .key("ranking", self.measures.as_ref().map(|measures| measures.ranking_facts()))
             .key("plan", self.measures.as_ref().and_then(|measures| measures.plan_facts()))
@@ -389,16 +414,16 @@ impl RiskReport {
             }
             if let Some(verdict) = object.verdict {
                 let limits = object.named_limits();
-                let limits = limits.iter().map(|(state, rate)| {
-                    let of = if *state == LimitState::Overturns { "overturning" } else { "exceeding" };
-                    format!("accepted for {of}: {} a year", number(*rate, 3))
+                let limits = limits.iter().map(|limit| {
+                    let of = if limit.limit_state == LimitState::Overturns { "overturning" } else { "exceeding" };
+                    format!("accepted for {of}: {} a year", number(limit.accepted, 3))
                 });
                 let accepted = format!(" ({})", limits.collect::<Vec<_>>().join("; "));
-                let sure = if object.is_certain == Some(false) { ", not certain" } else { "" };
+                let sure = object.uncertainty_words();
                 text += &format!("  verdict     {}{sure}{accepted}\n", verdict.words());
             }
             if let (Some(loss), Some(currency)) = (object.expected_annual_loss, &self.currency) {
-                text += &format!("  loss        {} {currency} a year\n", number(loss, 4));
+                text += &format!("  loss        {}{} {currency} a year\n", least(object.is_at_least), number(loss, 4));
             }
             if !object.not_counted.is_empty() && object.expected_annual_loss.is_some() {
                 text += &format!("  not counted {}\n", object.not_counted.join(", "));
@@ -406,7 +431,7 @@ impl RiskReport {
         }
         let currency = self.currency.as_deref().unwrap_or("");
         if let Some(loss) = self.expected_annual_loss().filter(|_| self.objects.len() > 1) {
-            text += &format!("All objects: {} {currency} a year\n", number(loss, 4));
+            text += &format!("All objects: {}{} {currency} a year\n", least(self.is_at_least()), number(loss, 4));
         }
         if let Some(portfolio) = &self.portfolio {
             text += &portfolio.text(currency);
@@ -418,10 +443,26 @@ impl RiskReport {
     }
 }
 
-/// A rate for people: how often, and the chance in a number of years.
-pub(crate) fn rate_words(rate: f64, probability: f64, years: &str) -> String {
-    let every = if rate > 0.0 { format!("once in {} years", rounded(1.0 / rate, 3)) } else { "never".to_owned() };
-    format!("{} a year ({every}), {} in {years} years", number(rate, 3), percent_significant(probability, 3))
+/// What stands before a number that is the least it can be.
+pub(crate) fn least(is_at_least: bool) -> &'static str {
+    if is_at_least { "at least " } else { "" }
+}
+
+/// A rate for people: how often, its 95 % interval if it has one, and the chance in a number of years.
+pub(crate) fn rate_words(rate: f64, ci95: Option<(f64, f64)>, probability: f64, years: &str) -> String {
+    let interval = |(low, high)| format!("; 95 % interval {} to {} a year", number(low, 3), number(high, 3));
+    format!(
+        "{} a year ({}{}), {} in {years} years",
+        number(rate, 3),
+        once_in(rate).unwrap_or_else(|| "never".to_owned()),
+        ci95.map_or(String::new(), interval),
+        percent_significant(probability, 3)
+    )
+}
+
+/// `once in 475 years`; `None` for what never happens.
+pub(crate) fn once_in(rate: f64) -> Option<String> {
+    (rate > 0.0).then(|| format!("once in {} years", rounded(1.0 / rate, 3)))
 }
 
 /// A number with a few significant digits, also before the decimal point: 10900, not 10932.

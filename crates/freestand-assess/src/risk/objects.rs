@@ -1,7 +1,9 @@
 //! The risk of one object.
 
 use freestand::fragility::{CurveKind, LimitState, percentiles};
-use freestand::risk::{Bin, Hazard, annual_rate, deaggregation, expected_annual_loss, probability_in_years};
+use freestand::risk::{
+    AnnualRates, Bin, Hazard, annual_rate, deaggregation, expected_annual_loss, probability_in_years,
+};
 use freestand_input::words::number;
 use freestand_output::facts::Facts;
 
@@ -37,8 +39,7 @@ impl RiskVerdict {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StateRisk {
     pub(crate) limit_state: LimitState,
-    pub(crate) annual_rate: Option<f64>,
-    pub(crate) annual_rate_upper: Option<f64>,
+    pub(crate) rates: AnnualRates,
     pub(crate) ci95: Option<(f64, f64)>,
     /// Whether samples were drawn and tell no interval.
     pub(crate) lacks_interval: bool,
@@ -48,18 +49,74 @@ pub(crate) struct StateRisk {
 
 impl StateRisk {
     pub(crate) fn words(&self, years: &str) -> String {
-        match (self.annual_rate, self.annual_rate_upper) {
-            (Some(rate), upper) => {
-                let words = rate_words(rate, self.probability.unwrap_or(0.0), years);
-                // What the hazard beyond its last point might add.
-                match upper.filter(|upper| *upper > 1.01 * rate) {
-                    Some(upper) => format!("{words}; up to {} a year", number(upper, 3)),
-                    None => words,
-                }
-            }
-            (None, Some(upper)) => format!("not known, at most {} a year", number(upper, 3)),
-            (None, None) => "not known".to_owned(),
-        }
+        let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, .. } = self.rates;
+        let at_most = |most: f64| annual_rate_upper.filter(|upper| *upper > most);
+        let Some(rate) = annual_rate else {
+            let least =
+                (annual_rate_lower > 0.0).then(|| format!(", at least {} a year", number(annual_rate_lower, 3)));
+            let most = at_most(0.0).map(|upper| format!(", at most {} a year", number(upper, 3)));
+            return format!("not known{}{}", least.unwrap_or_default(), most.unwrap_or_default());
+        };
+        let least = if self.rates.begins_too_high() { "at least " } else { "" };
+        let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
+        // What the hazard beyond its last point might add, or the lower end of a step.
+        let most = at_most(1.01 * rate).map(|upper| format!("; up to {} a year", number(upper, 3)));
+        format!("{least}{words}{}", most.unwrap_or_default())
+    }
+
+    /// Whether the rate is surely on one side of an accepted one; `None` where nothing tells how
+    /// uncertain it is.
+    fn is_certain(&self, accepted: f64) -> Option<bool> {
+        let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, below_first } = self.rates;
+        let rate = annual_rate?;
+        let straddles = |low: f64, high: f64| low <= accepted && accepted <= high;
+        let is_open = straddles(annual_rate_lower, rate)
+            || rate <= accepted && annual_rate_upper.is_none_or(|upper| upper > accepted)
+            || rate <= accepted && rate + below_first > accepted
+            || self.ci95.is_some_and(|(low, high)| straddles(low, high))
+            || self.lacks_interval;
+        if is_open { Some(false) } else { self.ci95.map(|_| true) }
+    }
+
+    /// The verdict; `None` where the rate is not known.
+    fn verdict(&self, accepted: f64) -> Option<RiskVerdict> {
+        let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, .. } = self.rates;
+        let exceeds = |rate: f64| if rate > accepted { RiskVerdict::Exceeds } else { RiskVerdict::Accepted };
+        annual_rate
+            .map(exceeds)
+            .or((annual_rate_lower > accepted).then_some(RiskVerdict::Exceeds))
+            .or(annual_rate_upper.filter(|upper| *upper <= accepted).map(exceeds))
+    }
+
+    /// The rate, or the least that it can be where that is all that is known.
+    fn known(&self) -> Option<f64> {
+        self.rates.annual_rate.or((self.rates.annual_rate_lower > 0.0).then_some(self.rates.annual_rate_lower))
+    }
+
+    /// Whether it may be reached more often than is counted.
+    fn is_at_least(&self) -> bool {
+        self.rates.annual_rate.is_none() || self.rates.begins_too_high()
+    }
+}
+
+/// An accepted rate, and the rate that it is compared with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Limit {
+    pub(crate) limit_state: LimitState,
+    /// \[1/year\]
+    pub(crate) accepted: f64,
+    /// `None`: not known \[1/year\].
+    pub(crate) annual_rate: Option<f64>,
+}
+
+impl Limit {
+    /// The rate over the accepted one; 0 where it is not known.
+    pub(crate) fn ratio(&self) -> f64 {
+        self.annual_rate.map_or(0.0, |rate| rate / self.accepted)
+    }
+
+    fn is_broken(&self) -> bool {
+        self.annual_rate.is_some_and(|rate| rate > self.accepted)
     }
 }
 
@@ -76,6 +133,8 @@ pub(crate) struct ObjectRisk {
     pub(crate) is_certain: Option<bool>,
     pub(crate) cost: Option<CostRow>,
     pub(crate) expected_annual_loss: Option<f64>,
+    /// Whether the rates may be larger than those that are counted, and with them the loss.
+    pub(crate) is_at_least: bool,
     /// Casualties per year; `None` where their probability or the rate of overturning is not known.
     pub(crate) expected_annual_casualties: Option<f64>,
     pub(crate) not_counted: Vec<&'static str>,
@@ -105,8 +164,7 @@ impl ObjectRisk {
                 });
                 StateRisk {
                     limit_state: curve.limit_state,
-                    annual_rate: rates.annual_rate,
-                    annual_rate_upper: rates.annual_rate_upper,
+                    rates,
                     ci95,
                     lacks_interval: lacks.is_some(),
                     probability: rates.annual_rate.map(|rate| probability_in_years(rate, years)),
@@ -123,7 +181,8 @@ impl ObjectRisk {
             not_counted.push("repair_cost (there is no curve of exceeding)");
         }
         let unknown =
-            |state: LimitState| states.iter().any(|one| one.limit_state == state && one.annual_rate.is_none());
+            |state: LimitState| states.iter().any(|one| one.limit_state == state && one.rates.annual_rate.is_none());
+        let is_at_least = states.iter().any(|one| LOSS_STATES.contains(&one.limit_state) && one.is_at_least());
         for (state, words) in [
             (LimitState::Exceeds, "exceeding (its rate is not known)"),
             (LimitState::Overturns, "overturning (its rate is not known)"),
@@ -136,7 +195,7 @@ impl ObjectRisk {
             cost.filter(|cost| cost.has_costs()).map(|cost| loss_of(curves, &Effect::MedianFactor(1.0), cost, hazard));
         let overturns = states.iter().find(|one| one.limit_state == LimitState::Overturns);
         let expected_annual_casualties = cost.and_then(|cost| {
-            Some(cost.quantity * cost.casualty_probability? * overturns.and_then(|one| one.annual_rate)?)
+            Some(cost.quantity * cost.casualty_probability? * overturns.and_then(|one| one.rates.annual_rate)?)
         });
         let deaggregation = curves.curves.last().map_or(Vec::new(), |curve| deaggregation(hazard, curve.kind));
         Self {
@@ -150,6 +209,7 @@ impl ObjectRisk {
             is_certain,
             cost: cost.cloned(),
             expected_annual_loss,
+            is_at_least,
             expected_annual_casualties,
             not_counted,
         }
@@ -162,8 +222,10 @@ impl ObjectRisk {
             .map(|one| {
                 Facts::default()
                     .key("limit_state", one.limit_state.name())
-                    .key("annual_rate", one.annual_rate)
-                    .key("annual_rate_upper", one.annual_rate_upper)
+                    .key("annual_rate", one.rates.annual_rate)
+                    .key("annual_rate_lower", one.rates.annual_rate_lower)
+                    .key("annual_rate_upper", one.rates.annual_rate_upper)
+                    .key("annual_rate_below_first_point", one.rates.below_first)
                     .key("annual_rate_ci95", ends(one.ci95))
                     .key("probability", one.probability)
                     .key("years", one.years)
@@ -189,18 +251,28 @@ impl ObjectRisk {
             .key("verdict", self.verdict.map(RiskVerdict::name))
             .key("certain", self.is_certain)
             .key("expected_annual_loss", self.expected_annual_loss)
+            .key("is_at_least", self.is_at_least)
             .key("expected_annual_casualties", self.expected_annual_casualties)
             .key("not_counted", self.not_counted.clone())
     }
 
+    /// What follows a verdict that is not certain.
+    pub(crate) fn uncertainty_words(&self) -> &'static str {
+        match self.is_certain {
+            Some(true) => "",
+            Some(false) => ", not certain",
+            None => ", uncertainty not known",
+        }
+    }
+
     /// The accepted rates that a verdict is about: those that are not kept, or all of them if they are.
-    pub(crate) fn named_limits(&self) -> Vec<(LimitState, f64)> {
+    pub(crate) fn named_limits(&self) -> Vec<Limit> {
         let accepted = [self.accepted_exceed_rate, self.accepted_rate];
-        let limits = LOSS_STATES.into_iter().zip(accepted).filter_map(|(state, rate)| Some((state, rate?)));
-        let (broken, kept): (Vec<_>, Vec<_>) = limits.partition(|(state, accepted)| {
-            let found = self.states.iter().find(|one| one.limit_state == *state);
-            found.and_then(|one| one.annual_rate).is_some_and(|rate| rate > *accepted)
+        let limits = LOSS_STATES.into_iter().zip(accepted).filter_map(|(limit_state, accepted)| {
+            let found = self.states.iter().find(|one| one.limit_state == limit_state);
+            Some(Limit { limit_state, accepted: accepted?, annual_rate: found.and_then(StateRisk::known) })
         });
+        let (broken, kept): (Vec<Limit>, Vec<Limit>) = limits.partition(Limit::is_broken);
         if broken.is_empty() { kept } else { broken }
     }
 
@@ -209,8 +281,9 @@ impl ObjectRisk {
             Facts::default()
                 .key("id", self.id.as_str())
                 .key("limit_state", one.limit_state.name())
-                .key("annual_rate", one.annual_rate)
-                .key("annual_rate_upper", one.annual_rate_upper)
+                .key("annual_rate", one.rates.annual_rate)
+                .key("annual_rate_lower", one.rates.annual_rate_lower)
+                .key("annual_rate_upper", one.rates.annual_rate_upper)
                 .key("annual_rate_ci95_low", one.ci95.map(|ends| ends.0))
                 .key("annual_rate_ci95_high", one.ci95.map(|ends| ends.1))
                 .key("probability", one.probability)
@@ -230,29 +303,26 @@ fn judged(
     accepted_exceed: Option<f64>,
 ) -> (Option<RiskVerdict>, Option<bool>) {
     let mut verdict = None;
-    let mut is_certain = true;
+    let mut is_certain = Some(true);
     for (state, accepted) in LOSS_STATES.into_iter().zip([accepted_exceed, accepted]) {
         let Some(accepted) = accepted else { continue };
-        let Some(one) = states.iter().find(|one| one.limit_state == state) else { return (None, None) };
-        let here = match (one.annual_rate, one.annual_rate_upper) {
-            (Some(rate), upper) => {
-                let straddles = one.ci95.is_some_and(|(low, high)| low <= accepted && accepted <= high);
-                let may_be_more = rate <= accepted && upper.is_none_or(|upper| upper > accepted);
-                is_certain &= !straddles && !may_be_more && !one.lacks_interval;
-                if rate > accepted { RiskVerdict::Exceeds } else { RiskVerdict::Accepted }
-            }
-            (None, Some(upper)) if upper <= accepted => RiskVerdict::Accepted,
-            (None, _) => return (None, None),
+        let found = states.iter().find(|one| one.limit_state == state);
+        let Some((one, here)) = found.and_then(|one| Some((one, one.verdict(accepted)?))) else { return (None, None) };
+        is_certain = match (is_certain, one.is_certain(accepted)) {
+            (Some(false), _) | (_, Some(false)) => Some(false),
+            (Some(true), Some(true)) => Some(true),
+            _ => None,
         };
         verdict = match (verdict, here) {
             (Some(RiskVerdict::Exceeds), _) => verdict,
             _ => Some(here),
         };
     }
-    (verdict, verdict.map(|_| is_certain))
+    (verdict, verdict.and(is_certain))
 }
 
-/// Expected annual loss of an object whose curves an option changes.
+/// Expected annual loss of an object whose curves an option changes. A rate that is not known counts
+/// with the least it can be.
 pub(crate) fn loss_of(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> f64 {
     let changed = |kind: CurveKind, factor: f64| match kind {
         CurveKind::Lognormal { median, beta } => CurveKind::Lognormal { median: factor * median, beta },
@@ -271,7 +341,10 @@ pub(crate) fn loss_of(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
             Effect::MedianFactor(factor) => curves.curve(state).map(|kind| changed(kind, *factor)),
             Effect::Curves(other) => other.curve(state),
         };
-        curve.and_then(|kind| annual_rate(hazard, kind).annual_rate)
+        curve.map(|kind| {
+            let rates = annual_rate(hazard, kind);
+            rates.annual_rate.unwrap_or(rates.annual_rate_lower)
+        })
     };
     let overturns = rate(LimitState::Overturns).unwrap_or(0.0);
     let exceeds = rate(LimitState::Exceeds).unwrap_or(overturns);
@@ -282,11 +355,20 @@ pub(crate) fn loss_of(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
 mod tests {
     use super::*;
 
-    fn state(limit_state: LimitState, rate: Option<f64>, upper: f64, ci95: Option<(f64, f64)>) -> StateRisk {
+    fn state(
+        limit_state: LimitState,
+        rate: Option<f64>,
+        (lower, upper): (f64, f64),
+        ci95: Option<(f64, f64)>,
+    ) -> StateRisk {
         StateRisk {
             limit_state,
-            annual_rate: rate,
-            annual_rate_upper: Some(upper),
+            rates: AnnualRates {
+                annual_rate: rate,
+                annual_rate_lower: lower,
+                annual_rate_upper: Some(upper),
+                below_first: 0.0,
+            },
             ci95,
             lacks_interval: false,
             probability: None,
@@ -296,18 +378,33 @@ mod tests {
 
     #[test]
     fn verdicts_follow_the_accepted_rates() {
-        let overturns = |rate, upper, ci95| [state(LimitState::Overturns, rate, upper, ci95)];
+        let overturns = |rate, ends, ci95| [state(LimitState::Overturns, rate, ends, ci95)];
         let judged = |states: &[StateRisk], accepted| super::judged(states, accepted, None);
         let (accepted, exceeds) = (Some(RiskVerdict::Accepted), Some(RiskVerdict::Exceeds));
-        assert_eq!(judged(&overturns(Some(1e-4), 1e-4, None), None), (None, None));
-        assert_eq!(judged(&overturns(Some(1e-4), 1e-4, None), Some(1e-3)), (accepted, Some(true)));
-        assert_eq!(judged(&overturns(Some(1e-4), 2e-3, None), Some(1e-3)), (accepted, Some(false)));
-        assert_eq!(judged(&overturns(Some(1e-4), 1e-4, Some((1e-5, 2e-3))), Some(1e-3)), (accepted, Some(false)));
-        assert_eq!(judged(&overturns(Some(2e-3), 2e-3, None), Some(1e-3)), (exceeds, Some(true)));
-        assert_eq!(judged(&overturns(None, 5e-4, None), Some(1e-3)), (accepted, Some(true)));
-        assert_eq!(judged(&overturns(None, 5e-3, None), Some(1e-3)), (None, None));
-        let both =
-            [state(LimitState::Exceeds, Some(0.1), 0.1, None), state(LimitState::Overturns, Some(1e-4), 1e-4, None)];
+        let (same, narrow) = ((1e-4, 1e-4), Some((5e-5, 2e-4)));
+        assert_eq!(judged(&overturns(Some(1e-4), same, narrow), None), (None, None));
+        assert_eq!(judged(&overturns(Some(1e-4), same, narrow), Some(1e-3)), (accepted, Some(true)));
+        assert_eq!(judged(&overturns(Some(1e-4), (1e-4, 2e-3), narrow), Some(1e-3)), (accepted, Some(false)));
+        assert_eq!(judged(&overturns(Some(1e-4), same, Some((1e-5, 2e-3))), Some(1e-3)), (accepted, Some(false)));
+        assert_eq!(
+            judged(&overturns(Some(2e-3), (2e-3, 2e-3), Some((1.5e-3, 3e-3))), Some(1e-3)),
+            (exceeds, Some(true))
+        );
+        // Nothing tells how uncertain a rate without an interval is, unless its own ends do.
+        assert_eq!(judged(&overturns(Some(1e-4), same, None), Some(1e-3)), (accepted, None));
+        assert_eq!(judged(&overturns(Some(2e-3), (5e-4, 3e-3), None), Some(1e-3)), (exceeds, Some(false)));
+        // Of a rate that is not known its ends decide.
+        assert_eq!(judged(&overturns(None, (0.0, 5e-4), None), Some(1e-3)), (accepted, None));
+        assert_eq!(judged(&overturns(None, (5e-3, 1.0), None), Some(1e-3)), (exceeds, None));
+        assert_eq!(judged(&overturns(None, (0.0, 5e-3), None), Some(1e-3)), (None, None));
+        // A hazard that begins too high tells only the least.
+        let mut cut = overturns(Some(1e-4), same, narrow);
+        cut[0].rates.below_first = 2e-3;
+        assert_eq!(judged(&cut, Some(1e-3)), (accepted, Some(false)));
+        let both = [
+            state(LimitState::Exceeds, Some(0.1), (0.1, 0.1), Some((0.05, 0.2))),
+            state(LimitState::Overturns, Some(1e-4), same, narrow),
+        ];
         assert_eq!(super::judged(&both, Some(1e-3), Some(1e-2)), (exceeds, Some(true)));
         assert_eq!(super::judged(&both[1..], Some(1e-3), Some(1e-2)), (None, None));
     }

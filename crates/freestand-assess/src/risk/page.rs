@@ -7,8 +7,8 @@ use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::figure::Figure;
 use freestand_output::html::{CLOSING, Cell, escape, figure, heading, list, opening, paragraph, table, words};
 
-use super::objects::{ObjectRisk, RiskVerdict};
-use super::{RiskReport, rounded};
+use super::objects::{Limit, ObjectRisk, RiskVerdict};
+use super::{RiskReport, least, once_in, rounded};
 
 /// The page fits on one page, A4 or Letter.
 const CSS: &str = "\
@@ -32,12 +32,14 @@ figure { margin: .8rem 0; }
   .boxes small { font-size: 7.8pt; }
   .scroll { margin: .2rem 0 .3rem; }
   figure { margin: .4rem 0; }
-  figure svg { max-width: 100%; max-height: 58mm; }
+  figure svg { max-width: 100%; max-height: 52mm; }
 }
 ";
 
 /// The most objects of the table; the rest is added up.
-const MAX_ROWS: usize = 6;
+const MAX_ROWS: usize = 5;
+/// The most sentences about rates that are not accepted.
+const MAX_SENTENCES: usize = 3;
 /// The most ids that a list names.
 const MAX_NAMED: usize = 2;
 
@@ -93,7 +95,7 @@ fn grouped(value: f64) -> String {
 
 fn state(object: &ObjectRisk, limit_state: LimitState) -> Option<(f64, f64)> {
     let one = object.states.iter().find(|one| one.limit_state == limit_state)?;
-    one.annual_rate.zip(one.probability)
+    one.rates.annual_rate.zip(one.probability)
 }
 
 /// The numbers at the top, each with what it is.
@@ -102,7 +104,7 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
     let mut boxes = Vec::new();
     if let Some(loss) = report.expected_annual_loss() {
         boxes.push((
-            format!("{} a year", money(loss, currency)),
+            format!("{}{} a year", least(report.is_at_least()), money(loss, currency)),
             "Expected loss: the mean over very many years. Most years cost nothing, a few cost much.".to_owned(),
         ));
     }
@@ -110,9 +112,8 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
         Some(portfolio) => {
             let rate = portfolio.curve.first().map_or(0.0, |point| point.annual_rate);
             let chance = probability_in_years(rate, report.years);
-            let least = if portfolio.is_at_least { "at least " } else { "" };
             boxes.push((
-                format!("{least}{}", percent_significant(chance, 2)),
+                format!("{}{}", least(portfolio.is_at_least), percent_significant(chance, 2)),
                 format!("Chance that an earthquake causes a loss within {years} years."),
             ));
         }
@@ -144,7 +145,7 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
             ),
         ));
         boxes.push((
-            format!("{} a year", money(left.max(0.0), currency)),
+            format!("{}{} a year", least(report.is_at_least()), money(left.max(0.0), currency)),
             "Expected loss that remains with the plan.".to_owned(),
         ));
     }
@@ -232,7 +233,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
         heads.push(figure(format!("loss a year with the plan ({currency})")));
     }
     if has_verdicts {
-        heads.push(words("accepted rate"));
+        heads.push(words("compared with what is accepted"));
     }
     let left = |object: &ObjectRisk| {
         let loss = object.expected_annual_loss?;
@@ -243,7 +244,9 @@ fn objects(report: &RiskReport, years: &str) -> String {
     let row = |object: &&ObjectRisk| {
         let overturns = state(object, LimitState::Overturns);
         let chance = |one: Option<(f64, f64)>| figure(one.map_or("–".to_owned(), |one| percent_significant(one.1, 2)));
-        let loss = |loss: Option<f64>| figure(loss.map_or("–".to_owned(), grouped));
+        let loss = |loss: Option<f64>| {
+            figure(loss.map_or("–".to_owned(), |loss| format!("{}{}", least(object.is_at_least), grouped(loss))))
+        };
         let every = overturns.filter(|one| one.0 > 0.0).map_or("–".to_owned(), |one| grouped(1.0 / one.0));
         let mut cells = vec![
             words(&shorten(&object.id)),
@@ -259,17 +262,14 @@ fn objects(report: &RiskReport, years: &str) -> String {
             cells.push(loss(left(object)));
         }
         if has_verdicts {
-            cells.push(words(match (object.verdict, object.is_certain) {
-                (None, _) => "–",
-                (Some(RiskVerdict::Accepted), Some(false)) => "met, not certain",
-                (Some(RiskVerdict::Accepted), _) => "met",
-                (Some(RiskVerdict::Exceeds), Some(false)) => "exceeded, not certain",
-                (Some(RiskVerdict::Exceeds), _) => "exceeded",
-            }));
+            cells.push(words(&compared(object)));
         }
         cells
     };
     let mut html = heading("The objects");
+    if has_verdicts {
+        html.push_str(&paragraph(&verdicts(report)));
+    }
     let rows: Vec<Vec<Cell>> = sorted.iter().take(MAX_ROWS).map(row).collect();
     html.push_str(&table("", &[heads], &rows));
     let rest = sorted.get(MAX_ROWS..).unwrap_or_default();
@@ -279,6 +279,63 @@ fn objects(report: &RiskReport, years: &str) -> String {
         html.push_str(&paragraph(&format!("And {} more{of_losses}, in risk.csv.", rest.len())));
     }
     html
+}
+
+/// How many kinds of object fail more often than accepted, and by how much the worst of them do.
+fn verdicts(report: &RiskReport) -> String {
+    let compared = report.objects.iter().filter(|one| one.verdict.is_some()).count();
+    let broken: Vec<&ObjectRisk> =
+        report.objects.iter().filter(|one| one.verdict == Some(RiskVerdict::Exceeds)).collect();
+    let kinds = format!("{} of object", counted(compared, "kind"));
+    let mut sentences = vec![match broken.len() {
+        0 => format!("Of {kinds} with an accepted rate, none fails more often than that."),
+        many => {
+            let verb = if many == 1 { "fails" } else { "fail" };
+            format!("Of {kinds} with an accepted rate, {many} {verb} more often than that.")
+        }
+    }];
+    let mut worst: Vec<(&ObjectRisk, Limit)> =
+        broken.iter().flat_map(|object| object.named_limits().into_iter().map(|limit| (*object, limit))).collect();
+    // Stable: what is equal stays in the order of the file.
+    worst.sort_by(|a, b| b.1.ratio().total_cmp(&a.1.ratio()));
+    let once = |rate: f64| once_in(rate).unwrap_or_else(|| "never".to_owned());
+    sentences.extend(worst.iter().take(MAX_SENTENCES).map(|(object, limit)| {
+        let does = if limit.limit_state == LimitState::Overturns { "overturns" } else { "is damaged" };
+        let (more, than) = more_often(limit.ratio());
+        let (found, accepted) = (once(limit.annual_rate.unwrap_or(0.0)), once(limit.accepted));
+        let sure = match object.is_certain {
+            Some(true) => "",
+            Some(false) => " This is not certain.",
+            None => " It is not known how certain this is.",
+        };
+        let id = shorten(&object.id);
+        format!("The object {id} {does} {more} {than} accepted: {found}, and {accepted} is accepted.{sure}")
+    }));
+    if worst.len() > MAX_SENTENCES {
+        sentences.push(format!("The other {} are in risk.json.", worst.len() - MAX_SENTENCES));
+    }
+    sentences.join(" ")
+}
+
+/// How an object compares with the rates that its owner accepts, in a few words.
+fn compared(object: &ObjectRisk) -> String {
+    let Some(verdict) = object.verdict else { return "–".to_owned() };
+    let words = match verdict {
+        RiskVerdict::Accepted => "not more often".to_owned(),
+        RiskVerdict::Exceeds => more_often(object.named_limits().iter().map(Limit::ratio).fold(1.0, f64::max)).0,
+    };
+    format!("{words}{}", object.uncertainty_words())
+}
+
+/// `3 times as often` as, `20 % more often` than: a rate over the accepted one.
+fn more_often(ratio: f64) -> (String, &'static str) {
+    if ratio < 1.01 {
+        ("slightly more often".to_owned(), "than")
+    } else if ratio < 1.5 {
+        (format!("{} more often", percent_significant(ratio - 1.0, 1)), "than")
+    } else {
+        (format!("{} times as often", rounded(ratio, 2)), "as")
+    }
 }
 
 /// What the numbers leave out: first what this report misses, then what every one does.
@@ -352,6 +409,19 @@ mod tests {
             assert_eq!(grouped(value), expected.replace(' ', "\u{202f}"), "{value}");
         }
         assert_eq!(grouped(-25_900.0), "−25\u{202f}900");
+    }
+
+    #[test]
+    fn rates_are_compared_in_words() {
+        let cases = [
+            (1.001, ("slightly more often", "than")),
+            (1.03, ("3 % more often", "than")),
+            (1.6, ("1.6 times as often", "as")),
+            (12.34, ("12 times as often", "as")),
+        ];
+        for (ratio, (words, than)) in cases {
+            assert_eq!(more_often(ratio), (words.to_owned(), than));
+        }
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! What options are worth, and the best of them within a budget.
 
+use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use freestand::risk::{Choice, Plan, best_plan, present_value_factor_years, renewed_cost};
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number};
 use freestand_output::facts::Facts;
@@ -78,47 +79,60 @@ pub(crate) fn measures(
     objects: &[ObjectRisk],
     hazard: &MeasuredHazard,
     currency: Option<&str>,
-) -> Result<Measures, Problem> {
+) -> Result<Measures, Problems> {
     let (Some(horizon), Some(discount)) = (request.horizon_years, request.discount_ratio) else {
         let message = "options pay over years, and the horizon or the discount rate is not given";
         let hint = "give `horizon = \"40 yr\"` and `discount = \"3 %\"`";
-        return Err(Problem::value(message, hint).of(&["horizon", "discount"]));
+        return Err(Problem::value(message, hint).of(&["horizon", "discount"]).into());
     };
     let Some(currency) = currency else {
         let hint = "give an inventory with replacement_cost [AUD], or other costs";
         return Err(Problem::value("the benefit of an option cannot be calculated without the cost of failures", hint)
-            .of(&["inventory"]));
+            .of(&["inventory"])
+            .into());
     };
     if let Some((_, other)) = request.budget.as_ref().filter(|(_, other)| other != currency) {
         let message = format!("the budget is in {}, and the costs are in {currency}", shorten(other));
-        return Err(Problem::value(message, format!("give the budget in {currency}")).of(&["budget"]));
+        return Err(Problem::value(message, format!("give the budget in {currency}")).of(&["budget"]).into());
     }
-    let money = |error: freestand::risk::MoneyError| {
-        Problem::value(error.to_string(), "correct `horizon`, `discount` or the column life")
-    };
-    let years = present_value_factor_years(discount, horizon).map_err(money)?;
+    let years = present_value_factor_years(discount, horizon)
+        .map_err(|error| Problem::value(error.to_string(), "correct `horizon` or `discount`"))?;
+    let places: HashMap<&str, usize> = objects.iter().enumerate().map(|(i, object)| (object.id.as_str(), i)).collect();
     let mut ranking = Vec::new();
+    let mut problems = Problems::default();
     for option in options {
-        let found = objects.iter().enumerate().find(|(_, object)| object.id == option.id);
-        let Some((place, object)) = found else {
-            let message =
-                format!("the option {} is for {}, which has no fragility", option.option, shorten(&option.id));
-            return Err(Problem::value(message, "remove the option, or add the curves of the object").of(&["options"]));
+        let named = format!("the option \"{}\" is for {}", shorten(&option.option), shorten(&option.id));
+        let wrong = |message: String, hint: &str| {
+            let problem = Problem::value(message, hint);
+            let problem = request.options.iter().fold(problem, |problem, path| problem.in_file(path));
+            problem.at_line(option.line)
+        };
+        let Some((place, object)) =
+            places.get(option.id.as_str()).and_then(|&place| Some((place, objects.get(place)?)))
+        else {
+            let hint = "correct the id, leave out the row, or add the curves of the object";
+            problems.push(wrong(format!("{named}, which has no fragility"), hint));
+            continue;
         };
         let Some((cost, loss)) = object.cost.as_ref().zip(object.expected_annual_loss) else {
-            let message = format!("the option {} is for {}, which has no costs", option.option, shorten(&option.id));
-            return Err(Problem::value(message, "give the costs of its failures in the inventory").of(&["options"]));
+            let hint = "give the costs of its failures in the inventory, or leave out the row";
+            problems.push(wrong(format!("{named}, which has no costs"), hint));
+            continue;
         };
+        let renewed = renewed_cost(option.cost, option.life_years, discount, horizon)
+            .map_err(|error| wrong(error.to_string(), "correct the life, or the horizon"));
+        let Some(cost_present_value) = problems.keep(renewed) else { continue };
         let after = loss_of(&object.curves, &option.effect, cost, &hazard.hazard);
         ranking.push(Worth {
             id: option.id.clone(),
             option: option.option.clone(),
             object: place,
             cost: option.cost,
-            cost_present_value: renewed_cost(option.cost, option.life_years, discount, horizon).map_err(money)?,
+            cost_present_value,
             benefit_present_value: years * (loss - after),
         });
     }
+    let mut ranking = problems.finish(Some(ranking))?;
     // Stable, so that equal ratios stay in the order of the file; what costs nothing comes first if
     // it is worth anything.
     let key = |worth: &Worth| worth.ratio().unwrap_or(if worth.net() > 0.0 { f64::INFINITY } else { 0.0 });

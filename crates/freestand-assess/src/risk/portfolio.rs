@@ -9,20 +9,21 @@ use freestand::risk::{
     loss_exceedance,
 };
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::{counted, number, shortest};
+use freestand_input::words::{counted, number};
 use freestand_output::facts::Facts;
 
 use crate::fragility::{At, FragilityReport};
 
 use super::costs::{CostRow, Costs};
 use super::hazard::MeasuredHazard;
+use super::least;
 use super::objects::ObjectRisk;
 
 /// The return periods whose losses are stated \[years\].
 const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
-/// Share of worlds of the lowest level with a loss above which lower levels are missing.
+/// Share of worlds of the lowest intensity with a loss above which lower intensities are missing.
 const SMALL: f64 = 0.02;
-/// Share of missing pairs of motion and level above which runs are no stripes at all.
+/// Share of missing pairs of motion and intensity above which runs are no stripes at all.
 const NO_STRIPES: f64 = 0.5;
 
 /// The losses of all objects.
@@ -35,7 +36,7 @@ pub(crate) struct Portfolio {
     pub(super) is_at_least: bool,
 }
 
-/// A motion at a level: the classes of the objects with costs.
+/// A motion at an intensity, by their numbers: the classes of the objects with costs.
 type Pair = (usize, usize);
 
 pub(crate) fn portfolio(
@@ -79,8 +80,8 @@ pub(crate) fn portfolio(
     let known: usize = worlds.values().map(|classes| classes.iter().flatten().count()).sum();
     if (known as f64) < (1.0 - NO_STRIPES) * (wanted * priced.len()) as f64 {
         warnings.push(
-            "the motions have levels of their own, so there are no worlds that all objects share: the losses of all \
-             objects together were not calculated"
+            "the motions were not all scaled to the same intensities, so there are no worlds that all objects share: the \
+             losses of all objects together were not calculated"
                 .to_owned(),
         );
         return Ok(None);
@@ -92,20 +93,19 @@ pub(crate) fn portfolio(
                 if classes.and_then(|classes| classes.get(place).copied().flatten()).is_none() {
                     let name = |names: &[String], i: usize| names.get(i).cloned().unwrap_or_default();
                     let message = format!(
-                        "object {} has no outcome under motion {} at {} {}",
+                        "object {} has no outcome under motion {} at {}",
                         name(&table.objects, *object),
                         name(&table.motions, motion),
-                        shortest(*intensity),
-                        table.measure.name()
+                        table.measure.value_words(*intensity)
                     );
-                    let hint = "the losses of all objects need every object under every motion at every level";
+                    let hint = "the losses of all objects need every object under every motion at every intensity";
                     return Err(Problem::value(message, hint).in_file(&table.file.path));
                 }
             }
         }
     }
     let strips = strip_rates(&levels, |x| hazard.hazard.annual_rate(x)).map_err(|error| {
-        Problem::new(ProblemKind::Value, error.to_string()).hint("give levels that the hazard covers")
+        Problem::new(ProblemKind::Value, error.to_string()).hint("give intensities that the hazard curve covers")
     })?;
     let loss = |classes: &[Option<OutcomeClass>]| -> f64 {
         let one = |(class, (_, cost)): (&Option<OutcomeClass>, &(usize, &CostRow))| match class {
@@ -119,19 +119,21 @@ pub(crate) fn portfolio(
         .iter()
         .map(|((_, level), classes)| World { annual_rate: strips[*level] / motions as f64, loss: loss(classes) })
         .collect();
+    // Below the hazard nothing is counted, nor below the lowest level.
+    let lowest = strips.iter().position(|strip| *strip > 0.0).unwrap_or(0);
     let failing = worlds
         .iter()
         .filter(|((_, level), classes)| {
-            *level == 0 && classes.iter().flatten().any(|class| *class > OutcomeClass::Rocked)
+            *level == lowest && classes.iter().flatten().any(|class| *class > OutcomeClass::Rocked)
         })
         .count();
     let is_at_least = failing as f64 > SMALL * motions as f64;
     if is_at_least {
         warnings.push(format!(
-            "at the lowest level, {} {}, something fails in {} of {}: weaker motions cause losses too, and the losses of \
-             all objects are at least those stated; add lower levels",
-            shortest(levels[0]),
-            table.measure.name(),
+            "at the lowest intensity that is counted, {}, something fails in {} of {}: weaker motions cause losses too, \
+             and the losses of all objects are at least those stated; add lower intensities to the outcomes, and to the \
+             hazard if it begins there",
+            levels.get(lowest).map_or(String::new(), |level| table.measure.value_words(*level)),
             failing,
             counted(motions, "motion")
         ));
@@ -192,7 +194,7 @@ impl Portfolio {
     }
 
     pub(crate) fn text(&self, currency: &str) -> String {
-        let least = if self.is_at_least { "at least " } else { "" };
+        let least = least(self.is_at_least);
         let mut text = format!(
             "All objects under common motions ({}): {least}{} {currency} a year\n",
             counted(self.worlds, "world"),

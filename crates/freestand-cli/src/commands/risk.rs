@@ -101,7 +101,7 @@ pub(crate) struct RiskArgs {
     /// Years over which the savings of options count, such as "40 yr"
     #[arg(long, value_name = "YEARS", read = years, help_heading = "Money")]
     horizon: Option<Given>,
-    /// Discount rate per year, such as "3 %"
+    /// Discount rate per year, compounded continuously, such as "3 %"
     #[arg(long, non_negative = Dimension::Ratio, help_heading = "Money")]
     discount: Option<Given>,
 

@@ -144,7 +144,8 @@ pub fn return_period_factors() -> &'static [(u32, f64)] {
     &RETURN_PERIOD_FACTORS
 }
 
-/// Near-fault factor N(T, D) for the distance D to one of the code's major faults.
+/// Near-fault factor N(T, D) for the distance D to one of the code's major faults; 1 for return periods
+/// with R ≤ 0.75, for which the code ignores near faults.
 ///
 /// Nmax up to 2 km, `1 + (Nmax − 1)(20 − D)/18` up to 20 km, 1 above, with Nmax(T) = 1 up to 1.5 s,
 /// 0.24 T + 0.64 up to 4 s, 0.12 T + 1.12 up to 5 s, 1.72 above.
@@ -153,11 +154,17 @@ pub fn return_period_factors() -> &'static [(u32, f64)] {
 /// NZS 1170.5:2004, clause 3.1.6 and Table 3.7.
 ///
 /// # Example
-/// At 3 s and 11 km Nmax = 1.36, and half of its excess over 1 remains: N = 1.18.
+/// At 3 s and 11 km Nmax = 1.36, and half of its excess over 1 remains: N = 1.18 for 500 years (R = 1)
+/// and 1 for 250 years (R = 0.75).
 /// ```
-/// assert!((freestand::code_spectrum::near_fault_ratio(3.0, 11.0) - 1.18).abs() < 1e-15);
+/// use freestand::code_spectrum::near_fault_ratio;
+/// assert!((near_fault_ratio(3.0, 11.0, 1.0) - 1.18).abs() < 1e-15);
+/// assert_eq!(near_fault_ratio(3.0, 11.0, 0.75), 1.0);
 /// ```
-pub fn near_fault_ratio(period_s: f64, fault_distance_km: f64) -> f64 {
+pub fn near_fault_ratio(period_s: f64, fault_distance_km: f64, return_factor_ratio: f64) -> f64 {
+    if return_factor_ratio <= LARGEST_R_WITHOUT_FAULT {
+        return 1.0;
+    }
     let largest = match period_s {
         t if t <= 1.5 => 1.0,
         t if t <= 4.0 => 0.24 * t + 0.64,
@@ -269,10 +276,8 @@ impl Nzs1170_5 {
 
     /// Spectral acceleration `C(T)`, 5 % damping \[g\]; NaN for a negative period.
     pub fn sa_g(&self, period_s: f64) -> f64 {
-        let near_fault = match self.fault_distance_km {
-            Some(km) if self.return_factor_ratio > LARGEST_R_WITHOUT_FAULT => near_fault_ratio(period_s, km),
-            _ => 1.0,
-        };
+        let near_fault =
+            self.fault_distance_km.map_or(1.0, |km| near_fault_ratio(period_s, km, self.return_factor_ratio));
         self.site.shape_factor_ratio(period_s) * self.zr_g() * near_fault
     }
 }
@@ -338,10 +343,10 @@ mod tests {
         for (period_s, largest) in
             [(0.5, 1.0), (1.5, 1.0), (2.0, 1.12), (3.0, 1.36), (4.0, 1.60), (5.0, 1.72), (9.0, 1.72)]
         {
-            assert!((near_fault_ratio(period_s, 0.0) - largest).abs() < 1e-15, "{period_s}");
-            assert!((near_fault_ratio(period_s, 2.0) - largest).abs() < 1e-15, "{period_s}");
-            assert_eq!(near_fault_ratio(period_s, 20.0), 1.0);
-            assert_eq!(near_fault_ratio(period_s, 300.0), 1.0);
+            assert!((near_fault_ratio(period_s, 0.0, 1.0) - largest).abs() < 1e-15, "{period_s}");
+            assert!((near_fault_ratio(period_s, 2.0, 1.0) - largest).abs() < 1e-15, "{period_s}");
+            assert_eq!(near_fault_ratio(period_s, 20.0, 1.0), 1.0);
+            assert_eq!(near_fault_ratio(period_s, 300.0, 1.0), 1.0);
         }
         let far = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, None).unwrap();
         let near = Nzs1170_5::new(SubsoilClass::C, 0.4, 500, Some(2.0)).unwrap();

@@ -1,7 +1,7 @@
 //! How sure a fit is, and how well it fits: by drawing motions again.
 
 use rand::RngExt;
-use rand_distr::{Distribution, StandardNormal};
+use rand_distr::{Binomial, Distribution, StandardNormal};
 use rayon::prelude::*;
 
 use super::draws::draw_stream;
@@ -193,7 +193,6 @@ pub fn goodness(outcomes: &Outcomes, fit: &Fit, replicates: u32, seed: u64) -> O
 /// Runs with the outcomes that the curves give to drawn capacities.
 fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, replicate: u32) -> Outcomes {
     let mut random = draw_stream(seed, SIMULATED, u64::from(replicate), 0);
-    let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
     let class = |level: usize, epsilon: f64| {
         let x = outcomes.levels()[level].ln();
         let reached = states.iter().rfind(|state| match fit.curve(**state) {
@@ -204,16 +203,24 @@ fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, r
     };
     match outcomes.motions() {
         Some(motions) => {
-            let capacities: Vec<f64> = (0..motions).map(|_| normal()).collect();
+            let capacities: Vec<f64> = (0..motions).map(|_| StandardNormal.sample(&mut random)).collect();
             outcomes.with_classes(|run| class(run.level, capacities[run.motion]))
         }
         None => {
             let mut runs = Vec::new();
             for (level, counts) in outcomes.counts(None).iter().enumerate() {
                 let mut drawn = [0.0; 4];
-                for _ in 0..counts.iter().sum::<f64>().round() as u64 {
-                    drawn[class(level, normal()).index()] += 1.0;
+                // Class by class from the worst: how many of the runs that are left have it.
+                let (mut left, mut worse) = (counts.iter().sum::<f64>().round() as u64, 0.0_f64);
+                for state in states.iter().rev() {
+                    let reached = fit.curve(*state).and_then(|kind| kind.probability(outcomes.levels()[level]));
+                    let reached = reached.unwrap_or(0.0).max(worse);
+                    let share = if worse < 1.0 { (reached - worse) / (1.0 - worse) } else { 0.0 };
+                    let count = Binomial::new(left, share).map_or(0, |law| law.sample(&mut random));
+                    drawn[state.first_class().index()] += count as f64;
+                    (left, worse) = (left - count, reached);
                 }
+                drawn[OutcomeClass::NoUplift.index()] += left as f64;
                 let intensity = outcomes.levels()[level];
                 let run = |(class, &weight): (&OutcomeClass, &f64)| super::Run {
                     motion: None,
@@ -290,12 +297,15 @@ fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> f64 {
 
 /// The spread of the capacities of the motions, the *efficiency* of the intensity measure: the
 /// standard deviation of the logarithm of the lowest intensity at which each motion reaches the
-/// limit state. `None` for counts, and unless at least two motions reach it and all do.
+/// limit state. `None` for counts, unless at least two motions reach it and all do, and where all
+/// reach it at the same intensity: then the levels are too far apart to tell a spread.
 pub fn capacity_spread(outcomes: &Outcomes, state: LimitState) -> Option<f64> {
     let logs: Option<Vec<f64>> = outcomes.capacities(state).into_iter().map(|x| x.map(f64::ln)).collect();
     let logs = logs.filter(|logs| logs.len() >= 2)?;
     let mean = logs.iter().sum::<f64>() / logs.len() as f64;
-    Some((logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (logs.len() - 1) as f64).sqrt())
+    let spread = (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (logs.len() - 1) as f64).sqrt();
+    // The mean of equal numbers is off by rounding.
+    (spread > 1e-12).then_some(spread)
 }
 
 /// What was seen of a limit state at one intensity.

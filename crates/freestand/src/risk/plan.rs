@@ -341,6 +341,27 @@ mod tests {
         }
     }
 
+    /// More money than everything costs buys the best measure of each object, the cheaper one of two that are
+    /// worth the same; without money only what is free is bought.
+    #[test]
+    fn budgets_beyond_all_costs_and_of_nothing() {
+        for sample in 0..200 {
+            let (objects, _) = random(sample, 1 + sample as usize % 40);
+            let (rich, poor) = (best_plan(&objects, 1e12, || true), best_plan(&objects, 0.0, || true));
+            assert!(rich.is_optimal && poor.is_optimal && poor.cost == 0.0);
+            for ((of, rich), poor) in objects.iter().zip(&rich.chosen).zip(&poor.chosen) {
+                let worth = |chosen: &Option<usize>| chosen.map_or(0.0, |chosen| of[chosen].value);
+                let most = |is_there: &dyn Fn(&&Choice) -> bool| {
+                    of.iter().filter(is_there).map(|choice| choice.value).fold(0.0, f64::max)
+                };
+                assert_eq!((worth(rich), worth(poor)), (most(&|_| true), most(&|choice| choice.cost == 0.0)));
+                let cheaper =
+                    |chosen: usize| of.iter().any(|one| one.value == of[chosen].value && one.cost < of[chosen].cost);
+                assert!(!rich.is_some_and(cheaper), "{of:?} {rich:?}");
+            }
+        }
+    }
+
     #[test]
     fn nothing_to_choose() {
         let none = best_plan(&[], 100.0, || true);

@@ -12,9 +12,26 @@ pub struct AnnualRates {
     /// Mean number of times per year, as far as the hazard is known; `None` where no curve is
     /// known.
     pub annual_rate: Option<f64>,
+    /// The least that it can be, also where no curve is known.
+    pub annual_rate_lower: f64,
     /// The most that it can be whatever happens above the last point of the hazard; `None` where
     /// there is no bound.
     pub annual_rate_upper: Option<f64>,
+    /// What motions below the first point of the hazard would add if λ went on there as in its first
+    /// segment. No rate counts it.
+    pub below_first: f64,
+}
+
+impl AnnualRates {
+    /// Motions below the first point of the hazard that add less than this part of a rate are
+    /// passed over.
+    const SMALL: f64 = 0.01;
+
+    /// Whether the hazard begins too high for this limit state, so that the rate is only the least
+    /// it can be.
+    pub fn begins_too_high(&self) -> bool {
+        self.annual_rate.is_some_and(|rate| self.below_first > Self::SMALL * rate)
+    }
 }
 
 /// The annual rate of a limit state, ∫ P(limit state | x) |dλ(x)|.
@@ -24,10 +41,17 @@ pub struct AnnualRates {
 /// λ_f = λ(x₁)Φ(u₁) + Σ aᵢ θ^−kᵢ exp(kᵢ²β²/2) \[Φ(uᵢ₊₁ + kᵢβ) − Φ(uᵢ + kᵢβ)\].
 ///
 /// Motions beyond the last point xₙ count with λ(xₙ)Φ(uₙ), the least they can; `annual_rate_upper`
-/// adds λ(xₙ)(1 − Φ(uₙ)). Nothing is assumed below x₁. For a power law without ends it is
-/// λ_f = k₀ (θ/reference)^−k exp(k²β²/2). A step counts as β = 0. If a limit state was never reached
-/// up to some intensity, the rate is not known, but is at most the rate of that intensity; one that
-/// was always reached has neither.
+/// adds λ(xₙ)(1 − Φ(uₙ)). Nothing is assumed below x₁; `below_first` tells what is left out there
+/// if the first segment went on, which is an upper bound where the hazard curve flattens towards weak
+/// motions:
+///
+/// a₁ θ^−k₁ exp(k₁²β²/2) Φ(u₁ + k₁β) − λ(x₁)Φ(u₁).
+///
+/// For a power law without ends the rate is λ_f = k₀ (θ/reference)^−k exp(k²β²/2). A step counts as
+/// β = 0 in the middle of its ends, and is at least the rate of the upper one and at most that of the
+/// lower one. If a limit state was never reached up to some intensity, the rate is not known, but is
+/// at most the rate of that intensity; if it was always reached from some intensity on, it is at least
+/// that rate.
 ///
 /// # Reference
 /// Cornell, C. A., Jalayer, F., Hamburger, R. O. and Foutch, D. A. (2002). Probabilistic basis for
@@ -48,36 +72,74 @@ pub struct AnnualRates {
 /// # Ok::<(), freestand::risk::HazardError>(())
 /// ```
 pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
-    let (median, beta) = match curve {
-        CurveKind::Lognormal { median, beta } => (median, beta),
-        CurveKind::Step { lower, upper } => ((lower * upper).sqrt(), 0.0),
-        CurveKind::None { lower } | CurveKind::Bounds { lower: Some(lower), .. } => {
-            let last = match hazard {
-                Hazard::Points(points) => points.last().map_or(0.0, |last| last.annual_rate),
-                Hazard::PowerLaw { .. } => 0.0,
-            };
-            let below_first = matches!(hazard, Hazard::Points(points) if points[0].intensity > lower);
-            let upper = (!below_first).then(|| hazard.annual_rate(lower).max(last));
-            return AnnualRates { annual_rate: None, annual_rate_upper: upper };
+    let least = |upper: Option<f64>| upper.map_or(0.0, |upper| hazard.annual_rate(upper));
+    let (median, beta, ends) = match curve {
+        CurveKind::Lognormal { median, beta } => (median, beta, None),
+        CurveKind::Step { lower, upper } => ((lower * upper).sqrt(), 0.0, Some((lower, upper))),
+        CurveKind::None { lower } => return unknown(0.0, most(hazard, lower)),
+        CurveKind::Bounds { lower, upper } => {
+            return unknown(least(upper), lower.and_then(|lower| most(hazard, lower)));
         }
-        CurveKind::All { .. } | CurveKind::Bounds { lower: None, .. } | CurveKind::NotIncreasing { .. } => {
-            return AnnualRates { annual_rate: None, annual_rate_upper: None };
-        }
+        CurveKind::All { upper } => return unknown(least(Some(upper)), None),
+        CurveKind::NotIncreasing { .. } => return unknown(0.0, None),
     };
-    let (rate, missing) = match hazard {
+    let (rate, beyond, below_first) = match hazard {
         Hazard::PowerLaw { rate, reference, exponent } => {
             let spread = exponent * beta;
-            (rate * (median / reference).powf(-exponent) * (0.5 * spread * spread).exp(), 0.0)
+            (rate * (median / reference).powf(-exponent) * (0.5 * spread * spread).exp(), 0.0, 0.0)
         }
         Hazard::Points(points) => {
             let at = |x: f64| probability(x, median, beta);
             let first = points.first().map_or(0.0, |point| point.annual_rate * at(point.intensity));
             let between: f64 = points.windows(2).map(|pair| segment(pair[0], pair[1], median, beta)).sum();
             let beyond = points.last().map_or(0.0, |point| point.annual_rate * (1.0 - at(point.intensity)));
-            (first + between, beyond)
+            let below = points.first_chunk().map_or(0.0, |pair| below_first(pair, median, beta));
+            (first + between, beyond, below)
         }
     };
-    AnnualRates { annual_rate: Some(rate), annual_rate_upper: Some(rate + missing) }
+    let upper = rate + beyond;
+    AnnualRates {
+        annual_rate: Some(rate),
+        annual_rate_lower: ends.map_or(rate, |(_, to)| rate.min(hazard.annual_rate(to))),
+        annual_rate_upper: match ends {
+            // Where the lower end is below the first point nothing bounds it.
+            Some((from, _)) => most(hazard, from).map(|most| most.max(upper)),
+            None => Some(upper),
+        },
+        below_first,
+    }
+}
+
+fn unknown(annual_rate_lower: f64, annual_rate_upper: Option<f64>) -> AnnualRates {
+    AnnualRates { annual_rate: None, annual_rate_lower, annual_rate_upper, below_first: 0.0 }
+}
+
+/// The most that a limit state can be reached that is never reached up to an intensity; `None` where
+/// the hazard begins above it.
+fn most(hazard: &Hazard, lower: f64) -> Option<f64> {
+    let (first, last) = match hazard {
+        Hazard::Points(points) => (points.first()?.intensity, points.last()?.annual_rate),
+        Hazard::PowerLaw { .. } => (0.0, 0.0),
+    };
+    (first <= lower).then(|| hazard.annual_rate(lower).max(last))
+}
+
+/// ∫ Φ |dλ| up to x₁ if the first segment went on below it: [−λΦ] and ∫ λ dΦ.
+fn below_first([low, high]: &[HazardPoint; 2], median: f64, beta: f64) -> f64 {
+    let exponent = exponent_between(*low, *high);
+    if beta == 0.0 {
+        let at_median = low.annual_rate * (median / low.intensity).powf(-exponent);
+        return if median < low.intensity { at_median - low.annual_rate } else { 0.0 };
+    }
+    let u = (low.intensity / median).ln() / beta;
+    let w = u + exponent * beta;
+    // The factor overflows where the tail vanishes; written as φ(u)/φ(w), it cancels with it.
+    let through = if w < 0.0 {
+        density(u) * tail_ratio(-w)
+    } else {
+        (exponent * beta * (u + 0.5 * exponent * beta)).exp() * normal_ratio(w)
+    };
+    (low.annual_rate * (through - normal_ratio(u))).max(0.0)
 }
 
 /// Φ(ln(x/θ)/β); with β = 0 a jump at θ.
@@ -269,6 +331,26 @@ mod tests {
         }
     }
 
+    /// The rate below the first point is the difference to a hazard with a point further down.
+    #[test]
+    fn what_is_below_the_first_point_is_the_integral() {
+        let exponent = (CURVE[0].1 / CURVE[1].1).ln() / (CURVE[1].0 / CURVE[0].0).ln();
+        // Below 1e-12 there is less than 1e-12 of any of them.
+        let longer: Vec<(f64, f64)> =
+            std::iter::once((1e-12, 0.2 * 1e10_f64.powf(exponent))).chain(CURVE.iter().copied()).collect();
+        for (median, beta) in [(0.003, 0.05), (0.003, 0.6), (0.02, 0.4), (0.05, 0.25), (0.2, 0.6), (0.8, 0.05)] {
+            let short = annual_rate(&points(&CURVE), lognormal(median, beta));
+            let long = annual_rate(&points(&longer), lognormal(median, beta));
+            let missing = long.annual_rate.unwrap() - short.annual_rate.unwrap();
+            // A difference of two numbers of the size of the rate.
+            assert!(
+                (short.below_first - missing).abs() <= 1e-11 * long.annual_rate.unwrap(),
+                "{median} {beta}: {short:?} {missing}"
+            );
+            assert_eq!(short.begins_too_high(), median < 0.01 || beta == 0.4, "{median} {beta}: {short:?}");
+        }
+    }
+
     /// Cornell's closed form, and a curve of points so long that its ends do not matter.
     #[test]
     fn a_power_law_is_the_closed_form() {
@@ -313,12 +395,22 @@ mod tests {
         assert_eq!((beyond.annual_rate, beyond.annual_rate_upper), (None, Some(1e-6)));
         assert_eq!(annual_rate(&hazard, CurveKind::None { lower: 0.001 }).annual_rate_upper, None);
         assert_eq!(annual_rate(&hazard, CurveKind::All { upper: 0.1 }).annual_rate, None);
+        let all = annual_rate(&hazard, CurveKind::All { upper: 0.1 });
+        assert_eq!((all.annual_rate_lower, all.annual_rate_upper), (6e-3, None));
+        assert_eq!(
+            (step.annual_rate_lower, step.annual_rate_upper),
+            (hazard.annual_rate(0.2), Some(hazard.annual_rate(0.05)))
+        );
         // A step above the last point is at most as frequent as that point; one below the first is
         // at least as frequent as that one.
         let above = annual_rate(&hazard, CurveKind::Step { lower: 2.0, upper: 2.0 });
         assert_eq!((above.annual_rate, above.annual_rate_upper), (Some(0.0), Some(1e-6)));
         let below = annual_rate(&hazard, CurveKind::Step { lower: 0.001, upper: 0.001 });
         assert_eq!(below.annual_rate, Some(0.2));
+        // The first segment has k = ln 10/ln 5.
+        let exponent = 10.0_f64.ln() / 5.0_f64.ln();
+        assert!((below.below_first / (0.2 * 10.0_f64.powf(exponent) - 0.2) - 1.0).abs() < 1e-13);
+        assert_eq!((below.annual_rate_upper, below.begins_too_high()), (None, true));
         // A very small β is a step.
         let steep = annual_rate(&hazard, lognormal(0.1, 1e-9)).annual_rate.unwrap();
         assert!((steep / hazard.annual_rate(0.1) - 1.0).abs() < 1e-8, "{steep}");

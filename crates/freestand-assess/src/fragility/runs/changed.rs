@@ -1,5 +1,7 @@
 //! Objects that are run as an option changes them.
 
+use std::path::PathBuf;
+
 /// What an option changes of an object; `None`: that stays.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Change {
@@ -20,6 +22,8 @@ pub struct ChangedObject {
     pub curve_id: String,
     /// What changes.
     pub change: Change,
-    /// Its line in the file of the options.
+    /// The file of the options.
+    pub file: PathBuf,
+    /// Its line in that file, from 1.
     pub line: usize,
 }

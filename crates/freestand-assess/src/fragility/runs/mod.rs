@@ -22,7 +22,7 @@ use freestand::rocking::Restitution;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
-use freestand_input::words::{Choices, counted, name_of, shortest, significant};
+use freestand_input::words::{Choices, counted, name_of, number, shortest, significant};
 use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_study::cushion::EdgeCushion;
@@ -458,10 +458,10 @@ fn prepare(
         RunObjects::Listed { study, inventory, worlds, changed } => {
             let mut levels_ratio: Vec<f64> = Vec::new();
             let (mut objects, mut left_out) = (Vec::new(), Vec::new());
-            let as_listed = inventory.items.iter().cloned().map(Ok);
-            let as_changed = changed.iter().map(|one| changed_item(one, inventory));
-            for item in as_listed.chain(as_changed) {
-                let item = item?;
+            let mut problems = Problems::default();
+            let as_changed = changed.iter().filter_map(|one| problems.keep(changed_item(one, inventory))).collect();
+            let as_changed: Vec<Item> = problems.finish(Some(as_changed))?;
+            for item in inventory.items.iter().cloned().chain(as_changed) {
                 let nominal = match Nominal::new(&item, &study.assessment) {
                     Ok(nominal) => nominal,
                     Err(why) => {
@@ -493,28 +493,26 @@ fn prepare(
 
 /// An object of a list as an option changes it.
 fn changed_item(changed: &ChangedObject, inventory: &Inventory) -> Result<Item, Problem> {
-    let wrong = |message: String, hint: &str| Problem::value(message, hint).of(&["options"]);
+    let wrong =
+        |message: String, hint: &str| Problem::value(message, hint).in_file(&changed.file).at_line(changed.line);
     let found = inventory.items.iter().find(|item| item.id == changed.id).ok_or_else(|| {
-        let message = format!("line {}: the list has no object {}", changed.line, shorten(&changed.id));
+        let message = format!("the list has no object {}", shorten(&changed.id));
         wrong(message, "correct its id, or leave out the row")
     })?;
     let Change { stiffness_n_m, base_thickness_m, mass_kg } = changed.change;
-    if let Some((base_m, thickness_m)) = base_thickness_m.zip(found.thickness_m).filter(|(base, whole)| base > whole) {
+    // Feet may reach beyond the object, but not into the wall behind it.
+    let reach_m = base_thickness_m.zip(found.thickness_m).map(|(base_m, thickness_m)| 0.5 * (base_m - thickness_m));
+    if let Some((reach_m, gap_m)) = reach_m.zip(found.surroundings.wall_gap_m).filter(|(reach, gap)| reach > gap) {
         let message = format!(
-            "line {}: the base of {} would be {} m wide, and the object is {} m",
-            changed.line,
+            "the feet of {} would reach {} m beyond it, and the wall is {} m behind it",
             shorten(&changed.id),
-            shortest(base_m),
-            shortest(thickness_m)
+            number(reach_m, 3),
+            shortest(gap_m)
         );
-        return Err(wrong(
-            message,
-            "the model is a block whose base is at most as wide as itself: run the wider \
-                                   object as a row of its own, and name its curves in the column curves",
-        ));
+        return Err(wrong(message, "correct base_thickness, or the gap to the wall in the list"));
     }
     let cushion = stiffness_n_m.map(Cushion::linear).transpose();
-    let cushion = cushion.map_err(|error| wrong(format!("line {}: {error}", changed.line), "correct the stiffness"))?;
+    let cushion = cushion.map_err(|error| wrong(error.to_string(), "correct the stiffness"))?;
     let cushion = cushion.map(|cushion| EdgeCushion { cushion, pad_thickness_m: None, notes: Vec::new() });
     Ok(Item {
         id: changed.curve_id.clone(),

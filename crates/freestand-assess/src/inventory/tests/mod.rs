@@ -329,6 +329,16 @@ fn a_factor_of_a_thousand_is_never_read_silently() {
     );
 }
 
+/// In a list of both signs plausibility decides, but a size that no object has says nothing about the
+/// mass: the column's own sign counts.
+#[test]
+fn an_implausible_size_does_not_change_the_reading_of_a_mass() {
+    let list = "id,height [cm],thickness [cm],mass [kg]\na,180,60,1.200\nb,180,60,\"220,5\"\nc,\"180,5\",60,1.200\n\
+                d,180.5,60,1.200\ne,1.80,60,1.200\n";
+    let masses: Vec<_> = read(list).unwrap().inventory.items.iter().map(|item| item.mass_kg).collect();
+    assert_eq!(masses, [Some(1200.0), Some(220.5), Some(1200.0), Some(1200.0), Some(1200.0)]);
+}
+
 /// A pad of a class and one entry of tolerances.
 fn prior(name: &str) -> Option<CushionPrior> {
     let mut words = Words::default();
