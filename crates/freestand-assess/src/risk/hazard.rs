@@ -287,7 +287,7 @@ fn openquake(
             }
         },
     };
-    let row = row_of_site(table, rows, site_deg)?;
+    let row = table.row_of_site(rows, site_deg)?;
     let mut problems = Problems::default();
     let (mut points, mut certain, mut equal): (Vec<HazardPoint>, usize, usize) = (Vec::new(), 0, 0);
     let mut before: Option<usize> = None;
@@ -357,30 +357,32 @@ fn disorder_of_levels(table: &Table, before: usize, here: usize) -> String {
     format!("\"{}\" is not above \"{}\"", shorten(here), shorten(before))
 }
 
-/// The row of a site, or the only one.
-fn row_of_site(table: &Table, rows: RowProblems, site_deg: Option<(f64, f64)>) -> Result<&Row, Problems> {
-    let columns = [(table.needed("lon")?, 360.0), (table.needed("lat")?, 90.0)];
-    let sites = table.each_row(rows, |row, problems| {
-        let [lon, lat] = columns.map(|(column, most)| problems.keep(table.degrees(row, column, most)));
-        Some((row, lon?, lat?))
-    })?;
-    // Coordinates are written with five decimals.
-    let is_it = |(_, lon, lat): &&(&Row, f64, f64)| {
-        site_deg.is_none_or(|site| (lon - site.0).abs() < 1e-4 && (lat - site.1).abs() < 1e-4)
-    };
-    let found: Vec<_> = sites.iter().filter(is_it).collect();
-    match (found.as_slice(), sites.first()) {
-        ([(row, _, _)], _) => Ok(row),
-        (found, Some((_, lon, lat))) => {
-            let message = match (site_deg, found.len()) {
-                (Some((lon, lat)), 0) => format!("the file has no site at {},{}", shortest(lon), shortest(lat)),
-                (_, many) => format!("the file has {}", counted(many, "site")),
-            };
-            let example = format!("{},{}", shortest(*lon), shortest(*lat));
-            let hint = format!("name one site of the file, such as `site_coordinates = \"{example}\"`");
-            Err(table.header_problem(message).hint(hint).into())
+impl Table {
+    /// The row of a site, or the only one.
+    fn row_of_site(&self, rows: RowProblems, site_deg: Option<(f64, f64)>) -> Result<&Row, Problems> {
+        let columns = [(self.needed("lon")?, 360.0), (self.needed("lat")?, 90.0)];
+        let sites = self.each_row(rows, |row, problems| {
+            let [lon, lat] = columns.map(|(column, most)| problems.keep(self.degrees(row, column, most)));
+            Some((row, lon?, lat?))
+        })?;
+        // Coordinates are written with five decimals.
+        let is_it = |(_, lon, lat): &&(&Row, f64, f64)| {
+            site_deg.is_none_or(|site| (lon - site.0).abs() < 1e-4 && (lat - site.1).abs() < 1e-4)
+        };
+        let found: Vec<_> = sites.iter().filter(is_it).collect();
+        match (found.as_slice(), sites.first()) {
+            ([(row, _, _)], _) => Ok(row),
+            (found, Some((_, lon, lat))) => {
+                let message = match (site_deg, found.len()) {
+                    (Some((lon, lat)), 0) => format!("the file has no site at {},{}", shortest(lon), shortest(lat)),
+                    (_, many) => format!("the file has {}", counted(many, "site")),
+                };
+                let example = format!("{},{}", shortest(*lon), shortest(*lat));
+                let hint = format!("name one site of the file, such as `site_coordinates = \"{example}\"`");
+                Err(self.header_problem(message).hint(hint).into())
+            }
+            (_, None) => Err(self.header_problem("the file has no site".to_owned()).into()),
         }
-        (_, None) => Err(table.header_problem("the file has no site".to_owned()).into()),
     }
 }
 

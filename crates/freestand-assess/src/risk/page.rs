@@ -7,6 +7,8 @@ use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::figure::Figure;
 use freestand_output::html::{CLOSING, Cell, escape, figure, heading, list, opening, paragraph, table, words};
 
+use crate::fragility::{At, Measure};
+
 use super::objects::{Limit, ObjectRisk, RiskVerdict};
 use super::{RiskReport, least, once_in, rounded};
 
@@ -46,7 +48,7 @@ const MAX_NAMED: usize = 2;
 /// The page for the owner: loss a year, chances, the plan, what it leaves, what is not counted.
 pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String {
     let years = number(report.years, 4);
-    let hazard = format!("{} of the {}", report.hazard.measure.name(), report.hazard.at.name());
+    let hazard = measure_words(report.hazard.measure, report.hazard.at);
     let file = report.hazard.file.as_ref().and_then(|file| file.path.file_name());
     let source = file.map_or(hazard.clone(), |name| format!("{} ({hazard})", name.to_string_lossy()));
     let kinds = counted(report.objects.len(), "kind");
@@ -71,6 +73,21 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
     html.push_str(&list(&not_counted(report)));
     html.push_str(CLOSING);
     html
+}
+
+/// A measure for people who do not know its abbreviation.
+fn measure_words(measure: Measure, at: At) -> String {
+    match measure {
+        Measure::Pga => "peak ground acceleration".to_owned(),
+        Measure::Pgv => "peak ground velocity".to_owned(),
+        Measure::Pfa => "peak floor acceleration".to_owned(),
+        Measure::Pfv => "peak floor velocity".to_owned(),
+        Measure::Sa { .. } | Measure::SaAverage { .. } => {
+            format!("spectral acceleration {} of the {}", measure.name(), at.name())
+        }
+        Measure::VelocityRatio => "velocity ratio of the floor".to_owned(),
+        Measure::AccelerationRatio => "acceleration ratio of the floor".to_owned(),
+    }
 }
 
 /// An amount of money with its digits in groups: 259 000 AUD.
