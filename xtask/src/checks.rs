@@ -28,6 +28,7 @@ pub enum Check {
     Lints,
     Compiling,
     Tests,
+    Examples,
     Documentation,
     PageBuilt,
     PageTypes,
@@ -43,7 +44,10 @@ const FIRST: [Check; 3] = [Check::Arrows, Check::Features, Check::Formatting];
 /// Two rows that run side by side, and then two more: these need the program that the tests compile.
 const SIDE_BY_SIDE: [[&[Check]; 2]; 2] = [
     [&[Check::Lints, Check::Compiling], &[Check::PageBuilt, Check::PageTypes]],
-    [&[Check::Tests, Check::Documentation], &[Check::PageBrowsed, Check::Python, Check::Shock, Check::RiskTools]],
+    [
+        &[Check::Tests, Check::Examples, Check::Documentation],
+        &[Check::PageBrowsed, Check::Python, Check::Shock, Check::RiskTools],
+    ],
 ];
 
 /// What a check came to.
@@ -71,13 +75,14 @@ struct Row {
 }
 
 impl Check {
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Arrows,
         Self::Features,
         Self::Formatting,
         Self::Lints,
         Self::Compiling,
         Self::Tests,
+        Self::Examples,
         Self::Documentation,
         Self::PageBuilt,
         Self::PageTypes,
@@ -96,6 +101,7 @@ impl Check {
             Self::Lints => "lints",
             Self::Compiling => "compiling",
             Self::Tests => "tests",
+            Self::Examples => "examples",
             Self::Documentation => "documentation",
             Self::PageBuilt => "page-built",
             Self::PageTypes => "page-types",
@@ -113,7 +119,8 @@ impl Check {
             Self::Formatting => "formatting",
             Self::Lints => "lints, benchmarks included",
             Self::Compiling => "the program and the tests compile",
-            Self::Tests => "tests, and the examples in the documentation",
+            Self::Tests => "tests",
+            Self::Examples => "examples in the documentation",
             Self::Documentation => "documentation",
             Self::PageBuilt => "the page is the one that its sources give",
             Self::PageTypes => "the page: types and units",
@@ -131,13 +138,16 @@ impl Check {
             command.args(arguments).current_dir(root);
             command
         };
+        let tested = |kind| cargo(&[&["test", kind, "--no-fail-fast"], &TESTED[..], &["--", "--show-output"]].concat());
         Ok(match self {
             Self::Formatting => cargo(&["fmt", "--all", "--check"]),
             Self::Lints => {
                 cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "-D", "warnings"])
             }
-            Self::Compiling => cargo(&[&["test", "--quiet", "--no-run"], &TESTED[..]].concat()),
-            Self::Tests => cargo(&[&["test", "--no-fail-fast"], &TESTED[..], &["--", "--show-output"]].concat()),
+            // `--tests` leaves out what has `test = false`, and examples, which the lints compile.
+            Self::Compiling => cargo(&[&["test", "--tests", "--quiet", "--no-run"], &TESTED[..]].concat()),
+            Self::Tests => tested("--tests"),
+            Self::Examples => tested("--doc"),
             Self::Documentation => {
                 let mut command = cargo(&["doc", "--workspace", "--locked", "--no-deps", "--quiet"]);
                 command.env("RUSTDOCFLAGS", "-D warnings");
@@ -177,7 +187,7 @@ impl Check {
     fn done(self, root: &Path) -> Result<(), Problem> {
         let not_here = |why: Option<String>| why.map_or(Ok(()), |why| Err(Problem::NotHere(format!("not run: {why}"))));
         match self {
-            Self::Formatting | Self::Lints | Self::Compiling | Self::Tests | Self::Documentation => {
+            Self::Formatting | Self::Lints | Self::Compiling | Self::Tests | Self::Examples | Self::Documentation => {
                 let status = self.command(root)?.status().map_err(|error| format!("cannot run cargo: {error}"))?;
                 return if status.success() { Ok(()) } else { Err(Problem::Wrong(status.to_string())) };
             }
@@ -252,7 +262,7 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
         let mut text = String::new();
         let ended = check.command(root).and_then(|command| {
             printed(command, |line| {
-                if *check != Check::Tests || tests.shows(line.trim_end()) {
+                if !matches!(check, Check::Tests | Check::Examples) || tests.shows(line.trim_end()) {
                     text.push_str(line);
                 }
             })
