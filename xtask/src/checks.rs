@@ -1,19 +1,71 @@
-//! `cargo xtask test`: the checks one after the other, and a table of what they found.
+//! `cargo xtask test`: all checks, and a table of what they found.
+//!
+//! Compilers fill the processor; a browser, Python and Node mostly wait, and use one core. So two rows of
+//! checks run at the same time. Every check is a program of its own, so that its output can be kept together:
+//! it is printed when the check ends.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus};
 use std::time::Instant;
 
 use crate::python::{self, Trouble};
 use crate::{arrows, page, risk_tools, source, validate_shock};
 
+/// The exit status of a check that cannot run here. The last line of its output is the reason.
+const NOT_RUN: u8 = 3;
+
+/// All packages that have tests. The benchmarks have none, and would ask for other features of what all use, so
+/// that the Python package could not share it.
+pub const TESTED: [&str; 4] = ["--workspace", "--exclude", "freestand-benches", "--locked"];
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Check {
+    Arrows,
+    Features,
+    Formatting,
+    Lints,
+    Compiling,
+    Tests,
+    Examples,
+    Documentation,
+    PageBuilt,
+    PageTypes,
+    PageBrowsed,
+    Python,
+    Shock,
+    RiskTools,
+}
+
+/// What takes seconds.
+const FIRST: [Check; 3] = [Check::Arrows, Check::Features, Check::Formatting];
+
+/// Two rows that run side by side, and then two more: these need the program that the tests compile.
+const SIDE_BY_SIDE: [[&[Check]; 2]; 2] = [
+    [&[Check::Lints, Check::Compiling], &[Check::PageBuilt, Check::PageTypes]],
+    [
+        &[Check::Tests, Check::Examples, Check::Documentation],
+        &[Check::PageBrowsed, Check::Python, Check::Shock, Check::RiskTools],
+    ],
+];
+
 /// What a check came to.
+#[derive(Debug, PartialEq)]
 enum Outcome {
     Passed,
     Failed,
     Skipped(String),
+}
+
+impl Outcome {
+    fn word(&self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed => "FAILED",
+            Self::Skipped(_) => "skipped",
+        }
+    }
 }
 
 struct Row {
@@ -22,71 +74,237 @@ struct Row {
     seconds: f64,
 }
 
+impl Check {
+    pub const ALL: [Self; 14] = [
+        Self::Arrows,
+        Self::Features,
+        Self::Formatting,
+        Self::Lints,
+        Self::Compiling,
+        Self::Tests,
+        Self::Examples,
+        Self::Documentation,
+        Self::PageBuilt,
+        Self::PageTypes,
+        Self::PageBrowsed,
+        Self::Python,
+        Self::Shock,
+        Self::RiskTools,
+    ];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Arrows => "arrows",
+            Self::Features => "features",
+            Self::Formatting => "formatting",
+            Self::Lints => "lints",
+            Self::Compiling => "compiling",
+            Self::Tests => "tests",
+            Self::Examples => "examples",
+            Self::Documentation => "documentation",
+            Self::PageBuilt => "page-built",
+            Self::PageTypes => "page-types",
+            Self::PageBrowsed => "page-browsed",
+            Self::Python => "python",
+            Self::Shock => "shock",
+            Self::RiskTools => "risk-tools",
+        }
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::Arrows => "arrows between crates and modules",
+            Self::Features => "tests and Python package share what they compile",
+            Self::Formatting => "formatting",
+            Self::Lints => "lints, benchmarks included",
+            Self::Compiling => "the program and the tests compile",
+            Self::Tests => "tests",
+            Self::Examples => "examples in the documentation",
+            Self::Documentation => "documentation",
+            Self::PageBuilt => "the page is the one that its sources give",
+            Self::PageTypes => "the page: types and units",
+            Self::PageBrowsed => "the page in a browser",
+            Self::Python => "Python package",
+            Self::Shock => "shock response spectra beside public packages",
+            Self::RiskTools => "exported fragilities in pelicun and OpenQuake",
+        }
+    }
+
+    /// The program that does it: cargo, or this one.
+    fn command(self, root: &Path) -> Result<Command, String> {
+        let cargo = |arguments: &[&str]| {
+            let mut command = Command::new("cargo");
+            command.args(arguments).current_dir(root);
+            command
+        };
+        let tested = |kind| cargo(&[&["test", kind, "--no-fail-fast"], &TESTED[..], &["--", "--show-output"]].concat());
+        Ok(match self {
+            Self::Formatting => cargo(&["fmt", "--all", "--check"]),
+            Self::Lints => {
+                cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "-D", "warnings"])
+            }
+            // `--tests` leaves out what has `test = false`, and examples, which the lints compile.
+            Self::Compiling => cargo(&[&["test", "--tests", "--quiet", "--no-run"], &TESTED[..]].concat()),
+            Self::Tests => tested("--tests"),
+            Self::Examples => tested("--doc"),
+            Self::Documentation => {
+                let mut command = cargo(&["doc", "--workspace", "--locked", "--no-deps", "--quiet"]);
+                command.env("RUSTDOCFLAGS", "-D warnings");
+                command
+            }
+            Self::Arrows
+            | Self::Features
+            | Self::PageBuilt
+            | Self::PageTypes
+            | Self::PageBrowsed
+            | Self::Python
+            | Self::Shock
+            | Self::RiskTools => {
+                let program = std::env::current_exe().map_err(|error| format!("cannot find xtask: {error}"))?;
+                let mut command = Command::new(program);
+                command.args(["check", self.name()]).current_dir(root);
+                command
+            }
+        })
+    }
+
+    /// Does it, and prints what it finds: for `cargo xtask check NAME`. Gives the exit status.
+    pub fn run(self, root: &Path) -> u8 {
+        match self.done(root) {
+            Ok(()) => 0,
+            Err(Problem::Wrong(problem)) => {
+                eprintln!("{problem}");
+                1
+            }
+            Err(Problem::NotHere(why)) => {
+                println!("{why}");
+                NOT_RUN
+            }
+        }
+    }
+
+    fn done(self, root: &Path) -> Result<(), Problem> {
+        let not_here = |why: Option<String>| why.map_or(Ok(()), |why| Err(Problem::NotHere(format!("not run: {why}"))));
+        match self {
+            Self::Formatting | Self::Lints | Self::Compiling | Self::Tests | Self::Examples | Self::Documentation => {
+                let status = self.command(root)?.status().map_err(|error| format!("cannot run cargo: {error}"))?;
+                return if status.success() { Ok(()) } else { Err(Problem::Wrong(status.to_string())) };
+            }
+            Self::Arrows => arrows(root)?,
+            Self::Features => features(root)?,
+            Self::PageBuilt => {
+                not_here(page::missing_node())?;
+                page::compare(root)?;
+            }
+            Self::PageTypes => {
+                not_here(page::missing_node())?;
+                page::check(root)?;
+            }
+            Self::PageBrowsed => {
+                not_here(page::missing_node().or_else(page::missing_browser))?;
+                page::browse(root)?;
+            }
+            Self::Python => match python::test(root) {
+                Ok(()) => {}
+                Err(Trouble::NotHere(why)) => not_here(Some(format!("it needs {why}")))?,
+                Err(Trouble::Wrong(problem)) => return Err(Problem::Wrong(problem)),
+            },
+            Self::Shock if !validate_shock::is_installed(root) => {
+                not_here(Some("`cargo xtask validate-shock` fetches pyyeti and endaq and compares".to_owned()))?;
+            }
+            Self::Shock => validate_shock::compare(root)?,
+            Self::RiskTools if !risk_tools::is_installed(root) => {
+                not_here(Some("`cargo xtask risk-tools` fetches them".to_owned()))?;
+            }
+            Self::RiskTools => risk_tools::compare(root)?,
+        }
+        Ok(())
+    }
+}
+
+/// Why a check did not pass.
+enum Problem {
+    NotHere(String),
+    Wrong(String),
+}
+
+impl From<String> for Problem {
+    fn from(problem: String) -> Self {
+        Self::Wrong(problem)
+    }
+}
+
 /// Runs every check, also after one that fails, and prints the table.
 pub fn all(root: &Path) -> bool {
+    let start = Instant::now();
     let mut tests = Tests::default();
-    let mut rows = Vec::new();
-    let mut check = |title, run: &mut dyn FnMut() -> Outcome| {
-        println!("\n== {title} ==");
-        let start = Instant::now();
-        let outcome = run();
-        rows.push(Row { title, outcome, seconds: start.elapsed().as_secs_f64() });
-    };
-    // What takes seconds comes first.
-    check("arrows between crates and modules", &mut || of(arrows(root)));
-    check("formatting", &mut || of(cargo(root, &["fmt", "--all", "--check"], &[])));
-    check("lints, benchmarks included", &mut || {
-        of(cargo(root, &["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"], &[]))
-    });
-    check("tests", &mut || of(tests.run(root, &["--lib", "--bins", "--tests"])));
-    check("examples in the documentation", &mut || of(tests.run(root, &["--doc"])));
-    check("documentation", &mut || {
-        of(cargo(root, &["doc", "--workspace", "--locked", "--no-deps"], &[("RUSTDOCFLAGS", "-D warnings")]))
-    });
-    check("the page is the one that its sources give", &mut || match page::missing_node() {
-        Some(why) => Outcome::Skipped(format!("not compared: {why}")),
-        None => of(page::compare(root)),
-    });
-    check("the page: types and units", &mut || match page::missing_node() {
-        Some(why) => Outcome::Skipped(format!("not run: {why}")),
-        None => of(page::check(root)),
-    });
-    check("the page in a browser", &mut || match page::missing_node().or_else(page::missing_browser) {
-        Some(why) => Outcome::Skipped(format!("not run: {why}")),
-        None => of(page::browse(root)),
-    });
-    // Its wheel has the program of the dev profile, which the tests have built.
-    check("Python package", &mut || match python::test(root) {
-        Ok(()) => Outcome::Passed,
-        Err(Trouble::NotHere(why)) => Outcome::Skipped(format!("not run, it needs {why}")),
-        Err(Trouble::Wrong(problem)) => of(Err(problem)),
-    });
-    check("shock response spectra beside public packages", &mut || {
-        if !validate_shock::is_installed(root) {
-            return Outcome::Skipped("`cargo xtask validate-shock` fetches pyyeti and endaq and compares".to_owned());
-        }
-        // The tests have just built the program. With other targets cargo would choose other features of dependencies
-        // and build everything again.
-        of(validate_shock::compare(root))
-    });
-    check("exported fragilities in pelicun and OpenQuake", &mut || {
-        if !risk_tools::is_installed(root) {
-            return Outcome::Skipped("not run, `cargo xtask risk-tools` fetches them".to_owned());
-        }
-        of(risk_tools::compare(root))
-    });
-    print!("\n{}", table(&rows, &tests));
+    let mut rows = in_a_row(&FIRST, root, &mut tests);
+    for [one, other] in SIDE_BY_SIDE {
+        std::thread::scope(|scope| {
+            let beside = scope.spawn(|| in_a_row(other, root, &mut Tests::default()));
+            rows.extend(in_a_row(one, root, &mut tests));
+            match beside.join() {
+                Ok(found) => rows.extend(found),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        });
+    }
+    print!("\n{}", table(&rows, start.elapsed().as_secs_f64(), &tests));
     rows.iter().all(|row| !matches!(row.outcome, Outcome::Failed))
 }
 
-fn of(result: Result<(), String>) -> Outcome {
-    match result {
-        Ok(()) => Outcome::Passed,
-        Err(problem) => {
-            eprintln!("== failed: {problem} ==");
-            Outcome::Failed
-        }
+/// One check after the other. What each of them prints is printed when it ends.
+fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
+    let run = |check: &Check| {
+        println!("== begun: {} ==", check.title());
+        let start = Instant::now();
+        let mut text = String::new();
+        let ended = check.command(root).and_then(|command| {
+            printed(command, |line| {
+                if !matches!(check, Check::Tests | Check::Examples) || tests.shows(line.trim_end()) {
+                    text.push_str(line);
+                }
+            })
+        });
+        let outcome = match ended {
+            Ok(status) if status.success() => Outcome::Passed,
+            Ok(status) if status.code() == Some(NOT_RUN.into()) => {
+                Outcome::Skipped(text.lines().last().unwrap_or_default().to_owned())
+            }
+            Ok(status) => {
+                text.push_str(&format!("== failed: {status} ==\n"));
+                Outcome::Failed
+            }
+            Err(problem) => {
+                text.push_str(&format!("== failed: {problem} ==\n"));
+                Outcome::Failed
+            }
+        };
+        let row = Row { title: check.title(), outcome, seconds: start.elapsed().as_secs_f64() };
+        // At once, so that a check beside it does not print between the lines.
+        print!("\n== {}: {}, {:.0} s ==\n{text}", row.title, row.outcome.word(), row.seconds);
+        row
+    };
+    checks.iter().map(run).collect()
+}
+
+/// Runs a command and hands on its lines, from standard output and standard error in the order in which they came.
+fn printed(mut command: Command, mut line: impl FnMut(&str)) -> Result<ExitStatus, String> {
+    let program = command.get_program().to_string_lossy().into_owned();
+    let cannot = |error: std::io::Error| format!("cannot run {program}: {error}");
+    let (output, input) = std::io::pipe().map_err(cannot)?;
+    let error = input.try_clone().map_err(cannot)?;
+    let mut child = command.stdout(input).stderr(error).spawn().map_err(cannot)?;
+    // It holds ends of the pipe, which must be closed for the lines to end with the child.
+    drop(command);
+    let mut output = BufReader::new(output);
+    let mut bytes = Vec::new();
+    while output.read_until(b'\n', &mut bytes).map_err(|error| error.to_string())? > 0 {
+        line(&String::from_utf8_lossy(&bytes));
+        bytes.clear();
     }
+    child.wait().map_err(|error| error.to_string())
 }
 
 pub fn arrows(root: &Path) -> Result<(), String> {
@@ -96,13 +314,32 @@ pub fn arrows(root: &Path) -> Result<(), String> {
     if problems.is_empty() { Ok(()) } else { Err(problems.join("\n")) }
 }
 
-fn cargo(root: &Path, arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
-    let status = Command::new("cargo").args(arguments).envs(environment.iter().copied()).current_dir(root).status();
-    match status {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("{status}: cargo {}", arguments.join(" "))),
-        Err(error) => Err(format!("cannot run cargo: {error}")),
+/// The Python package asks for the same features of every dependency as the tests do: else it shares nothing with
+/// them that depends on one of those, and most of the workspace is compiled twice.
+fn features(root: &Path) -> Result<(), String> {
+    let tested = packages(root, &[&TESTED[..], &["-e", "normal,build,dev"]].concat())?;
+    let ours = packages(root, &["--locked", "--package", "freestand-py", "-e", "normal,build"])?;
+    let others: Vec<&str> = ours.difference(&tested).map(String::as_str).collect();
+    if others.is_empty() {
+        return Ok(());
     }
+    let hint = "the tests have them with other features: ask for the same in a manifest (`cargo tree -e features -i NAME` \
+                says who asks)";
+    Err(format!("of the Python package: {}\n{hint}", others.join(", ")))
+}
+
+/// Packages with versions and features.
+fn packages(root: &Path, selected: &[&str]) -> Result<BTreeSet<String>, String> {
+    let output = Command::new("cargo")
+        .args(["tree", "--prefix", "none", "--no-dedupe", "--format", "{p} {f}"])
+        .args(selected)
+        .current_dir(root)
+        .output()
+        .map_err(|error| format!("cannot run cargo: {error}"))?;
+    if !output.status.success() {
+        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect())
 }
 
 /// What tests left out: reasons, and which tests gave them. A test says so in a line `skipped: …` on its standard output.
@@ -128,34 +365,6 @@ enum Part {
 }
 
 impl Tests {
-    fn run(&mut self, root: &Path, targets: &[&str]) -> Result<(), String> {
-        let mut command = Command::new("cargo");
-        // A test program of the Python extension would need the library of Python; its tests are in Python.
-        command
-            .args(["test", "--workspace", "--exclude", "freestand-py", "--locked", "--no-fail-fast"])
-            .args(targets)
-            .args(["--", "--show-output"]);
-        let mut child = command
-            .current_dir(root)
-            .stdout(Stdio::piped())
-            .spawn()
-            .map_err(|error| format!("cannot run cargo: {error}"))?;
-        let mut output = BufReader::new(child.stdout.take().ok_or("cargo test has no output")?);
-        let mut bytes = Vec::new();
-        while output.read_until(b'\n', &mut bytes).map_err(|error| format!("cargo test: {error}"))? > 0 {
-            let line = String::from_utf8_lossy(&bytes);
-            if self.shows(line.trim_end()) {
-                print!("{line}");
-            }
-            bytes.clear();
-        }
-        match child.wait() {
-            Ok(status) if status.success() => Ok(()),
-            Ok(status) => Err(format!("{status}: cargo test {}", targets.join(" "))),
-            Err(error) => Err(format!("cargo test: {error}")),
-        }
-    }
-
     /// Takes a line of the test harness in; whether it is for people, who want to see failures and totals.
     fn shows(&mut self, line: &str) -> bool {
         match line {
@@ -187,19 +396,13 @@ impl Tests {
 }
 
 /// What closes the run.
-fn table(rows: &[Row], tests: &Tests) -> String {
+fn table(rows: &[Row], all_s: f64, tests: &Tests) -> String {
     let width = rows.iter().map(|row| row.title.len()).max().unwrap_or(0);
     let mut text = format!("{:<width$}  {:<7}  seconds\n", "check", "result");
     for Row { title, outcome, seconds } in rows {
-        let outcome = match outcome {
-            Outcome::Passed => "passed",
-            Outcome::Failed => "FAILED",
-            Outcome::Skipped(_) => "skipped",
-        };
-        text.push_str(&format!("{title:<width$}  {outcome:<7}  {seconds:>7.1}\n"));
+        text.push_str(&format!("{title:<width$}  {:<7}  {seconds:>7.1}\n", outcome.word()));
     }
-    let seconds: f64 = rows.iter().map(|row| row.seconds).sum();
-    text.push_str(&format!("{:<width$}  {:<7}  {seconds:>7.1}\n", "all", ""));
+    text.push_str(&format!("{:<width$}  {:<7}  {all_s:>7.1}\n", "all, two at a time", ""));
 
     let skipped_checks = rows.iter().filter_map(|row| match &row.outcome {
         Outcome::Skipped(why) => Some(format!("  {}: {why}\n", row.title)),
@@ -226,6 +429,29 @@ fn table(rows: &[Row], tests: &Tests) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Both outputs of a command, to the last line without an end, and its status.
+    #[cfg(unix)]
+    #[test]
+    fn a_command_is_read_to_its_end() {
+        let mut command = Command::new("sh");
+        command.args(["-c", "echo one; echo two >&2; printf three; exit 3"]);
+        let mut text = String::new();
+        let status = printed(command, |line| text.push_str(line)).unwrap();
+        assert_eq!((text.as_str(), status.code()), ("one\ntwo\nthree", Some(NOT_RUN.into())));
+        assert!(printed(Command::new("no-such-program"), |_| {}).unwrap_err().contains("no-such-program"));
+    }
+
+    /// Each check runs once, in one of the rows.
+    #[test]
+    fn every_check_has_its_place() {
+        let mut placed: Vec<Check> = SIDE_BY_SIDE.into_iter().flatten().flatten().copied().collect();
+        placed.extend(FIRST);
+        placed.sort_by_key(|check| check.name());
+        let mut all = Check::ALL.to_vec();
+        all.sort_by_key(|check| check.name());
+        assert_eq!(placed, all);
+    }
 
     /// What `cargo test -- --show-output` prints, line by line.
     const OUTPUT: &str = "\nrunning 4 tests\ntest a::passes ... ok\ntest a::slow ... ignored, minutes\ntest b ... ignored\n\
@@ -266,7 +492,7 @@ mod tests {
             row("tests", Outcome::Failed),
             row("spectra", Outcome::Skipped("not here".to_owned())),
         ];
-        let text = table(&rows, &tests);
+        let text = table(&rows, 2.5, &tests);
         assert!(
             text.contains("lints    passed       1.2\ntests    FAILED       1.2\nspectra  skipped      1.2\n"),
             "{text}"
@@ -274,6 +500,8 @@ mod tests {
         assert!(text.contains("  spectra: not here\n"), "{text}");
         assert!(text.ends_with("skipped by tests: none\n\nignored tests: none\n"), "{text}");
         OUTPUT.lines().for_each(|line| _ = tests.shows(line));
-        assert!(table(&rows, &tests).ends_with("\nignored tests:\n  minutes\n    a::slow\n  no reason given\n    b\n"));
+        assert!(
+            table(&rows, 2.5, &tests).ends_with("\nignored tests:\n  minutes\n    a::slow\n  no reason given\n    b\n")
+        );
     }
 }

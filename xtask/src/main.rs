@@ -1,4 +1,5 @@
 //! `cargo xtask test`: everything that has to hold, with all set-up; what the README names and what CI runs.
+//! `cargo xtask check NAME`: one of these checks, as it prints it.
 //! `cargo xtask arrows`: the first of these checks alone, which takes a second.
 //! `cargo xtask validate-shock`: shock response spectra beside public packages, which it fetches from PyPI.
 //! `cargo xtask risk-tools`: exported fragilities in pelicun and the OpenQuake engine, which it fetches from PyPI.
@@ -21,7 +22,9 @@ mod validate_shock;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo xtask test | arrows | ui | wheel [--out DIR] | python | validate-shock | risk-tools | \
+use checks::Check;
+
+const USAGE: &str = "usage: cargo xtask test | check NAME | arrows | ui | wheel [--out DIR] | python | validate-shock | risk-tools | \
                      texts [--flagged] [PATH…]";
 
 fn main() -> ExitCode {
@@ -31,6 +34,16 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let (command, rest) = arguments.split_first().map_or(("", &[][..]), |(command, rest)| (command.as_str(), rest));
+    if let ("check", [name]) = (command, rest) {
+        return match Check::ALL.into_iter().find(|check| check.name() == name) {
+            Some(check) => ExitCode::from(check.run(&root)),
+            None => {
+                let names = Check::ALL.map(Check::name).join(", ");
+                eprintln!("there is no check {name:?}; checks: {names}");
+                ExitCode::from(2)
+            }
+        };
+    }
     let done = match (command, rest) {
         ("test", []) => Ok(checks::all(&root)),
         ("arrows", []) => checks::arrows(&root).map(|()| true),

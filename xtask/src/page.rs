@@ -89,9 +89,18 @@ pub fn browse(root: &Path) -> Result<(), String> {
     run(root, "npm", &["run", "browser"], &environment)
 }
 
-/// The packages of the lock file.
+/// The packages of the lock file, where they are not those that were installed last.
 fn install(root: &Path) -> Result<(), String> {
-    npm(root, &["ci", "--no-audit", "--no-fund"])
+    let folder = root.join(UI);
+    let lock = folder.join("package-lock.json");
+    let wanted = std::fs::read(&lock).map_err(|error| format!("{}: {error}", lock.display()))?;
+    // `npm ci` removes the folder, and the mark with it.
+    let mark = folder.join("node_modules/.installed-lock");
+    if std::fs::read(&mark).is_ok_and(|installed| installed == wanted) {
+        return Ok(());
+    }
+    npm(root, &["ci", "--no-audit", "--no-fund"])?;
+    std::fs::write(&mark, wanted).map_err(|error| format!("{}: {error}", mark.display()))
 }
 
 fn npm(root: &Path, arguments: &[&str]) -> Result<(), String> {

@@ -4,6 +4,8 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crate::checks;
+
 /// The environment with all that builds and tests the package, in the workspace.
 const ENVIRONMENT: &str = "target/venv";
 /// The crate.
@@ -44,11 +46,17 @@ pub enum Trouble {
 /// Builds a wheel into a folder, and returns its path.
 pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Trouble> {
     install(root, &BUILD)?;
-    let (folder, flags): (_, &[&str]) = match profile {
-        Profile::Dev => ("debug", &[]),
-        Profile::Published => ("wheel", &["--profile", "wheel"]),
+    let folder = match profile {
+        Profile::Dev => {
+            // The program as the tests have it: alone it would have other features, and be compiled anew.
+            run(root, "cargo", &[&["test", "--no-run", "--test", "cli"], &checks::TESTED[..]].concat())?;
+            "debug"
+        }
+        Profile::Published => {
+            run(root, "cargo", &["build", "--locked", "--package", "freestand-cli", "--profile", "wheel"])?;
+            "wheel"
+        }
     };
-    run(root, "cargo", &[&["build", "--locked", "--package", "freestand-cli"], flags].concat())?;
     let name = if cfg!(windows) { "freestand.exe" } else { "freestand" };
     let scripts = root.join(CRATE).join("freestand.data/scripts");
     let program = scripts.join(name);

@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 pub use jobs::Events;
-pub use reply::{Refusal, Status};
+pub use reply::{Refusal, Status, columns};
 pub use server::{Server, Settings};
 
 /// What the server knows of the program behind it.

@@ -12,7 +12,7 @@ use hyper::header::{
 };
 use hyper::{Response, StatusCode};
 use serde::Serialize;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use tokio::sync::mpsc::Receiver;
 
 /// Why a request is refused.
@@ -98,6 +98,28 @@ impl Refusal {
     }
 }
 
+/// The rows of a document as one array for each column, `null` where a row lacks it: what
+/// [`Shape::Columns`](crate::Shape::Columns) asks for. What is not a list of rows is left as it is.
+pub fn columns(rows: &Value) -> Value {
+    let Some(list) = rows.as_array() else { return rows.clone() };
+    let mut columns: Map<String, Value> = Map::new();
+    for (place, row) in list.iter().enumerate() {
+        for (name, value) in row.as_object().into_iter().flatten() {
+            let column = columns.entry(name.clone()).or_insert_with(|| Value::Array(vec![Value::Null; place]));
+            if let Some(column) = column.as_array_mut() {
+                column.resize(place, Value::Null);
+                column.push(value.clone());
+            }
+        }
+    }
+    for column in columns.values_mut() {
+        if let Some(column) = column.as_array_mut() {
+            column.resize(list.len(), Value::Null);
+        }
+    }
+    Value::Object(columns)
+}
+
 /// The body of a response: a text that is complete, or one that is sent as it comes.
 pub(crate) enum Content {
     Whole(Option<Bytes>),
@@ -177,4 +199,15 @@ pub(crate) fn not_allowed(methods: &'static str) -> Answered {
 /// 204.
 pub(crate) fn nothing() -> Answered {
     response(StatusCode::NO_CONTENT, "application/json", Content::Whole(None))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_become_columns() {
+        let rows = json!([{"a": 1, "b": 2}, {"a": 3}, {"a": 4, "c": 5}]);
+        assert_eq!(columns(&rows), json!({"a": [1, 3, 4], "b": [2, null, null], "c": [null, null, 5]}));
+    }
 }

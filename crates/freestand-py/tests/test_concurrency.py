@@ -45,8 +45,16 @@ def test_calls_from_many_threads_are_the_same(cabinet, floor_motion):
             assert found == expected
 
 
-SCRIPT = """
-import sys, time
+#: What an interrupted call raises, and a status of its own.
+INTERRUPTED = """
+except KeyboardInterrupt as error:
+    assert isinstance(error, fs.Interrupted), type(error)
+    print("interrupted", flush=True)
+    sys.exit(3)
+"""
+
+SPECTRUM = """
+import sys
 import freestand as fs, numpy as np
 motion = fs.Motion(4 * np.sin(np.arange(20_000) * 0.03), 0.005)
 heights, thicknesses = np.linspace(0.5, 3, 1000), np.linspace(0.1, 1, 1000)
@@ -54,28 +62,10 @@ motions = [fs.Motion(motion.accel_m_s2, 0.005, str(i)) for i in range(50)]
 print("ready", flush=True)
 try:
     fs.spectrum(motions, heights, thicknesses)
-except KeyboardInterrupt as error:
-    assert isinstance(error, fs.Interrupted), type(error)
-    print("interrupted", flush=True)
-    sys.exit(3)
 """
 
-
-@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
-def test_ctrl_c_stops_a_spectrum():
-    child = subprocess.Popen([sys.executable, "-W", "ignore", "-c", SCRIPT], stdout=subprocess.PIPE, text=True)
-    assert child.stdout.readline() == "ready\n"
-    time.sleep(0.5)
-    child.send_signal(signal.SIGINT)
-    begun = time.perf_counter()
-    output, _ = child.communicate(timeout=60)
-    assert (child.returncode, output) == (3, "interrupted\n")
-    # One chunk is 50 ms on an idle machine; the whole spectrum would take minutes.
-    assert time.perf_counter() - begun < 20
-
-
 ROCK = """
-import sys, time
+import sys
 import freestand as fs, numpy as np
 motion = fs.Motion(1.5 * np.sin(np.arange(3_000_000) * 0.03), 0.005)
 block = fs.Block(0.6, 0.3, mass_kg=10, stiffness_n_m=1e5)
@@ -83,21 +73,22 @@ print("ready", flush=True)
 try:
     while True:
         block.rock(motion)
-except KeyboardInterrupt as error:
-    assert isinstance(error, fs.Interrupted), type(error)
-    print("interrupted", flush=True)
-    sys.exit(3)
 """
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
-def test_ctrl_c_stops_one_long_history():
-    child = subprocess.Popen([sys.executable, "-W", "ignore", "-c", ROCK], stdout=subprocess.PIPE, text=True)
+@pytest.mark.parametrize(("script", "works_for_s"), [(SPECTRUM, 0.5), (ROCK, 0.3)], ids=["spectrum", "one long history"])
+def test_ctrl_c_stops(script, works_for_s):
+    command = [sys.executable, "-W", "ignore", "-c", script + INTERRUPTED.lstrip()]
+    child = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert child.stdout.readline() == "ready\n"
-    time.sleep(0.3)
+    time.sleep(works_for_s)
     child.send_signal(signal.SIGINT)
+    # One chunk of the spectrum is 50 ms on an idle machine, and the whole would take minutes; the histories have no end.
+    begun = time.perf_counter()
     output, _ = child.communicate(timeout=60)
     assert (child.returncode, output) == (3, "interrupted\n")
+    assert time.perf_counter() - begun < 20
 
 
 def _in_child(queue, expected):

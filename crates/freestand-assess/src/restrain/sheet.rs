@@ -2,7 +2,9 @@
 
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
-use freestand_output::html::{self, CLOSING, Cell, escape, figure, heading, list, markup, opening, properties, words};
+use freestand_output::html::{
+    self, CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, markup, opening, properties, words,
+};
 
 use super::Case;
 use super::report::{
@@ -10,9 +12,8 @@ use super::report::{
 };
 use super::sketch::sketch;
 
-/// The sheet fits on one page, A4 or Letter.
+/// Beside the style of one page.
 const CSS: &str = "\
-@page { margin: 12mm 14mm 12mm; }
 .sheet { display: flex; gap: 1.5rem; flex-wrap: wrap; align-items: flex-start; }
 .sheet > div { flex: 1 1 22rem; min-width: 0; }
 .sheet svg { width: 100%; max-width: 27rem; height: auto; display: block; }
@@ -21,12 +22,8 @@ const CSS: &str = "\
 .sign span { flex: 1; border-top: 1px solid #1a1a1a; padding-top: .2rem; font-size: .85rem; color: #444; }
 sub { font-size: .72em; line-height: 0; }
 @media print {
-  body { font-size: 8.6pt; line-height: 1.28; }
-  h1 { font-size: 15pt; margin: 0; }
-  h3 { margin: .5rem 0 .15rem; }
-  p, ul { margin: .25rem 0 .35rem; }
+  h1 { font-size: 15pt; }
   .sub { margin-bottom: .5rem; }
-  .scroll { margin: .2rem 0 .3rem; }
   .sheet { flex-wrap: nowrap; gap: .9rem; }
   .sheet > div { flex-basis: 0; }
   .sign { margin-top: 2.4rem; }
@@ -38,7 +35,7 @@ pub(super) fn sheet(case: &Case) -> String {
     let hazard = case.target.as_ref().map_or_else(String::new, |target| format!("{}. ", target.parts_words()));
     let floor = if case.floor.is_empty() { String::new() } else { format!("Floor: {}.", case.floor) };
     let subtitle = format!("{}: {hazard}{floor}", clause_words(own));
-    let mut html = opening("Restraint of an object", subtitle.trim_end(), CSS);
+    let mut html = opening("Restraint of an object", subtitle.trim_end(), &format!("{ONE_PAGE_CSS}{CSS}"));
     html.push_str("<div class=\"sheet\">\n<div>\n");
     html.push_str(&sketch(case));
     html.push_str("</div>\n<div>\n");

@@ -5,16 +5,17 @@ use freestand::risk::probability_in_years;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::figure::Figure;
-use freestand_output::html::{CLOSING, Cell, escape, figure, heading, list, opening, paragraph, table, words};
+use freestand_output::html::{
+    CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, opening, paragraph, table, words,
+};
 
 use crate::fragility::{At, Measure};
 
 use super::objects::{Limit, ObjectRisk, RiskVerdict};
 use super::{RiskReport, least, once_in, rounded};
 
-/// The page fits on one page, A4 or Letter.
+/// Beside the style of one page.
 const CSS: &str = "\
-@page { margin: 12mm 14mm 12mm; }
 .boxes { display: flex; flex-wrap: wrap; gap: .8rem; margin: 1.1rem 0; }
 .boxes > div { flex: 1 1 13rem; border: 1px solid #bbb; border-top: 4px solid #0072b2; padding: .45rem .8rem .6rem; }
 .boxes strong { display: block; font-size: 1.35rem; line-height: 1.35; }
@@ -23,16 +24,12 @@ thead th, thead th.n { white-space: normal; }
 tbody th { white-space: nowrap; }
 figure { margin: .8rem 0; }
 @media print {
-  body { font-size: 8.6pt; line-height: 1.28; }
-  h1 { font-size: 16pt; margin: 0; }
-  h3 { margin: .5rem 0 .15rem; }
-  p, ul { margin: .25rem 0 .35rem; }
+  h1 { font-size: 16pt; }
   .sub { margin-bottom: .4rem; }
   .boxes { margin: .5rem 0; flex-wrap: nowrap; }
   .boxes > div { flex-basis: 0; }
   .boxes strong { font-size: 13pt; }
   .boxes small { font-size: 7.8pt; }
-  .scroll { margin: .2rem 0 .3rem; }
   figure { margin: .4rem 0; }
   figure svg { max-width: 100%; max-height: 52mm; }
 }
@@ -53,7 +50,7 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
     let source = file.map_or(hazard.clone(), |name| format!("{} ({hazard})", name.to_string_lossy()));
     let kinds = counted(report.objects.len(), "kind");
     let subtitle = format!("{kinds} of object. Hazard: {source}. freestand {}.", env!("CARGO_PKG_VERSION"));
-    let mut html = opening("What earthquakes may cost", &subtitle, CSS);
+    let mut html = opening("What earthquakes may cost", &subtitle, &format!("{ONE_PAGE_CSS}{CSS}"));
     html.push_str("<div class=\"boxes\">\n");
     for (value, what) in boxes(report, &years) {
         html.push_str(&format!("<div><strong>{}</strong><small>{}</small></div>\n", escape(&value), escape(&what)));

@@ -1,7 +1,6 @@
 //! Two components: turned, and their spectra over all directions.
 
-use std::process::Command;
-
+use crate::program::execute;
 use crate::{cases, folder, freestand_in, two_components};
 
 #[test]
@@ -61,9 +60,7 @@ fn spectra_over_all_directions() {
 #[test]
 fn azimuth_and_rotate_agree() {
     let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
-    let text = |args: &[&str]| {
-        Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder.path()).output().unwrap().stdout
-    };
+    let text = |args: &[&str]| execute(folder.path(), args).stdout;
     let converted = text(&["motion", "convert", "two.csv", "--to", "csv", "--azimuth", "30 deg"]);
     let rotated = text(&["motion", "rotate", "two.csv", "--to", "30 deg"]);
     assert!(converted == rotated && converted.len() > 1000);

@@ -1,51 +1,47 @@
 //! The commands as they are called: exit status, standard output and standard error in snapshots.
 //!
-//! One module for each subject.
+//! One program, so that it is linked once and its tests fill the processor to the end; one module for each
+//! subject. `tests/readme.rs` is a program of its own: its commands run in the folder of the repository.
 //!
 //! After an intended change: `INSTA_UPDATE=always cargo test -p freestand-cli`, and read the difference.
 
-#![expect(clippy::unwrap_used, reason = "a test may stop at what it cannot set up")]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may stop at what it cannot set up")]
 
-#[path = "../cases/mod.rs"]
 mod cases;
 mod code_spectra;
+mod compliant;
+mod cushion;
 mod directions;
+mod examples;
+mod floor;
 mod folders;
+mod fragility_runs;
+mod ground_sources;
+mod inventory;
+mod library;
+mod motions;
+mod object;
 mod processing;
+mod program;
 mod records;
 mod restrain;
+mod risk;
+mod rocking_cases;
+mod run;
+#[cfg(feature = "page")]
+mod serve;
+#[cfg(unix)]
+mod shards;
 mod shock;
+mod shock_spectrum;
+mod sliding;
+mod spatial;
+mod spectrum;
 mod studies;
 mod usage;
+mod walls;
 
-use std::path::Path;
-use std::process::Command;
-
-/// Runs freestand in `folder` and shows what came of it.
-fn freestand_in(folder: &Path, args: &[&str]) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder).output().unwrap();
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap().trim_end().to_owned();
-    format!(
-        "$ freestand {}\nexit status {}\n--- stdout\n{}\n--- stderr\n{}",
-        args.join(" "),
-        output.status.code().unwrap(),
-        text(&output.stdout),
-        text(&output.stderr)
-    )
-}
-
-fn freestand(args: &[&str]) -> String {
-    freestand_in(Path::new("."), args)
-}
-
-/// A folder with the files of a test.
-fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        std::fs::write(folder.path().join(name), text).unwrap();
-    }
-    folder
-}
+use program::{folder, freestand, freestand_in};
 
 /// A pulse of 0.5 g in 1 s, then quiet.
 const RECORD: &str = "time [s],a [g]\n0,0\n0.25,0.5\n0.5,0\n0.75,-0.5\n1,0\n1.25,0\n";

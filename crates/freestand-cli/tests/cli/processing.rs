@@ -1,7 +1,6 @@
 //! What is done to a record after reading: baseline, filter, time step, scale.
 
-use std::process::Command;
-
+use crate::program::execute;
 use crate::{RECORD, cases, folder, freestand, freestand_in, two_components};
 
 /// What was done is said step by step, with what was found.
@@ -10,8 +9,7 @@ fn records_are_processed_step_by_step() {
     let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
     let processed = |flags: &[&str]| {
         let args = [&["motion", "convert", "two.csv", "--to", "csv", "--json"], flags].concat();
-        let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(&args).current_dir(folder.path()).output();
-        let output = output.unwrap();
+        let output = execute(folder.path(), &args);
         let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_default();
         let motion = &json["motions"][0];
         format!(
@@ -122,8 +120,7 @@ fn records_are_scaled_to_a_spectrum() {
 fn a_motion_is_scaled_to_the_spectrum_of_its_own() {
     let folder = folder(&[("two.csv", &two_components("time [s],N [g],E [g]"))]);
     let json = |args: &[&str]| -> serde_json::Value {
-        let output =
-            Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(folder.path()).output().unwrap();
+        let output = execute(folder.path(), args);
         assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
         serde_json::from_slice(&output.stdout).unwrap()
     };

@@ -2,6 +2,7 @@
 
 use std::process::Command;
 
+use crate::program::{command, execute};
 use crate::{RECORD, SMALL, cases, expect, folder, freestand, freestand_in};
 
 #[test]
@@ -37,9 +38,8 @@ fn a_run_that_is_stopped_leaves_nothing() {
     let folder = folder(&[("slow.toml", slow), ("pulse.csv", RECORD), ("s.toml", SMALL)]);
     let entries = || std::fs::read_dir(folder.path()).unwrap().count();
     let stopped_by = |signal: &str| {
-        let run = Command::new(env!("CARGO_BIN_EXE_freestand"))
+        let run = command(folder.path())
             .args(["run", "slow.toml", "--out", "out"])
-            .current_dir(folder.path())
             .stderr(std::process::Stdio::piped())
             .spawn()
             .unwrap();
@@ -107,7 +107,7 @@ fn the_dumped_study_is_one_json_document_and_has_the_seed() {
     let folder = folder(&[]);
     let dump = |more: &[&str]| {
         let args = [&["run", "--dump-study"], more].concat();
-        let output = Command::new(env!("CARGO_BIN_EXE_freestand")).args(args).current_dir(&folder).output().unwrap();
+        let output = execute(folder.path(), &args);
         assert!(output.status.success());
         String::from_utf8(output.stdout).unwrap()
     };

@@ -1,7 +1,12 @@
 //! What holds for every command: errors of usage, help, completions, a reader that leaves.
 
+use std::collections::HashSet;
+use std::path::Path;
 use std::process::Command;
 
+use freestand_input::keys::KeyStyle;
+
+use crate::program::{PROGRAM, root};
 use crate::{cases, freestand};
 
 #[test]
@@ -96,8 +101,7 @@ fn help_lists_no_flag_that_is_always_refused() {
         ("rotate", "--scale-to-spectrum ", true),
         ("rotd", "--scale ", true),
     ] {
-        let run = Command::new(env!("CARGO_BIN_EXE_freestand")).args(["motion", command, "--help"]).output().unwrap();
-        let help = String::from_utf8(run.stdout).unwrap();
+        let help = freestand(&["motion", command, "--help"]);
         assert_eq!(help.contains(flag), is_listed, "{command} {flag}: {help}");
     }
 }
@@ -106,8 +110,7 @@ fn help_lists_no_flag_that_is_always_refused() {
 #[cfg(unix)]
 #[test]
 fn a_reader_that_leaves_is_no_error() {
-    let binary = env!("CARGO_BIN_EXE_freestand");
-    let script = format!("'{binary}' motion code-spectrum --periods '0 s:5 s:200000' --json | head -c 1");
+    let script = format!("'{PROGRAM}' motion code-spectrum --periods '0 s:5 s:200000' --json | head -c 1");
     let output = Command::new("sh").args(["-c", &script]).output().unwrap();
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
@@ -116,4 +119,39 @@ fn a_reader_that_leaves_is_no_error() {
 fn validation_holds() {
     let shown = freestand(&["validate"]);
     assert!(shown.contains("exit status 0") && !shown.contains("FAILED"), "{shown}");
+}
+
+fn sources(folder: &Path, found: &mut Vec<String>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, found);
+        } else {
+            found.push(std::fs::read_to_string(path).unwrap());
+        }
+    }
+}
+
+/// What a message of these commands has in backticks is shown as a flag, so the flag must exist.
+#[test]
+fn keys_in_messages_are_flags() {
+    // The completions list every flag of every command.
+    let completions = freestand(&["completions", "bash"]);
+    let known: HashSet<&str> = completions.split_whitespace().map(|word| word.trim_matches(['"', ')'])).collect();
+    let mut texts = Vec::new();
+    for folder in ["fragility", "risk", "export"] {
+        sources(&root().join("crates/freestand-assess/src").join(folder), &mut texts);
+    }
+    let mut seen = 0;
+    let lines = texts.iter().flat_map(|text| text.lines()).filter(|line| !line.trim_start().starts_with("//"));
+    for line in lines {
+        for marked in line.split('`').skip(1).step_by(2) {
+            let shown = KeyStyle::Flag.shown(&format!("`{}`", marked.replace('\\', "")));
+            let Some(flag) = shown.split(' ').next().filter(|flag| flag.starts_with("--")) else { continue };
+            seen += 1;
+            assert!(known.contains(flag), "{flag} is no flag: {line}");
+        }
+    }
+    // Fewer would say that the messages were not found.
+    assert!(seen > 20, "{seen}");
 }

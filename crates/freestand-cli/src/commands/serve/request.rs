@@ -13,7 +13,7 @@ use freestand_assess::one_object::{Follow, Memory};
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::word_reader::WordReader;
-use freestand_page::{Cancel, Events, History, Kind, Program, Refusal, Reply, Request, Shape, Status};
+use freestand_page::{Cancel, Events, History, Kind, Program, Refusal, Reply, Request, Shape, Status, columns};
 use freestand_study::places::places;
 use freestand_study::recorded::{MotionFiles, read_all};
 use freestand_study::resolve::{Overrides, load};
@@ -215,27 +215,6 @@ fn written(request: &Request, kept: Kept, seen: &Seen) -> Result<Reply, Failure>
     Ok(Reply { document: text, files, is_stopped: is_interrupted })
 }
 
-/// Rows as one array for each column.
-fn columns(rows: &Value) -> Value {
-    let Some(list) = rows.as_array() else { return rows.clone() };
-    let mut columns: Map<String, Value> = Map::new();
-    for (place, row) in list.iter().enumerate() {
-        for (name, value) in row.as_object().into_iter().flatten() {
-            let column = columns.entry(name.clone()).or_insert_with(|| Value::Array(vec![Value::Null; place]));
-            if let Some(column) = column.as_array_mut() {
-                column.resize(place, Value::Null);
-                column.push(value.clone());
-            }
-        }
-    }
-    for column in columns.values_mut() {
-        if let Some(column) = column.as_array_mut() {
-            column.resize(list.len(), Value::Null);
-        }
-    }
-    Value::Object(columns)
-}
-
 /// The arguments that a person would type.
 fn parsed(request: &Request) -> Result<Cli, Failure> {
     if !COMMANDS.contains(&request.command.as_str()) {
@@ -406,127 +385,5 @@ impl Seen {
             line: problem.line.and_then(|line| u32::try_from(line).ok()),
             ..Refusal::new(Status::BadInput, kind, message, shown(hint_of(problem)))
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn request(command: &str, options: Value) -> Request {
-        let options = options.as_object().cloned().unwrap_or_default();
-        Request { command: command.to_owned(), options, ..Request::default() }
-    }
-
-    fn asked(request: &Request) -> Result<Value, Refusal> {
-        answer(request, &Cancel::default(), &Events::default())
-            .map(|reply| serde_json::from_str(&reply.document).unwrap())
-    }
-
-    #[test]
-    fn options_that_name_files_are_refused() {
-        let mut refused = 0;
-        let mut whole = finished(Cli::command());
-        whole.build();
-        for name in COMMANDS {
-            let command = name.split(' ').try_fold(&whole, |command, name| command.find_subcommand(name)).unwrap();
-            for flag in command.get_arguments().filter_map(Arg::get_long) {
-                let is_path = ["out", "csv", "history", "plot", "cushion", "study", "library", "spectrum"];
-                if is_path.contains(&flag) {
-                    let error = asked(&request(name, json!({flag: "/etc/passwd"}))).unwrap_err();
-                    assert!(error.message.contains("names a file"), "{name} --{flag}: {}", error.message);
-                    refused += 1;
-                }
-            }
-        }
-        assert!(refused > 20);
-        for name in ["run", "serve", "check", "motion simulate", "inventory template", "", "object --out=x", "motion"] {
-            assert!(asked(&request(name, json!({}))).unwrap_err().message.contains("cannot ask"), "{name}");
-        }
-        for option in ["json", "threads", "quiet", "force", "help", "out"] {
-            assert!(asked(&request("validate", json!({option: true}))).is_err(), "{option}");
-        }
-        // A value is never taken for a flag: it is looked for as a word.
-        let found = asked(&request("tolerance search", json!({"words": ["--library=/etc/passwd"]}))).unwrap();
-        assert_eq!(found["entries"], json!([]));
-    }
-
-    #[test]
-    fn the_messages_are_those_of_the_command_line() {
-        let error = asked(&request("shock", json!({"height": "2 apples", "thickness": "0.5 m", "mass": "100 kg"})));
-        let error = error.unwrap_err();
-        assert_eq!((error.key.as_deref(), error.status), (Some("height"), Status::BadInput));
-        assert!(error.message.starts_with("--height: "), "{}", error.message);
-        let error = asked(&request("shock", json!({"depth": 1}))).unwrap_err();
-        assert!(error.message.contains("no option --depth"), "{}", error.message);
-    }
-
-    #[test]
-    fn an_edit_changes_the_cell_that_it_names_only() {
-        for (cell, value) in [("C2=5\nD2", "1"), ("C2=5", "1"), ("C2", "5\nD2=1")] {
-            let edits = vec![freestand_page::Edit { cell: cell.to_owned(), value: value.to_owned() }];
-            let error = asked(&Request { edits, ..request("inventory check", json!({})) }).unwrap_err();
-            assert_eq!(error.key.as_deref(), Some("edit"), "{cell:?}: {}", error.message);
-        }
-    }
-
-    /// Nobody waits so long for a live answer, and a job may take its time.
-    #[test]
-    fn a_live_shock_spectrum_has_a_bound() {
-        let pulse = |frequencies: &str| json!({"pulse": "half-sine", "peak-acceleration": "30 g", "duration": "11 ms", "frequencies": frequencies});
-        let error = asked(&request("shock-spectrum", pulse("1 Hz:1e6 Hz:1000000"))).unwrap_err();
-        assert!(error.message.contains("frequencies") && error.status == Status::BadInput, "{}", error.message);
-        assert!(asked(&request("shock-spectrum", pulse("20 Hz, 45 Hz"))).is_ok());
-    }
-
-    #[test]
-    fn a_history_is_thinned_and_rises() {
-        let options = json!({"height": "1.5 m", "thickness": "0.3 m", "initial-rotation": "5 deg", "duration": "5 s",
-            "mass": "100 kg", "stiffness": "4000 N/mm"});
-        let mut one = request("rock", options);
-        let plain = asked(&one).unwrap();
-        one.history = History::Any(true);
-        let mut drawn = asked(&one).unwrap();
-        let history = drawn.as_object_mut().unwrap().shift_remove("history").unwrap();
-        assert_eq!(plain, drawn);
-        let numbers = |name: &str| -> Vec<f64> {
-            history[name].as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect()
-        };
-        let (times, angles) = (numbers("time_s"), numbers("theta_rad"));
-        assert_eq!(times.len(), angles.len());
-        assert!(times.windows(2).all(|two| two[0] < two[1]));
-        let impacts = history["impacts"].as_array().unwrap();
-        assert_eq!(impacts.len(), plain["impact_count"].as_u64().unwrap() as usize);
-        assert!(impacts[0]["edge_acceleration_g"].as_f64().unwrap() > 0.0);
-        // It is released leaning to the right, so its left edge lands first.
-        assert_eq!(impacts[0]["edge"], "left");
-        assert!(impacts.iter().all(|impact| times.contains(&impact["time_s"].as_f64().unwrap())));
-    }
-
-    /// What a command writes in columns is what its rows become.
-    #[test]
-    fn columns_have_the_numbers_of_the_rows() {
-        let options = json!({"place": "Melbourne", "count": 2, "storeys": 3, "level-ratio": 1, "heights": "1 m, 2 m",
-            "thicknesses": "300 mm, 400 mm, 500 mm", "mass": "100 kg", "stiffness": "4000 N/mm"});
-        let mut one = request("spectrum", options);
-        let rows = asked(&one).unwrap();
-        one.shape = Shape::Columns;
-        let turned = asked(&one).unwrap();
-        assert_eq!(turned["rows"]["outcome"].as_array().unwrap().len(), 12);
-        assert_eq!(columns(&rows["rows"]), turned["rows"]);
-        assert_eq!(rows["processing"], turned["processing"]);
-        one.history = History::Of { motion: "synthetic-02".to_owned() };
-        assert!(asked(&one).unwrap_err().message.contains("one object"));
-        one.options.insert("heights".to_owned(), json!("2 m"));
-        one.options.insert("thicknesses".to_owned(), json!("300 mm"));
-        let cell = asked(&one).unwrap();
-        assert_eq!((&cell["followed"], &cell["history"]["height_m"]), (&json!("synthetic-02"), &json!(2.0)));
-        assert_eq!(cell["rows"]["uplift_m"][1], turned["rows"]["uplift_m"][9]);
-    }
-
-    #[test]
-    fn rows_become_columns() {
-        let rows = json!([{"a": 1, "b": 2}, {"a": 3}, {"a": 4, "c": 5}]);
-        assert_eq!(columns(&rows), json!({"a": [1, 3, 4], "b": [2, null, null], "c": [null, null, 5]}));
     }
 }

@@ -1,0 +1,337 @@
+//! `freestand fragility` from motions and from an inventory, as it is called.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::program::{command, document, execute, refused};
+
+const CABINET: [&str; 8] = ["--height", "1.8m", "--thickness", "0.4m", "--mass", "150kg", "--stiffness", "4380 N/mm"];
+
+/// Six motions of 6 s: three sines each, with periods and phases that differ, under one envelope.
+fn motions(folder: &Path) -> Vec<String> {
+    let motion = |i: u32| {
+        let mut text = "time [s],acceleration [g]\n".to_owned();
+        for k in 0..601 {
+            let t = f64::from(k) * 0.01;
+            let sines: f64 = [0.4, 0.9, 1.7]
+                .iter()
+                .enumerate()
+                .map(|(j, period)| {
+                    let period = period * (1.0 + 0.13 * f64::from(i));
+                    (std::f64::consts::TAU * t / period + f64::from(i * 3 + j as u32)).sin() / (1.0 + j as f64)
+                })
+                .sum();
+            let envelope = (std::f64::consts::PI * t / 6.0).sin();
+            writeln!(text, "{t:.2},{:.9}", 0.12 * envelope * sines).unwrap();
+        }
+        let name = format!("m{i}.csv");
+        fs::write(folder.join(&name), text).unwrap();
+        name
+    };
+    (0..6).map(motion).collect()
+}
+
+/// The command with these flags, under all motions.
+fn call<'a>(motions: &'a [String], flags: &[&'a str]) -> Vec<&'a str> {
+    let names = motions.iter().map(String::as_str);
+    ["fragility"].into_iter().chain(CABINET).chain(["--motion"]).chain(names).chain(flags.iter().copied()).collect()
+}
+
+fn object<'v>(document: &'v Value, im: &str) -> &'v Value {
+    document["objects"].as_array().unwrap().iter().find(|one| one["im"] == im).unwrap()
+}
+
+fn curve<'v>(object: &'v Value, state: &str) -> &'v Value {
+    object["curves"].as_array().unwrap().iter().find(|one| one["limit_state"] == state).unwrap()
+}
+
+#[test]
+fn the_fit_of_runs_is_that_of_their_outcomes() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let flags = ["--tolerance", "2g", "--im", "pfv, pfa, velocity_ratio, acceleration_ratio", "--bootstrap", "40"];
+    let one = document(folder, &call(&motions, &[&flags[..], &["--out", "one", "--threads", "1"]].concat()));
+    let two = document(folder, &call(&motions, &[&flags[..], &["--out", "two", "--threads", "2"]].concat()));
+    assert_eq!(one, two);
+    for file in ["fragility.json", "fragility.csv", "outcomes.csv", "outcomes_velocity_ratio.csv", "ida.svg"] {
+        assert_eq!(fs::read(folder.join("one").join(file)).unwrap(), fs::read(folder.join("two").join(file)).unwrap());
+    }
+    for (file, im) in [("outcomes.csv", "pfv"), ("outcomes_pfa.csv", "pfa")] {
+        let path = format!("one/{file}");
+        let again = document(folder, &["fragility", "--outcomes", &path, "--bootstrap", "40"]);
+        let (run, fit) = (object(&one, im), &again["objects"][0]);
+        for key in ["id", "at", "motions", "runs", "unresolved", "counts", "curves", "log_likelihood", "goodness"] {
+            assert_eq!(run[key], fit[key], "{im} {key}");
+        }
+        assert_eq!((&run["method"], &fit["method"]), (&Value::from("ida"), &Value::from("outcomes")));
+    }
+
+    // Both ratios are the peaks times numbers of the block: p/(g tan α) and 1/(g tan α), with
+    // tan α = 0.4/1.8 and p² = 3g/4R.
+    let (tan_alpha, half_diagonal_m) = (0.4 / 1.8, 0.5 * 1.8_f64.hypot(0.4));
+    let p = (0.75 * 9.80665 / half_diagonal_m).sqrt();
+    let of = |im: &str, key: &str| curve(object(&one, im), "overturns")[key].as_f64().unwrap();
+    // The likelihood is solved to 1e-8.
+    let ratio = of("velocity_ratio", "median") / of("pfv", "median") / (p / (9.80665 * tan_alpha));
+    assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
+    assert!((of("velocity_ratio", "beta") / of("pfv", "beta") - 1.0).abs() < 1e-6);
+    assert!((of("acceleration_ratio", "median") / of("pfa", "median") * tan_alpha - 1.0).abs() < 1e-6);
+
+    // Without vertical motion an edge lifts exactly at an acceleration ratio of 1; both ends are
+    // within the 5 % to which the boundary is known.
+    let rocks = curve(object(&one, "acceleration_ratio"), "rocks");
+    let end = |key: &str| rocks[key].as_f64().unwrap();
+    assert_eq!(rocks["kind"], "step");
+    assert!(end("lower") >= 0.95 && end("lower") <= 1.0 + 1e-9, "{rocks}");
+    assert!(end("upper") >= 1.0 - 1e-9 && end("upper") <= 1.05, "{rocks}");
+
+    // Every measure has its quality, and the ranking puts the most proficient one first.
+    let ranking = one["im_ranking"].as_array().unwrap().iter().find(|one| one["limit_state"] == "overturns").unwrap();
+    let proficiencies: Vec<f64> =
+        ranking["measures"].as_array().unwrap().iter().map(|one| one["proficiency"].as_f64().unwrap()).collect();
+    assert!(proficiencies.len() == 4 && proficiencies.is_sorted(), "{proficiencies:?}");
+    let overturns = &object(&one, "pfv")["measures"][2];
+    let quality = |key: &str| overturns[key].as_f64().unwrap();
+    assert_eq!(quality("proficiency"), quality("efficiency") / quality("practicality"));
+    assert!(overturns["sufficiency"]["magnitude"].is_null() && overturns["sufficiency"]["mean_period"].is_f64());
+}
+
+#[test]
+fn every_scale_is_bracketed_and_marked() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let found = document(folder, &call(&motions, &["--bootstrap", "0", "--out", "ida"]));
+    // Without a tolerance there is nothing to exceed.
+    let states: Vec<&Value> =
+        found["objects"][0]["curves"].as_array().unwrap().iter().map(|one| &one["limit_state"]).collect();
+    assert_eq!(states, ["rocks", "overturns"]);
+    let text = fs::read_to_string(folder.join("ida/outcomes.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let marked = rows.iter().filter(|row| row[6].parse::<f64>().unwrap() > 4.0).count();
+    assert_eq!(found["objects"][0]["scaled_above_4"], marked);
+    for name in ["m0", "m3", "m5"] {
+        let runs: Vec<(f64, &str)> =
+            rows.iter().filter(|row| row[1] == name).map(|row| (row[6].parse().unwrap(), row[3])).collect();
+        assert!(runs.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[1].0 <= 10.0), "{name}");
+        let first = runs.iter().position(|run| run.1 == "overturned").unwrap();
+        assert!(runs[first].0 / runs[first - 1].0 <= 1.05 + 1e-12, "{name}");
+        // No gap is wider than the step of 1.3.
+        assert!(runs.windows(2).all(|pair| pair[1].0 / pair[0].0 <= 1.3 + 1e-9), "{name}");
+    }
+
+    let limited = document(folder, &call(&motions, &["--bootstrap", "0", "--tolerance-rotation", "0.4"]));
+    let (exceeds, overturns) = (curve(&limited["objects"][0], "exceeds"), curve(&limited["objects"][0], "overturns"));
+    assert!(exceeds["median"].as_f64().unwrap() <= overturns["median"].as_f64().unwrap());
+}
+
+#[test]
+fn stripes_have_the_same_levels_and_a_cloud_its_motions() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let scales = ["--method", "stripes", "--scales", "0.2 m/s, 0.4 m/s, 0.8 m/s", "--bootstrap", "0", "--out", "s"];
+    let stripes = document(folder, &call(&motions, &scales));
+    assert_eq!(stripes["objects"][0]["runs"].as_f64(), Some(18.0));
+    let text = fs::read_to_string(folder.join("s/outcomes.csv")).unwrap();
+    for row in text.lines().skip(1) {
+        let x: f64 = row.split(',').nth(2).unwrap().parse().unwrap();
+        assert!([0.2, 0.4, 0.8].iter().any(|level| (x / level - 1.0_f64).abs() < 1e-12), "{x}");
+    }
+    let cloud = document(folder, &call(&motions, &["--method", "cloud", "--bootstrap", "0"]));
+    assert_eq!((cloud["objects"][0]["runs"].as_f64(), &cloud["objects"][0]["method"]), (Some(6.0), &"cloud".into()));
+}
+
+#[test]
+fn what_cannot_be_run_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let said = |flags: &[&str]| refused(folder, &call(&motions, flags));
+    assert!(said(&["--im", "pga"]).contains("pga is a measure of the ground"));
+    assert!(said(&["--im", "pgx"]).contains("\"pgx\" is not an intensity measure"));
+    assert!(said(&["--im", "pfv,pfv"]).contains("twice"));
+    assert!(said(&["--scales", "1, 20"]).contains("scaled by 20, above the largest scale of 10"));
+    assert!(said(&["--method", "stripes"]).contains("stripes need the intensities"));
+    assert!(said(&["--method", "cloud", "--scales", "1,2"]).contains("a cloud uses every motion unscaled"));
+    assert!(said(&["--scales", "0:5:6"]).contains("not above 0"));
+    assert!(said(&["--outcomes", "o.csv"]).contains("--outcomes contains the runs"));
+    assert!(said(&["--ceiling", "9g", "--tolerance", "2g"]).contains("--ceiling is for --outcomes only"));
+    assert!(said(&["--inventory", "list.csv"]).contains("describes one object"));
+    let alone = |flags: &[&str]| refused(folder, &[&["fragility"], flags].concat());
+    assert!(alone(&[]).contains("nothing to run and nothing to fit"));
+    assert!(alone(&["--height", "2m", "--thickness", "0.5m"]).contains("no motions"));
+    assert!(alone(&["--motion", "m0.csv"]).contains("the size of the object is missing"));
+    let no_shock = alone(&["--height", "2m", "--thickness", "0.5m", "--tolerance", "2g", "--motion", "m0.csv"]);
+    assert!(no_shock.contains("shock of a landing"), "{no_shock}");
+}
+
+#[test]
+fn an_inventory_is_run_on_the_floors_of_its_study() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let list = "id,floor,height [m],thickness [m],mass [kg],stiffness [N/mm],tolerance [g],casters\n\
+                shelf,2,1.8,0.4,,,,\nrack,4,2.0,0.6,300,4000,3,\ntrolley,1,1.0,0.5,,,,free\n";
+    fs::write(folder.join("list.csv"), list).unwrap();
+    let study = "[building]\nstoreys = 4\nstorey_height = \"3 m\"\n";
+    fs::write(folder.join("study.toml"), study).unwrap();
+    let call = ["fragility", "study.toml", "--inventory", "list.csv", "--worlds", "3", "--bootstrap", "0"];
+    let found = document(folder, &[&call[..], &["--im", "pgv, pfv", "--out", "o"]].concat());
+    let ids: Vec<(&str, &str)> = found["objects"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|one| (one["id"].as_str().unwrap(), one["at"].as_str().unwrap()))
+        .collect();
+    assert_eq!(ids, [("shelf", "ground"), ("rack", "ground"), ("shelf", "floor"), ("rack", "floor")]);
+    assert_eq!(found["left_out"][0]["id"], "trolley");
+    let states =
+        |i: usize| found["objects"][i]["curves"].as_array().unwrap().iter().any(|one| one["limit_state"] == "exceeds");
+    assert!(!states(0) && (states(1) || found["objects"][1]["counts"]["exceeded"] == 0.0));
+    // An object depends on its row alone.
+    fs::write(folder.join("short.csv"), list.lines().take(2).collect::<Vec<_>>().join("\n")).unwrap();
+    let call = ["fragility", "study.toml", "--inventory", "short.csv", "--worlds", "3", "--bootstrap", "0"];
+    let short = document(folder, &[&call[..], &["--im", "pgv, pfv"]].concat());
+    assert_eq!(found["objects"][0], short["objects"][0]);
+}
+
+/// A wider base is run as an object of its own, and pays as an option does whose curves are in a file.
+#[test]
+fn an_option_that_changes_its_object_is_run_and_worth_what_its_curves_say() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let list = "id,floor,height [m],thickness [m],base_thickness [m],quantity,replacement_cost [AUD]\n\
+                shelf,2,1.8,0.7,0.35,3,9000\nrack,1,2,0.6,,1,5000\n";
+    fs::write(folder.join("list.csv"), list).unwrap();
+    let study = "[building]\nstoreys = 4\nstorey_height = \"3 m\"\n";
+    fs::write(folder.join("study.toml"), study).unwrap();
+    let options = "id,option,cost [AUD],base_thickness [mm],curves\nshelf,feet,200,700,\n";
+    fs::write(folder.join("options.csv"), options).unwrap();
+    let runs = ["fragility", "study.toml", "--inventory", "list.csv", "--worlds", "4", "--bootstrap", "0"];
+    let stripes = ["--im", "pgv", "--method", "stripes", "--scales", "0.2 m/s:2 m/s:5", "--max-scale", "30"];
+    let call = [&runs[..], &stripes[..]].concat();
+    let found = document(folder, &[&call[..], &["--options", "options.csv", "--out", "runs"]].concat());
+    let overturned = |i: usize| found["objects"][i]["counts"]["overturned"].as_f64().unwrap();
+    let ids: Vec<&Value> = found["objects"].as_array().unwrap().iter().map(|one| &one["id"]).collect();
+    assert_eq!(ids, ["shelf", "rack", "shelf/feet"]);
+    // On a base that is twice as wide it overturns under fewer of the 20 runs.
+    assert!(overturned(2) < overturned(0), "{} {}", overturned(0), overturned(2));
+    // The object itself is run as without options.
+    let plain = document(folder, &[&call[..], &["--out", "plain"]].concat());
+    assert_eq!(found["objects"][0], plain["objects"][0]);
+
+    let hazard = ["--hazard-power", "k0=1e-3 /yr, k=2.5, reference=1 m/s", "--hazard-im", "pgv"];
+    let money = ["--inventory", "list.csv", "--horizon", "40 yr", "--discount", "3 %"];
+    let risk = |runs: &str, options: &str| {
+        let outcomes = format!("{runs}/outcomes.csv");
+        let flags = ["risk", "--outcomes", &outcomes, "--bootstrap", "0", "--options", options];
+        document(folder, &[&flags[..], &hazard[..], &money[..]].concat())
+    };
+    let changed = risk("runs", "options.csv");
+    let in_file = "id,option,cost [AUD],base_thickness [mm],curves\nshelf,feet,200,,runs/fragility.csv\n";
+    fs::write(folder.join("in_file.csv"), in_file).unwrap();
+    let named = risk("plain", "in_file.csv");
+    assert_eq!(changed["portfolio"]["worlds"], 20);
+    for key in ["objects", "portfolio", "ranking"] {
+        assert_eq!(changed[key], named[key], "{key}");
+    }
+    assert!(changed["ranking"][0]["benefit_present_value"].as_f64().unwrap() > 0.0);
+    let args = ["risk", "--outcomes", "plain/outcomes.csv", "--bootstrap", "0", "--options", "options.csv"];
+    let missing = refused(folder, &[&args[..], &hazard[..], &money[..]].concat());
+    assert!(missing.contains("options.csv:2: ") && missing.contains("shelf/feet"), "{missing}");
+    // Outriggers reach beyond the object, but not into its wall.
+    fs::write(folder.join("wide.csv"), "id,option,cost [AUD],base_thickness [mm]\nshelf,arms,50,1100\n").unwrap();
+    let wide = done(folder, &[&call[..], &["--options", "wide.csv"]].concat());
+    let of_wide = wide["objects"][2]["counts"]["overturned"].as_f64().unwrap();
+    assert!(of_wide < overturned(2), "{of_wide} {}", overturned(2));
+    let walled = "id,floor,height [m],thickness [m],wall_gap [mm]\nshelf,2,1.8,0.7,150\n";
+    fs::write(folder.join("walled.csv"), walled).unwrap();
+    let args = ["fragility", "study.toml", "--inventory", "walled.csv", "--options", "wide.csv"];
+    let in_wall = refused(folder, &args);
+    assert!(in_wall.contains("the feet of shelf would reach 0.2 m beyond it"), "{in_wall}");
+    let nobody = "id,option,cost [AUD],mass [kg]\nshelve,ballast,50,400\n";
+    fs::write(folder.join("nobody.csv"), nobody).unwrap();
+    let nobody = refused(folder, &[&call[..], &["--options", "nobody.csv"]].concat());
+    assert!(nobody.contains("shelve"), "{nobody}");
+}
+
+/// The built-in building is not the user's, and the document says so; cells that cannot be read are named.
+#[test]
+fn a_list_without_a_study_says_whose_building_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let list = "id,floor,height [mm],thickness [mm]\nshelf,0,1800,400\nrack,0,-5,500\n";
+    fs::write(folder.join("list.csv"), list).unwrap();
+    let call = ["fragility", "--inventory", "list.csv", "--place", "Wellington", "--storeys", "3"];
+    let call = [&call[..], &["--worlds", "2", "--bootstrap", "0"]].concat();
+    let output = execute(folder, &[&call[..], &["--json"]].concat());
+    assert_eq!(output.status.code(), Some(1), "a cell could not be read");
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let sentence = "No study given: this is a 30-storey tower in Wellington, not your building.";
+    assert_eq!((&found["no_study"], &found["warnings"][0]), (&sentence.into(), &sentence.into()));
+    assert!(found["hazard"].as_str().unwrap().starts_with("Wellington (NZS 1170.5"), "{}", found["hazard"]);
+    assert_eq!(found["building"], "tower, 30 storeys, 96 m high");
+    assert!(found["study"].as_str().unwrap().contains("place = \"Wellington\""));
+    let warnings = found["warnings"].to_string();
+    for said in ["in the list: error: out-of-range", "only places the floors", "has 30 storeys, 96 m high"] {
+        assert!(warnings.contains(said), "{said}: {warnings}");
+    }
+    let output = execute(folder, &call);
+    assert!(String::from_utf8(output.stdout).unwrap().starts_with(sentence));
+}
+
+#[test]
+fn what_memory_cannot_hold_is_refused_with_its_bound() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let said = |flags: &[&str]| refused(folder, &call(&motions, flags));
+    assert!(said(&["--bootstrap", "4294967295"]).contains("samples are too many"));
+    assert!(said(&["--method", "stripes", "--scales", "0.1 m/s:1 m/s:300000"]).contains("300000 scales are too many"));
+    let many = ["--format", "pelicun", "--demand", "1 m/s", "--out", "o", "--realizations", "4294967295"];
+    assert!(said(&many).contains("realizations are too many"));
+}
+
+/// A command that is not stopped ends with 0.
+#[cfg(unix)]
+#[test]
+fn a_signal_stops_the_runs_between_two_scales() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let args = call(&motions, &["--scales", "0.001:9:10000", "--bootstrap", "0", "--quiet"]);
+    let mut child = command(folder).args(args).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_secs(2));
+    assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+}
+
+#[test]
+fn flags_that_would_be_ignored_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    for flags in [
+        &["--place", "Wellington"][..],
+        &["--site", "C"],
+        &["--return-period", "500"],
+        &["--worlds", "3"],
+        &["--storeys", "3"],
+        &["--sheet", "S"],
+        &["--strict"],
+        &["--columns", "m.toml"],
+        &["--library", "l.csv"],
+    ] {
+        let said = refused(folder, &call(&motions, flags));
+        assert!(said.contains(flags[0]) && said.contains("is for an inventory"), "{said}");
+        let said = refused(folder, &[&["fragility", "--outcomes", "o.csv"], flags].concat());
+        assert!(said.contains(flags[0]), "{said}");
+    }
+    for flags in [["--demand", "1 m/s"], ["--beta", "0.3"], ["--realizations", "5"], ["--site-coordinates", "1,2"]] {
+        let output = execute(folder, &call(&motions, &flags));
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && said.contains("--format"), "{said}");
+    }
+    let read = execute(folder, &["fragility", "--inventory", "list.csv", "--unit", "g"]);
+    assert!(
+        read.status.code() == Some(2) && String::from_utf8(read.stderr).unwrap().contains("--unit without a record")
+    );
+}

@@ -1,0 +1,123 @@
+//! `freestand inventory` as it is called.
+
+use serde_json::Value;
+
+use crate::cases;
+use crate::program::{execute, freestand_in};
+
+#[test]
+fn a_template_is_written_checked_and_converted() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let csv = execute(here, &["inventory", "template"]);
+    assert!(csv.status.success() && csv.stdout.starts_with(b"id,item,quantity,"));
+    assert!(execute(here, &["inventory", "template", "objects.xlsx"]).status.success());
+    assert!(execute(here, &["inventory", "template", "--xlsx", "--out", "made"]).status.success());
+    let book = std::fs::read(here.join("objects.xlsx")).unwrap();
+    assert_eq!(book, std::fs::read(here.join("made/inventory.xlsx")).unwrap());
+    assert!(here.join("made/manifest.json").exists() && here.join("made/result.json").exists());
+    let back = execute(here, &["inventory", "convert", "objects.xlsx", "--to", "csv"]);
+    assert_eq!(back.stdout, csv.stdout);
+    std::fs::write(here.join("objects.csv"), &csv.stdout).unwrap();
+    assert!(execute(here, &["inventory", "convert", "objects.csv", "again.xlsx", "--to", "xlsx"]).status.success());
+    insta::assert_snapshot!(freestand_in(here, &["inventory", "check", "again.xlsx"]));
+    let json = execute(here, &["inventory", "check", "objects.csv", "--json"]);
+    let document: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(document["schema"], "freestand.inventory/1");
+    assert_eq!((&document["counts"]["rows"], &document["counts"]["objects"]), (&Value::from(3), &Value::from(9)));
+    // Two pads of 2190 N/mm under an edge.
+    assert_eq!(document["first_rows"][0]["stiffness_n_m"], 4.38e6);
+    assert_eq!(document["problems"].as_array().unwrap().len(), 1);
+    assert_eq!(document["problems"][0]["kind"], "example");
+}
+
+#[test]
+fn what_is_wrong_is_said_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let text = "Ward 3\n\nid,item,level,height,depth [px],mass [kg]\n\
+                a,rack,3,1800,24,140\na,rack,0.5,1.8 m,24,abc\n";
+    std::fs::write(here.join("objects.csv"), text).unwrap();
+    let cases: [&[&str]; 5] = [
+        &["inventory", "check", "objects.csv"],
+        &["inventory", "check", "objects.csv", "--sheet", "Ward 3"],
+        &["inventory", "check", "nowhere.xlsx"],
+        &["inventory", "template", "--xlsx"],
+        &["inventory", "convert", "objects.csv", "objects.csv", "--to", "csv"],
+    ];
+    let all: Vec<String> = cases.iter().map(|args| freestand_in(here, args)).collect();
+    cases::each("what_is_wrong_is_said_at_once", &all);
+    assert_eq!(std::fs::read_to_string(here.join("objects.csv")).unwrap(), text);
+}
+
+/// An object that falls in every world, and one that cannot be read: as few worlds as possible.
+const LIST: &str = "id,item,floor,quantity,life safety,PL,FL,height [mm],thickness [mm],mass [kg]\n\
+                    pole,=Pole,roof,2,H,M,,4000,100,20\nbox,Box,ground,1,,,L,tall0x,900,50\n";
+
+#[test]
+fn an_assessment_says_whose_building_it_is_and_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    std::fs::write(here.join("list.csv"), LIST.lines().take(2).map(|line| format!("{line}\n")).collect::<String>())
+        .unwrap();
+    let done = execute(here, &["assess", "--inventory", "list.csv"]);
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    assert!(text.starts_with("No study given: this is a 30-storey tower in Melbourne, not your building"), "{text}");
+    for said in [
+        "restrain          1  fix it to the building",
+        "   1  pole  =Pole  roof   restrain  falls 100 %",
+        "worklist.csv",
+    ] {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    let report = std::fs::read_to_string(here.join("freestand-assessment/report.html")).unwrap();
+    let main = report.split("<main>").nth(1).unwrap();
+    assert!(main.trim_start().starts_with("<div class=\"warn study\"><p>No study given: this is a 30-storey tower"));
+    let work = std::fs::read_to_string(here.join("freestand-assessment/worklist.csv")).unwrap();
+    assert!(work.lines().nth(1).unwrap().starts_with("roof,,pole,'=Pole,2,restrain,"), "{work}");
+    // A run that finds its folder complete says the same.
+    let again = execute(here, &["assess", "--inventory", "list.csv", "--resume"]);
+    let again = String::from_utf8(again.stdout).unwrap();
+    assert!(again.contains("falls 100 %") && again.contains("1 of 1 object, 1 of them from an earlier run"), "{again}");
+}
+
+#[test]
+fn rows_of_an_assessment_are_those_of_its_table_and_named_verdicts_fail() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let study = "[building]\nname = \"Hut\"\nstoreys = 2\n[worlds]\nfirst = 3\nmost = 3\nshares = false\n[assessment]\n\
+                 inventory = \"list.csv\"\n";
+    std::fs::write(here.join("study.toml"), study).unwrap();
+    std::fs::write(here.join("list.csv"), LIST).unwrap();
+    let assess = |more: &[&str]| {
+        let done = execute(here, &[&["assess", "study.toml", "--json", "--resume", "--out", "out"], more].concat());
+        (done.status.code().unwrap(), serde_json::from_slice::<Value>(&done.stdout).unwrap())
+    };
+    // A cell of the list cannot be read.
+    let (status, document) = assess(&[]);
+    assert_eq!((status, &document["objects"], &document["building_name"]), (1, &Value::from(2), &Value::from("Hut")));
+    let rows = document["rows"].as_array().unwrap();
+    let table = std::fs::read_to_string(here.join("out/objects.csv")).unwrap();
+    assert_eq!(rows.len(), 2);
+    for name in table.lines().next().unwrap().split(',') {
+        assert!(rows[0].get(name).is_some(), "{name}");
+    }
+    let pole = &rows[0];
+    assert_eq!(
+        (&pole["row"], &pole["item"], &pole["falls"]),
+        (&Value::from(2), &Value::from("=Pole"), &Value::from("falls"))
+    );
+    assert_eq!(
+        (&pole["life_safety"], &pole["property"], &pole["function"]),
+        (&"high".into(), &"medium".into(), &Value::Null)
+    );
+    assert_eq!(
+        (&rows[1]["function"], &rows[1]["shock"], &rows[1]["height_m"]),
+        (&"low".into(), &Value::Null, &Value::Null)
+    );
+    std::fs::write(here.join("list.csv"), LIST.replace("tall0x", "")).unwrap();
+    let statuses = [&[][..], &["--fail-on", "soften"], &["--fail-on", "soften", "--fail-on", "restrain"]]
+        .map(|more| assess(more).0);
+    assert_eq!(statuses, [0, 0, 1]);
+}

@@ -1,0 +1,192 @@
+//! `freestand object` as it is called: its answers, and what it refuses.
+
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::cases;
+use crate::program::{PROGRAM, execute, freestand_in, root};
+
+const RECORD: &str = "validation/rocking/records/synthfloor.csv";
+
+#[test]
+fn bad_input_is_refused() {
+    let size = ["object", "--height", "2m", "--thickness", "0.3m"];
+    let with = |flags: &[&str]| freestand_in(&root(), &[&size[..], flags].concat());
+    cases::each(
+        "bad_input_is_refused",
+        &[
+            with(&[]),
+            with(&["--site", "C"]),
+            freestand_in(&root(), &["object", "--height=-2m", "--thickness", "0 mm", "--mass", "3", "--pga", "0.3"]),
+            freestand_in(
+                &root(),
+                &["object", "--height", "0.3m", "--thickness", "2m", "--pga", "0.3g", "--tolerance", "10g"],
+            ),
+            with(&["--place", "Melborne"]),
+            with(&["--place", "Qqqq"]),
+            with(&["--place", "Athens", "--return-period", "1000"]),
+            with(&["--place", "Athens", "--pga", "0.3g", "--scales", "1", "--unit", "g"]),
+            with(&["--pga", "0.3g", "--site", "C"]),
+            with(&["--pga", "50g"]),
+            with(&["--place", "Melbourne", "--level-ratio", "0.5", "--floor", "3", "--storeys", "6"]),
+            with(&["--place", "Melbourne", "--floor", "3"]),
+            with(&["--place", "Melbourne", "--floor", "9", "--storeys", "6"]),
+            with(&["--place", "Melbourne", "--level-ratio", "1.5"]),
+            with(&["--place", "Melbourne", "--storeys", "6"]),
+            with(&["--pga", "0.3g", "--on", "gummi", "--mass", "3kg", "--cg-height", "3m"]),
+            with(&["--pga", "0.3g", "--on", "4380", "--mass", "3kg", "--tolerance", "10g 3"]),
+            with(&["--motion", "gone.csv", "lost.csv"]),
+            with(&["--motion", RECORD, "--scales", "1, 0"]),
+            with(&["--motion", RECORD, "--floor", "3", "--worlds", "20"]),
+            with(&["--study", "gone.toml"]),
+            with(&["--study", "examples/hospital/study.toml", "--storeys", "6", "--floor", "2"]),
+            with(&[
+                "--pga",
+                "0.3g",
+                "--wall-gap=-3mm",
+                "--neighbour-gap",
+                "1",
+                "--upper-height",
+                "1m",
+                "--friction=0.5-0.3",
+            ]),
+            with(&[
+                "--pga",
+                "0.3g",
+                "--wall-height",
+                "1m",
+                "--wall-stiffness",
+                "1e6 N/m",
+                "--rolling-resistance",
+                "0.02",
+            ]),
+            with(&["--pga", "0.3g", "--wall-gap", "0 mm", "--wall-restitution", "1", "--neighbor-gap", "0 mm"]),
+            with(&["--pga", "0.3g", "--upper-height", "1m", "--upper-thickness", "0.2m", "--mass", "30kg"]),
+        ],
+    );
+}
+
+/// A value that changes nothing is told; a wall that touches needs no unit.
+#[test]
+fn what_has_no_effect_is_said() {
+    let size = ["object", "--height", "2m", "--thickness", "0.3m", "--motion", RECORD];
+    let warned = |flags: &[&str]| {
+        let output = execute(&root(), &[&size[..], flags].concat());
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success(), "{said}");
+        ["--clearance has no effect", "--wall-stiffness has no effect without --mass"].map(|text| said.contains(text))
+    };
+    let soft_wall = ["--wall-gap", "0 mm", "--wall-stiffness", "1000 N/mm"];
+    assert_eq!(warned(&["--clearance", "100mm"]), [true, false]);
+    assert_eq!(warned(&["--clearance", "100mm", "--casters", "free"]), [false, false]);
+    assert_eq!(warned(&soft_wall), [false, true]);
+    assert_eq!(warned(&[&soft_wall[..], &["--mass", "80kg"]].concat()), [false, false]);
+}
+
+/// US and SI units give the same answer; the document has the keys that programs rely on, and
+/// nothing is written.
+#[test]
+fn the_document_and_the_units() {
+    let document = |args: &[&str]| -> Value {
+        let output = execute(&root(), &[&["object", "--json", "--worlds", "2"], args].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let us = document(&[
+        "--height",
+        "6'6\"",
+        "--thickness",
+        "18 in",
+        "--width",
+        "3ft",
+        "--mass",
+        "330 lb",
+        "--on",
+        "25 kip/in",
+        "--tolerance",
+        "10g 11ms",
+        "--place",
+        "Los Angeles",
+        "--floor",
+        "2",
+        "--storeys",
+        "6",
+        "--storey-height",
+        "10ft",
+    ]);
+    let si = document(&[
+        "--height",
+        "1981.2mm",
+        "--thickness",
+        "45.72 cm",
+        "--width",
+        "0.9144m",
+        "--mass",
+        "149.6854821kg",
+        "--on",
+        "4378.1708913 N/mm",
+        "--tolerance",
+        "98.0665 m/s2, 0.011 s",
+        "--place",
+        "Los Angeles",
+        "--floor",
+        "2",
+        "--storeys",
+        "6",
+        "--storey-height",
+        "3048 mm",
+    ]);
+    assert_eq!(us["answer"], si["answer"]);
+    assert_eq!(us["schema"], "freestand.object/1");
+    for key in [
+        "answer",
+        "answer_kind",
+        "falls",
+        "shock",
+        "p_overturn",
+        "p_overturn_low",
+        "p_overturn_high",
+        "edge_acceleration_g_median",
+        "lift_acceleration_g",
+        "floor_acceleration_g",
+        "motions",
+        "motions_lifted",
+        "motions_overturned",
+        "uplift_m_max",
+        "level_ratio",
+        "place",
+        "assumptions",
+        "warnings",
+        "scales",
+    ] {
+        assert!(us.get(key).is_some(), "{key}");
+    }
+    assert_eq!((us["motions"].as_u64(), us["place"]["name"].as_str()), (Some(2), Some("Los Angeles")));
+    assert!(us["scales"].is_null() && us["floor_acceleration_g"]["max"].as_f64().unwrap() > 0.5);
+    // 9 in over 39 in.
+    assert!((us["lift_acceleration_g"].as_f64().unwrap() - 9.0 / 39.0).abs() < 1e-12);
+}
+
+/// Every example of the help runs, as far as its files are here: with fewer worlds and records of the
+/// repository.
+#[test]
+fn the_examples_of_the_help_run() {
+    let help = String::from_utf8(execute(&root(), &["object", "--help"]).stdout).unwrap();
+    let (_, examples) = help.split_once("\nExamples:\n").unwrap();
+    let joined = examples.replace("\\\n", "");
+    let commands: Vec<&str> = joined.lines().filter_map(|line| line.trim().strip_prefix("freestand object ")).collect();
+    assert_eq!(commands.len(), 7);
+    for command in commands {
+        let command = command
+            .replace("floor-1.csv", RECORD)
+            .replace("floor-2.csv", "validation/rocking/records/onesine_T1.0.csv")
+            .replace("hospital.toml", "examples/hospital/study.toml");
+        let worlds = if command.contains("--motion") { "" } else { " --worlds 2" };
+        let script = format!("'{}' object {command}{worlds}", PROGRAM);
+        let output = Command::new("sh").args(["-c", &script]).current_dir(root()).output().unwrap();
+        let stdout = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success(), "{script}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(stdout.contains(" this object ") || stdout.contains("\"answer_kind\""), "{stdout}");
+    }
+}
