@@ -8,7 +8,8 @@ use freestand::fragility::FitKind;
 use freestand::motion::Motion;
 use freestand::rocking::Restitution;
 use freestand_assess::fragility::{
-    DEFAULT_MAX_SCALE, FloorMotion, GivenObject, Limits, Measure, Method, RunObjects, RunsRequest, fragility_of_runs,
+    DEFAULT_MAX_SCALE, FitMethod, FloorMotion, GivenObject, Limits, Measure, Method, RunObjects, RunsRequest,
+    fragility_of_runs,
 };
 use freestand_study::run::no_progress;
 
@@ -48,10 +49,11 @@ fn request(height_m: f64, thickness_m: f64, replicates: u32, motions: &[FloorMot
         scales: None,
         max_scale_ratio: DEFAULT_MAX_SCALE,
         rotation_ratio: None,
-        fit: FitKind::Ordered,
+        fit: FitMethod::Curves(FitKind::Ordered),
         replicates: Some(replicates),
         seed: 1,
         inputs: Vec::new(),
+        keep: None,
     }
 }
 

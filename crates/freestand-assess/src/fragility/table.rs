@@ -3,9 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::nearest;
+use freestand_input::words::{counted, nearest};
 
 /// A heading, `pfv [m/s]`: its name, and the unit between the brackets.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,6 +21,44 @@ pub(crate) struct Heading {
 pub(crate) struct Row {
     pub(crate) line: usize,
     cells: Vec<String>,
+}
+
+/// The most problems with rows of a table that are told one by one.
+const MAX_TOLD: usize = 20;
+
+/// The problems with the rows of a table, which are told together.
+#[derive(Debug, Default)]
+pub(crate) struct RowProblems {
+    told: Problems,
+    /// Problems beyond [`MAX_TOLD`].
+    more: usize,
+}
+
+impl RowProblems {
+    /// Adds a problem.
+    pub(crate) fn push(&mut self, problem: Problem) {
+        if self.told.len() < MAX_TOLD {
+            self.told.push(problem);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// The value of a result; its problem is collected.
+    pub(crate) fn keep<T>(&mut self, result: Result<T, Problem>) -> Option<T> {
+        result.map_err(|problem| self.push(problem)).ok()
+    }
+
+    /// # Errors
+    /// All problems that were collected in this file, the first ones in full.
+    pub(crate) fn finish(mut self, path: &Path) -> Result<(), Problems> {
+        if self.more > 0 {
+            let message = format!("{} more", counted(self.more, "problem"));
+            self.told
+                .push(Problem::value(message, "correct the problems above, and run the command again").in_file(path));
+        }
+        self.told.finish(Some(()))
+    }
 }
 
 /// A table.
@@ -40,6 +78,18 @@ pub(crate) struct Table {
 impl Table {
     /// Reads the bytes of a file; `hint` says what its headings should be.
     pub(crate) fn read(bytes: &[u8], path: &Path, hint: &'static str) -> Result<Self, Problem> {
+        let mut problems = RowProblems::default();
+        let table = Self::read_rows(bytes, path, hint, &mut problems)?;
+        problems.told.problems.into_iter().next().map_or(Ok(table), Err)
+    }
+
+    /// As [`Table::read`], without the rows whose number of cells is wrong, which are collected.
+    pub(crate) fn read_rows(
+        bytes: &[u8],
+        path: &Path,
+        hint: &'static str,
+        problems: &mut RowProblems,
+    ) -> Result<Self, Problem> {
         let format = |message: String| Problem::new(ProblemKind::Format, message).in_file(path).hint(hint);
         if bytes.starts_with(b"PK\x03\x04") {
             let problem = format("this is a workbook, not a CSV file".to_owned());
@@ -76,7 +126,8 @@ impl Table {
             if row.cells.len() != headings.len() {
                 let message = format!("this row has {} cells, and the header has {}", row.cells.len(), headings.len());
                 let hint = "write one row per line with a cell for each heading; quote a text that has a comma";
-                return Err(format(message).at_line(row.line).hint(hint));
+                problems.push(format(message).at_line(row.line).hint(hint));
+                continue;
             }
             rows.push(row);
         }
@@ -91,7 +142,7 @@ impl Table {
                 return Err(table.header_problem(format!("the column \"{}\" is there twice", shorten(&one.name))));
             }
         }
-        if table.rows.is_empty() {
+        if table.rows.is_empty() && problems.told.is_empty() {
             return Err(table.header_problem("no rows follow the headings".to_owned()));
         }
         Ok(table)

@@ -145,7 +145,7 @@ fn counts_and_rows_are_one_fit() {
     for kind in [FitKind::Ordered, FitKind::Separate] {
         assert_eq!(fit_curves(&outcomes, &STATES, kind), fit_curves(&counts, &STATES, kind));
     }
-    assert!(bootstrap(&counts, &STATES, FitKind::Ordered, 10, 1).is_none());
+    assert!(bootstrap(&counts, &STATES, FitKind::Ordered, (10, 1), &|| true).is_none());
 }
 
 /// x → c x: θ → c θ, the same β and likelihood. Only ln x differs, by rounding.
@@ -226,7 +226,7 @@ fn the_motions_are_the_sample_and_not_the_runs() {
         .map(|seed| {
             let runs = clustered(seed, motions, &grid(0.1, 3.0, 40), [0.2, 0.4, 0.6], beta);
             let outcomes = Outcomes::new(&runs).unwrap();
-            let samples = bootstrap(&outcomes, &STATES, FitKind::Ordered, 300, seed).unwrap();
+            let samples = bootstrap(&outcomes, &STATES, FitKind::Ordered, (300, seed), &|| true).unwrap();
             assert_eq!((samples.failed, samples.samples.len()), (0, 300));
             let (low, high) = samples.interval(LimitState::Overturns).unwrap().median;
             (high / low).ln()
@@ -244,10 +244,15 @@ fn threads_do_not_change_a_sample() {
     let fit = fit_curves(&outcomes, &STATES, FitKind::Ordered);
     let [one, three] = [1, 3].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| (bootstrap(&outcomes, &STATES, FitKind::Ordered, 60, 9), goodness(&outcomes, &fit, 60, 9)))
+        pool.install(|| {
+            (
+                bootstrap(&outcomes, &STATES, FitKind::Ordered, (60, 9), &|| true),
+                goodness(&outcomes, &fit, (60, 9), &|| true),
+            )
+        })
     });
     assert_eq!(one, three);
-    assert_ne!(one.0, bootstrap(&outcomes, &STATES, FitKind::Ordered, 60, 10), "another seed");
+    assert_ne!(one.0, bootstrap(&outcomes, &STATES, FitKind::Ordered, (60, 10), &|| true), "another seed");
 }
 
 /// Curves that made the runs fit; one lognormal curve does not fit two groups of motions whose
@@ -258,7 +263,7 @@ fn a_misfit_is_seen() {
     let states = [LimitState::Overturns];
     let good = Outcomes::new(&clustered(1, 60, &levels, [0.1, 0.2, 0.5], 0.4)).unwrap();
     let fit = fit_curves(&good, &states, FitKind::Ordered);
-    let well = goodness(&good, &fit, 99, 1).unwrap();
+    let well = goodness(&good, &fit, (99, 1), &|| true).unwrap();
     assert!(!well.is_misfit() && well.dof == 18 && well.ks < 0.15, "{well:?}");
     let mut runs = clustered(2, 60, &levels, [0.1, 0.1, 0.12], 0.1);
     runs.extend(
@@ -268,7 +273,7 @@ fn a_misfit_is_seen() {
     );
     let mixed = Outcomes::new(&runs).unwrap();
     let fit = fit_curves(&mixed, &states, FitKind::Ordered);
-    let badly = goodness(&mixed, &fit, 99, 1).unwrap();
+    let badly = goodness(&mixed, &fit, (99, 1), &|| true).unwrap();
     assert!(badly.is_misfit() && badly.ks > 0.2, "{badly:?}");
 }
 
