@@ -165,7 +165,8 @@ pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems>
 /// As [`fragility`], or that it was stopped.
 pub fn fragility_watched(request: FragilityRequest, progress: Progress) -> Result<FragilityReport, Problems> {
     check_replicates(request.replicates)?;
-    let table = OutcomeTable::load(&request.outcomes)?;
+    let table = OutcomeTable::load_watched(&request.outcomes, progress)?;
+    request.shock.map_or(Ok(()), |limits| table.check_shocks(limits.ceiling_g))?;
     let limits = vec![request.shock; table.objects.len()];
     fitted(request, table, (METHOD, &limits), progress)
 }
@@ -214,15 +215,16 @@ fn fitted(
         }
         let mut fit = fit_curves(&outcomes, &states, request.fit);
         let shocks = shocks.get(i).map_or(&[][..], Vec::as_slice);
-        let found = limits.map(|limits| two_stage(&table, i, shocks, &fit, limits)).transpose();
-        let (two_stage, no_two_stage) = match found {
+        let (two_stage, no_two_stage) = match limits.map(|limits| two_stage(shocks, &fit, limits)).transpose() {
             Ok(found) => (found, None),
-            Err(problem) if method == METHOD => return Err(problem),
+            Err(error) if method == METHOD => {
+                return Err(table.object_problem(i, &error.to_string(), shock_hint(error)));
+            }
             // Of many objects some may have too few shocks; their outcomes are still there.
-            Err(problem) => {
+            Err(error) => {
                 states = all;
                 fit = fit_curves(&outcomes, &states, request.fit);
-                (None, Some(problem.message))
+                (None, Some(error.to_string()))
             }
         };
         let goodness = goodness(&outcomes, &fit, (replicates.min(MAX_SIMULATED), request.seed), &is_wanted);
@@ -251,33 +253,21 @@ fn fitted(
 }
 
 /// The probability of exceeding a tolerance from the shocks of an object, with their lines.
-fn two_stage(
-    table: &OutcomeTable,
-    object: usize,
-    shocks: &[(usize, ShockRun)],
-    fit: &Fit,
-    limits: ShockLimits,
-) -> Result<TwoStage, Problem> {
+fn two_stage(shocks: &[(usize, ShockRun)], fit: &Fit, limits: ShockLimits) -> Result<TwoStage, ShockFitError> {
     let ShockLimits { tolerance_g, ceiling_g } = limits;
     let runs: Vec<ShockRun> = shocks.iter().map(|(_, run)| *run).collect();
-    let shock = fit_shock(&runs, ceiling_g).map_err(|error| match error {
-        ShockFitError::Shock { run, shock_g, ceiling_g } => {
-            let hint = "give the `ceiling` of this object, the ceiling_g of the shock of its balance point";
-            let message =
-                format!("the shock is {shock_g} g, which is not above 0 and at most the ceiling, {ceiling_g} g");
-            let problem = table.object_problem(object, &message, hint);
-            Problem { line: run.checked_sub(1).and_then(|run| shocks.get(run)).map(|(line, _)| *line), ..problem }
-        }
-        ShockFitError::TooFew { .. } => {
-            let hint = "give the column edge_acceleration [g] for runs that rocked";
-            table.object_problem(object, &error.to_string(), hint)
-        }
-        ShockFitError::NoMaximum => {
-            table.object_problem(object, &error.to_string(), "fit the classes with `fit = \"ordered\"`")
-        }
-    })?;
+    let shock = fit_shock(&runs, ceiling_g)?;
     let curve = |state: LimitState| fit.curve(state).unwrap_or(CurveKind::None { lower: 0.0 });
     Ok(TwoStage { rocks: curve(LimitState::Rocks), overturns: curve(LimitState::Overturns), shock, tolerance_g })
+}
+
+/// What to do about shocks that cannot be fitted.
+fn shock_hint(error: ShockFitError) -> &'static str {
+    match error {
+        ShockFitError::Shock { .. } => "give the `ceiling` of this object, the ceiling_g of its balance point",
+        ShockFitError::TooFew { .. } => "give the column edge_acceleration [g] for runs that rocked",
+        ShockFitError::NoMaximum => "fit the classes with `fit = \"ordered\"`",
+    }
 }
 
 /// The share of samples without a curve from which on the intervals are doubtful.
@@ -313,7 +303,7 @@ fn gathered(objects: &[ObjectFragility]) -> Vec<String> {
 fn warnings(object: &ObjectFragility) -> Vec<String> {
     let mut warnings = Vec::new();
     if let Some(why) = &object.no_two_stage {
-        warnings.push(format!("its shocks are not fitted, but its outcomes ({why})"));
+        warnings.push(format!("exceeds is fitted to the outcomes, not to the shocks: {why}"));
     }
     if object.unresolved > 0 {
         let verb = if object.unresolved == 1 { "was" } else { "were" };
@@ -650,7 +640,7 @@ mod tests {
     use super::*;
 
     fn report(text: &str) -> FragilityReport {
-        let table = OutcomeTable::read(text.as_bytes(), Path::new("o.csv")).unwrap();
+        let table = OutcomeTable::read(text.as_bytes(), Path::new("o.csv"), &no_progress).unwrap();
         let request = FragilityRequest {
             outcomes: PathBuf::from("o.csv"),
             at: None,

@@ -9,6 +9,7 @@ use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::nearest;
+use freestand_study::run::{Progress, no_progress};
 
 use super::LEAST_ROTATION_RATIO;
 use super::measure::{MEASURES, Measure};
@@ -58,8 +59,16 @@ impl OutcomeTable {
     /// empty cell, each with line and column; all rows of one object, motion and level; the table that
     /// `assess` writes.
     pub fn load(path: &Path) -> Result<Self, Problems> {
-        let read = Self::read(&load(path)?, path)?;
-        read.check_twice()?;
+        Self::load_watched(path, &no_progress)
+    }
+
+    /// As [`OutcomeTable::load`], and can be stopped.
+    ///
+    /// # Errors
+    /// As [`OutcomeTable::load`], or that it was stopped.
+    pub(super) fn load_watched(path: &Path, progress: Progress) -> Result<Self, Problems> {
+        let read = Self::read(&load(path)?, path, progress)?;
+        read.check_twice(progress)?;
         Ok(read)
     }
 
@@ -67,8 +76,8 @@ impl OutcomeTable {
     ///
     /// # Errors
     /// As for [`OutcomeTable::load`].
-    pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Self, Problems> {
-        let mut problems = RowProblems::default();
+    pub(super) fn read(bytes: &[u8], path: &Path, progress: Progress) -> Result<Self, Problems> {
+        let mut problems = RowProblems::watched(progress);
         let table = Table::read_rows(bytes, path, HINT, &mut problems)?;
         if table.column("world").is_some() && table.column("fell").is_some() {
             let problem = table.header_problem("this is the table of worlds that assess writes".to_owned());
@@ -106,7 +115,7 @@ impl OutcomeTable {
         &mut self,
         table: &Table,
         intensity: impl Fn(&Row) -> Result<f64, Problem>,
-        reading: &mut Reading,
+        reading: &mut Reading<'_>,
     ) -> Result<(), Problem> {
         let (object, motion, outcome) = (table.needed("object")?, table.needed("motion")?, table.needed("outcome")?);
         let weight = table.column("weight");
@@ -118,6 +127,7 @@ impl OutcomeTable {
             table.header_problem(message).hint("write edge_acceleration [g]")
         })?;
         for row in &table.rows {
+            reading.problems.row()?;
             // Every cell of a row is read before the row is given up, so that all that is wrong is told.
             let problems = &mut reading.problems;
             let object = problems.keep(table.filled(row, object));
@@ -147,7 +157,7 @@ impl OutcomeTable {
         &mut self,
         table: &Table,
         intensity: impl Fn(&Row) -> Result<f64, Problem>,
-        reading: &mut Reading,
+        reading: &mut Reading<'_>,
     ) -> Result<(), Problem> {
         let object = table.needed("object")?;
         let columns = COUNTS.map(|name| table.column(name));
@@ -157,6 +167,7 @@ impl OutcomeTable {
             return Err(table.header_problem(message));
         }
         for row in &table.rows {
+            reading.problems.row()?;
             let problems = &mut reading.problems;
             let object = problems.keep(table.filled(row, object));
             let intensity = problems.keep(intensity(row));
@@ -173,10 +184,11 @@ impl OutcomeTable {
     }
 
     /// Refuses runs that are there twice: a motion at one level has one outcome.
-    fn check_twice(&self) -> Result<(), Problems> {
-        let mut problems = RowProblems::default();
+    fn check_twice(&self, progress: Progress) -> Result<(), Problems> {
+        let mut problems = RowProblems::watched(progress);
         let mut known: HashMap<(usize, usize, u64), &OutcomeRun> = HashMap::new();
         for one in &self.runs {
+            problems.row()?;
             let Some(motion) = one.run.motion else { continue };
             let before = *known.entry((one.object, motion, one.run.intensity.to_bits())).or_insert(one);
             if before.line == one.line {
@@ -202,7 +214,7 @@ impl OutcomeTable {
     }
 
     /// The place of an object; a new one is added.
-    fn object(&mut self, reading: &mut Reading, id: &str, line: usize) -> usize {
+    fn object(&mut self, reading: &mut Reading<'_>, id: &str, line: usize) -> usize {
         let object = reading.objects.place(id);
         if object == self.unresolved.len() {
             self.unresolved.push(0);
@@ -241,6 +253,20 @@ impl OutcomeTable {
         Ok(outcomes)
     }
 
+    /// Refuses shocks that no landing below the ceiling has.
+    pub(super) fn check_shocks(&self, ceiling_g: f64) -> Result<(), Problems> {
+        let mut problems = RowProblems::default();
+        for (object, shocks) in self.shocks().iter().enumerate() {
+            for (line, ShockRun { shock_g, .. }) in shocks.iter().filter(|(_, run)| !run.is_below(ceiling_g)) {
+                let hint = "give the `ceiling` of this object, the ceiling_g of the shock of its balance point";
+                let message =
+                    format!("the shock is {shock_g} g, which is not above 0 and at most the ceiling, {ceiling_g} g");
+                problems.push(Problem { line: Some(*line), ..self.object_problem(object, &message, hint) });
+            }
+        }
+        problems.finish(&self.file.path)
+    }
+
     /// For each object the shocks of its runs that rocked and did not overturn, with their lines.
     pub(super) fn shocks(&self) -> Vec<Vec<(usize, ShockRun)>> {
         let mut shocks = vec![Vec::new(); self.objects.len()];
@@ -255,10 +281,10 @@ impl OutcomeTable {
 }
 
 /// What is remembered while a table is read.
-struct Reading {
+struct Reading<'p> {
     objects: Names,
     motions: Names,
-    problems: RowProblems,
+    problems: RowProblems<'p>,
 }
 
 /// Names with their places, as they first appear.
@@ -320,7 +346,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<OutcomeTable, Problems> {
-        OutcomeTable::read(text.as_bytes(), Path::new("o.csv"))
+        OutcomeTable::read(text.as_bytes(), Path::new("o.csv"), &no_progress)
     }
 
     #[test]
@@ -340,7 +366,7 @@ mod tests {
     fn a_run_that_is_there_twice_is_refused_with_both_lines() {
         let twice = |outcome: &str| {
             let text = format!("object,motion,pgv [m/s],outcome\na,m,0.2,rocked\na,n,0.2,rocked\na,m,0.2,{outcome}\n");
-            read(&text).unwrap().check_twice()
+            read(&text).unwrap().check_twice(&no_progress)
         };
         for (outcome, said) in [("overturned", "two outcomes, rocked and overturned"), ("rocked", "is there twice")] {
             let problem = twice(outcome).unwrap_err();
@@ -348,7 +374,7 @@ mod tests {
             assert!(problem.len() == 1 && text.contains("lines 2 and 4") && text.contains(said), "{problem}");
         }
         let counts = read("object,pgv [m/s],no_uplift,overturned\na,0.2,3,1\na,0.2,2,1\n").unwrap();
-        assert_eq!(counts.check_twice(), Ok(()));
+        assert_eq!(counts.check_twice(&no_progress), Ok(()));
     }
 
     #[test]
@@ -388,6 +414,6 @@ mod tests {
         assert_eq!(many.len(), 21);
         assert!(many.problems[20].to_string().starts_with("o.csv: 40 problems more"), "{many}");
         let twice = "object,motion,pgv [m/s],outcome\n".to_owned() + &"a,m,0.2,rocked\n".repeat(4);
-        assert_eq!(read(&twice).unwrap().check_twice().unwrap_err().len(), 3);
+        assert_eq!(read(&twice).unwrap().check_twice(&no_progress).unwrap_err().len(), 3);
     }
 }

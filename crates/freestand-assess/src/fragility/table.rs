@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, nearest};
+use freestand_study::run::Progress;
+
+use super::go_on;
 
 /// A heading, `pfv [m/s]`: its name, and the unit between the brackets.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,15 +29,38 @@ pub(crate) struct Row {
 /// The most problems with rows of a table that are told one by one.
 const MAX_TOLD: usize = 20;
 
+/// Rows that are read before the caller is asked whether to go on: some milliseconds of work.
+const ROWS_UNASKED: usize = 4096;
+
 /// The problems with the rows of a table, which are told together.
-#[derive(Debug, Default)]
-pub(crate) struct RowProblems {
+#[derive(Default)]
+pub(crate) struct RowProblems<'p> {
     told: Problems,
     /// Problems beyond [`MAX_TOLD`].
     more: usize,
+    /// Who may stop the reading.
+    progress: Option<Progress<'p>>,
+    rows: usize,
 }
 
-impl RowProblems {
+impl<'p> RowProblems<'p> {
+    /// Of a table whose reading can be stopped.
+    pub(crate) fn watched(progress: Progress<'p>) -> Self {
+        Self { progress: Some(progress), ..Self::default() }
+    }
+
+    /// Counts a row.
+    ///
+    /// # Errors
+    /// The caller stopped the reading.
+    pub(crate) fn row(&mut self) -> Result<(), Problem> {
+        self.rows += 1;
+        match self.progress {
+            Some(progress) if self.rows.is_multiple_of(ROWS_UNASKED) => go_on(progress),
+            _ => Ok(()),
+        }
+    }
+
     /// Adds a problem.
     pub(crate) fn push(&mut self, problem: Problem) {
         if self.told.len() < MAX_TOLD {
@@ -88,7 +114,7 @@ impl Table {
         bytes: &[u8],
         path: &Path,
         hint: &'static str,
-        problems: &mut RowProblems,
+        problems: &mut RowProblems<'_>,
     ) -> Result<Self, Problem> {
         let format = |message: String| Problem::new(ProblemKind::Format, message).in_file(path).hint(hint);
         if bytes.starts_with(b"PK\x03\x04") {
@@ -110,7 +136,7 @@ impl Table {
             let line = record.position().map_or(1, |position| line_of(bytes, position));
             Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
         });
-        let head: Row = records.next().unwrap_or_else(|| Err(format("the file is empty".to_owned())))?;
+        let head: Row = records.next().unwrap_or_else(|| Err(format("the file is empty".to_owned()).at_line(1)))?;
         let headings: Vec<Heading> = head.cells.iter().map(|cell| heading(cell)).collect();
         if let [only] = headings.as_slice()
             && let Some((_, name)) =
@@ -123,6 +149,7 @@ impl Table {
         let mut rows = Vec::new();
         for row in records {
             let row = row?;
+            problems.row()?;
             if row.cells.len() != headings.len() {
                 let message = format!("this row has {} cells, and the header has {}", row.cells.len(), headings.len());
                 let hint = "write one row per line with a cell for each heading; quote a text that has a comma";

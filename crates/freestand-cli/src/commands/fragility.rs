@@ -179,6 +179,9 @@ fn run_table(
         replicates: args.bootstrap,
         seed: global.seed(),
     };
+    // Before the fits, so that no signal is missed between them and the files.
+    let stop = printer.stop();
+    let go_on = || if stop.wanted() { Err(Failure::Stopped { printed: false }) } else { Ok(()) };
     let found = watched(printer, |progress| fragility_watched(request, progress));
     let mut report = found.map_err(stopped)?;
     // Before anything is written, so that what cannot be exported leaves no folder.
@@ -187,10 +190,14 @@ fn run_table(
     let facts = report.facts();
     if files.wanted() {
         files.table("fragility", || report.table())?;
+        go_on()?;
         files.table("empirical", || report.empirical_table())?;
+        go_on()?;
         let json = document(FRAGILITY_SCHEMA, &facts, &report.warnings)?;
         files.write("fragility.json", || json)?;
+        go_on()?;
         files.figure("fragility", || report.figure())?;
+        go_on()?;
         exports.write(&files)?;
     }
     files.finish_result(FRAGILITY_SCHEMA, &report.warnings)?;

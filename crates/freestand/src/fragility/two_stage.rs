@@ -19,6 +19,14 @@ pub struct ShockRun {
     pub weight: f64,
 }
 
+impl ShockRun {
+    /// Whether its shock is above 0 and at most the ceiling \[g\]. The shock of the balance point is the
+    /// ceiling, up to rounding.
+    pub fn is_below(&self, ceiling_g: f64) -> bool {
+        self.shock_g > 0.0 && self.shock_g <= ceiling_g * (1.0 + 1e-9)
+    }
+}
+
 /// Why a distribution of shocks cannot be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ShockFitError {
@@ -93,11 +101,8 @@ impl ShockDistribution {
 /// # Errors
 /// A shock above the ceiling, too few runs, or shocks that no such distribution fits.
 pub fn fit_shock(runs: &[ShockRun], ceiling_g: f64) -> Result<ShockDistribution, ShockFitError> {
-    for (i, &ShockRun { shock_g, .. }) in runs.iter().enumerate() {
-        // The shock of the balance point is the ceiling, up to rounding.
-        if !(shock_g > 0.0 && shock_g <= ceiling_g * (1.0 + 1e-9)) {
-            return Err(ShockFitError::Shock { run: i + 1, shock_g, ceiling_g });
-        }
+    if let Some(i) = runs.iter().position(|run| !run.is_below(ceiling_g)) {
+        return Err(ShockFitError::Shock { run: i + 1, shock_g: runs[i].shock_g, ceiling_g });
     }
     let weight: f64 = runs.iter().map(|run| run.weight).sum();
     let mean = |of: &dyn Fn(&ShockRun) -> f64| runs.iter().map(|run| run.weight * of(run)).sum::<f64>() / weight;

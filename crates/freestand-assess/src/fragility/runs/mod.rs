@@ -387,7 +387,7 @@ fn fit(
         let outcomes = table::outcomes(&report, (*measure, place, *at), progress)?;
         super::go_on(progress)?;
         let name = file_name("outcomes", place, *measure);
-        let table = table::read(outcomes.as_ref(), &name)?;
+        let table = table::read(outcomes.as_ref(), &name, progress)?;
         let limits = shock_limits(request.fit, &report.objects, &table);
         let fits = FragilityRequest {
             outcomes: PathBuf::from(name),

@@ -127,6 +127,6 @@ impl Levels {
 }
 
 /// What the fit reads: the very bytes that are written.
-pub(super) fn read(bytes: &[u8], name: &str) -> Result<OutcomeTable, Problems> {
-    OutcomeTable::read(bytes, Path::new(name))
+pub(super) fn read(bytes: &[u8], name: &str, progress: Progress) -> Result<OutcomeTable, Problems> {
+    OutcomeTable::read(bytes, Path::new(name), progress)
 }
