@@ -400,3 +400,39 @@ fn samples_that_are_few_or_all_the_same_have_no_interval() {
     assert!(few.interval(state).is_none());
     assert!(of(vec![curve(1.0), curve(2.0), none()]).interval(state).is_some());
 }
+
+/// Median and β of each limit state.
+const ORDERED: [(f64, f64); 3] = [
+    (0.2214900617836216, 0.5881486391032181),
+    (0.44867645634068737, 0.5881486391032181),
+    (0.7937635185842341, 0.5881486391032181),
+];
+const SEPARATE: [(f64, f64); 3] = [
+    (0.22035691236741575, 0.6070864976733632),
+    (0.45183353608065624, 0.5907249137429267),
+    (0.7930445421165542, 0.5497761671840987),
+];
+
+/// Counts at six levels. The ordered fit is that of `OrderedModel` (probit) of statsmodels 0.15 by
+/// ln x, the separate ones those of its binomial model with a probit link; both converge to 1e-10.
+#[test]
+fn fits_are_those_of_statsmodels() {
+    let levels = [0.1, 0.2, 0.35, 0.6, 1.0, 1.7];
+    let counts = [[18, 2, 0, 0], [11, 7, 2, 0], [5, 8, 5, 2], [1, 6, 7, 6], [0, 2, 6, 12], [0, 0, 1, 19]];
+    let mut runs = Vec::new();
+    for (intensity, counts) in levels.into_iter().zip(counts) {
+        for (class, count) in OutcomeClass::ALL.into_iter().zip(counts) {
+            runs.push(Run { motion: None, intensity, class, weight: f64::from(count) });
+        }
+    }
+    let outcomes = Outcomes::new(&runs).unwrap();
+    for (kind, expected) in [(FitKind::Ordered, ORDERED), (FitKind::Separate, SEPARATE)] {
+        let fit = fit_curves(&outcomes, &STATES, kind);
+        for (state, (median, beta)) in STATES.into_iter().zip(expected) {
+            let Some(CurveKind::Lognormal { median: found, beta: spread }) = fit.curve(state) else { panic!() };
+            // The score of 1e-8 per run.
+            assert!((found / median - 1.0).abs() < 1e-8, "{kind:?} {state:?} {found}");
+            assert!((spread / beta - 1.0).abs() < 1e-8, "{kind:?} {state:?} {spread}");
+        }
+    }
+}
