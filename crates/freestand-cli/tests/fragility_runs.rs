@@ -405,8 +405,9 @@ fn runs_of_an_inventory_that_are_killed_go_on() {
 fn shocks_of_runs_are_fitted_below_their_ceiling() {
     let folder = tempfile::tempdir().unwrap();
     let (folder, motions) = (folder.path(), motions(folder.path()));
-    let flags = ["--tolerance", "2g", "--fit", "two-stage", "--bootstrap", "0", "--parquet", "--out", "o"];
-    let found = done(folder, &call(&motions, &flags));
+    let measure = ["--im", "pfa", "--bootstrap", "0"];
+    let flags = ["--tolerance", "2g", "--fit", "two-stage", "--parquet", "--out", "o"];
+    let found = done(folder, &call(&motions, &[&measure[..], &flags].concat()));
     let one = &found["objects"][0];
     let shock = &one["exceeds_by_shock"];
     assert_eq!((&one["fit"], &shock["why"]), (&"two-stage".into(), &Value::Null));
@@ -419,12 +420,12 @@ fn shocks_of_runs_are_fitted_below_their_ceiling() {
 
     // Half of the runs exceed the tolerance where an ordered fit says so; both are models, and six
     // motions have a standard error of β/√6, 0.1 in ln x.
-    let ordered = done(folder, &call(&motions, &["--tolerance", "2g", "--bootstrap", "0"]));
+    let ordered = done(folder, &call(&motions, &[&measure[..], &["--tolerance", "2g"]].concat()));
     let by_class = curve(&ordered["objects"][0], "exceeds")["median"].as_f64().unwrap();
     assert!((shock["median"].as_f64().unwrap() / by_class).ln().abs() < 0.2, "{shock} {by_class}");
 
     // At the ceiling only overturning exceeds it.
-    let above = done(folder, &call(&motions, &["--tolerance", "99g", "--fit", "two-stage", "--bootstrap", "0"]));
+    let above = done(folder, &call(&motions, &[&measure[..], &["--tolerance", "99g", "--fit", "two-stage"]].concat()));
     let one = &above["objects"][0];
     assert_eq!(one["exceeds_by_shock"]["why"], "ceiling");
     let median = one["exceeds_by_shock"]["median"].as_f64().unwrap();

@@ -256,9 +256,15 @@ fn fitted(
 fn two_stage(shocks: &[(usize, ShockRun)], fit: &Fit, limits: ShockLimits) -> Result<TwoStage, ShockFitError> {
     let ShockLimits { tolerance_g, ceiling_g } = limits;
     let runs: Vec<ShockRun> = shocks.iter().map(|(_, run)| *run).collect();
-    let shock = fit_shock(&runs, ceiling_g)?;
+    let shock = match fit_shock(&runs, ceiling_g) {
+        Ok(shock) => Some(shock),
+        // No shock exceeds such a tolerance, whatever the distribution.
+        Err(_) if tolerance_g >= ceiling_g => None,
+        Err(error) => return Err(error),
+    };
     let curve = |state: LimitState| fit.curve(state).unwrap_or(CurveKind::None { lower: 0.0 });
-    Ok(TwoStage { rocks: curve(LimitState::Rocks), overturns: curve(LimitState::Overturns), shock, tolerance_g })
+    let (rocks, overturns) = (curve(LimitState::Rocks), curve(LimitState::Overturns));
+    Ok(TwoStage { rocks, overturns, shock, ceiling_g, tolerance_g })
 }
 
 /// What to do about shocks that cannot be fitted.
@@ -436,14 +442,14 @@ impl ObjectFragility {
             })
             .collect();
         let shock = self.two_stage.map(|two_stage| {
-            let TwoStage { shock, tolerance_g, .. } = two_stage;
+            let TwoStage { shock, ceiling_g, tolerance_g, .. } = two_stage;
             Facts::default()
                 .key("tolerance_g", tolerance_g)
-                .key("ceiling_g", shock.ceiling_g)
-                .key("intercept", shock.intercept)
-                .key("slope", shock.slope)
-                .key("sigma", shock.sigma)
-                .key("log_likelihood", shock.log_likelihood)
+                .key("ceiling_g", ceiling_g)
+                .key("intercept", shock.map(|shock| shock.intercept))
+                .key("slope", shock.map(|shock| shock.slope))
+                .key("sigma", shock.map(|shock| shock.sigma))
+                .key("log_likelihood", shock.map(|shock| shock.log_likelihood))
                 .key("median", two_stage.median())
                 .key("why", two_stage.is_above_ceiling().then_some("ceiling"))
         });

@@ -367,7 +367,13 @@ fn what_no_shock_distribution_fits_is_said() {
 fn a_tolerance_at_the_ceiling_is_exceeded_only_by_overturning() {
     let shock = fit_shock(&shocks(1, 200, (2.0, 0.8, 0.35), 6.0), 6.0).unwrap();
     let curve = |median| CurveKind::Lognormal { median, beta: 0.4 };
-    let at = |tolerance_g| TwoStage { rocks: curve(0.2), overturns: curve(0.9), shock, tolerance_g };
+    let at = |tolerance_g| TwoStage {
+        rocks: curve(0.2),
+        overturns: curve(0.9),
+        shock: Some(shock),
+        ceiling_g: 6.0,
+        tolerance_g,
+    };
     for x in [0.1, 0.5, 2.0] {
         let [rocks, overturns] = [0.2, 0.9].map(|median| lognormal_probability(x, median, 0.4));
         assert_eq!(at(6.0).probability(x), overturns);

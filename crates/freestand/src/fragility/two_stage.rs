@@ -187,8 +187,11 @@ pub struct TwoStage {
     pub rocks: CurveKind,
     /// When it overturns.
     pub overturns: CurveKind,
-    /// The shock of an object that rocks.
-    pub shock: ShockDistribution,
+    /// The shock of an object that rocks; `None`: not known, and not needed for a tolerance at or above
+    /// the ceiling.
+    pub shock: Option<ShockDistribution>,
+    /// The ceiling \[g\].
+    pub ceiling_g: f64,
     /// Tolerance \[g\].
     pub tolerance_g: f64,
 }
@@ -196,7 +199,7 @@ pub struct TwoStage {
 impl TwoStage {
     /// Whether the tolerance is at or above the ceiling, so that only overturning exceeds it.
     pub fn is_above_ceiling(&self) -> bool {
-        self.tolerance_g >= self.shock.ceiling_g
+        self.tolerance_g >= self.ceiling_g
     }
 
     /// The intensity at which the probability is ½; `None` if it never is between the thousandth
@@ -218,6 +221,7 @@ impl TwoStage {
             CurveKind::Step { .. } => kind.probability(intensity).unwrap_or(0.0),
         };
         let (rocks, overturns) = (certain(self.rocks), certain(self.overturns));
-        overturns + (rocks - overturns).max(0.0) * self.shock.exceedance(self.tolerance_g, intensity)
+        let exceedance = self.shock.map_or(0.0, |shock| shock.exceedance(self.tolerance_g, intensity));
+        overturns + (rocks - overturns).max(0.0) * exceedance
     }
 }
