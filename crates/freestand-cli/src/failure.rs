@@ -13,6 +13,8 @@ pub(crate) enum Failure {
     Stopped { printed: bool },
     /// The user stopped it after the finished part was written.
     StoppedAfterWriting,
+    /// The user stopped the runs of a list, of which the finished ones are kept.
+    StoppedKeepingRuns,
     /// The user stopped a shard, of which the finished parts are kept.
     StoppedInShard,
     /// Standard output was closed by its reader.

@@ -47,6 +47,11 @@ fn main() -> ExitCode {
             printer::print_failure(&Failure::usage("stopped", hint));
             ExitCode::from(stop::EXIT_STATUS)
         }
+        Err(Failure::StoppedKeepingRuns) => {
+            let hint = "the finished runs are kept; continue with --resume";
+            printer::print_failure(&Failure::usage("stopped", hint));
+            ExitCode::from(stop::EXIT_STATUS)
+        }
         Err(Failure::StoppedAfterWriting) => {
             let hint = "the finished part was written; continue with --resume";
             printer::print_failure(&Failure::usage("stopped", hint));

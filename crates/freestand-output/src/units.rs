@@ -31,8 +31,12 @@ pub(crate) fn unit_of(name: &str) -> Option<(&'static str, usize)> {
     UNITS.iter().find(|(ending, ..)| name.ends_with(ending)).map(|&(_, unit, digits)| (unit, digits))
 }
 
-/// The unit of the values called `name`, which may end in words after the unit: `uplift_m_median`.
-pub(crate) fn unit_within(name: &str) -> Option<&'static str> {
+/// The unit of the values called `name`, which may end in words after the unit: `uplift_m_median`, or
+/// have the unit in brackets: `pfv [m/s]`.
+pub(crate) fn unit_within(name: &str) -> Option<&str> {
+    if let Some((_, unit)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) {
+        return Some(unit);
+    }
     let mut heads = std::iter::successors(Some(name), |name| name.rsplit_once('_').map(|(head, _)| head));
     heads.find_map(unit_of).map(|(unit, _)| unit)
 }
@@ -53,5 +57,6 @@ mod tests {
     fn words_may_follow_the_unit() {
         let names = ["uplift_m_median", "edge_acceleration_g_max_of_survivors", "pfv_m_s_p16", "beta", "motions"];
         assert_eq!(names.map(unit_within), [Some("m"), Some("g"), Some("m/s"), None, None]);
+        assert_eq!(unit_within("pfv [m/s]"), Some("m/s"));
     }
 }

@@ -41,7 +41,9 @@ fn main() {
             if fit_curves(&outcomes, &states, FitKind::Ordered).fitted_states().len() < 2 {
                 continue;
             }
-            let Some(samples) = bootstrap(&outcomes, &states, FitKind::Ordered, 400, survey) else { continue };
+            let Some(samples) = bootstrap(&outcomes, &states, FitKind::Ordered, (400, survey), &|| true) else {
+                continue;
+            };
             let Some(interval) = samples.interval(LimitState::Overturns) else { continue };
             let holds = |(low, high): (f64, f64), truth: f64| u32::from(low <= truth && truth <= high);
             fitted += 1;

@@ -93,7 +93,7 @@ pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Proble
 
 fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
     let mut problems = RowProblems::default();
-    let table = Table::read_rows(bytes, path, HINT, &mut problems)?;
+    let table = Table::read(bytes, path, HINT, &mut problems)?;
     let [id, im, unit, at, state] = ["id", "im", "im_unit", "at", "limit_state"].map(|name| table.needed(name));
     let (id, im, unit, at, state) = (id?, im?, unit?, at?, state?);
     let (kind, median, beta) = (table.needed("kind")?, table.needed("median")?, table.needed("beta")?);

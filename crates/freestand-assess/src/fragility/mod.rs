@@ -7,11 +7,12 @@ mod outcomes;
 mod runs;
 pub(crate) mod table;
 
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use freestand::fragility::{
     Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, NoInterval, OutcomeClass, Outcomes, ShockFitError,
-    TwoStage, bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
+    ShockRun, TwoStage, bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
 };
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
@@ -20,14 +21,15 @@ use freestand_input::words::{Choices, counted, name_of, significant};
 use freestand_output::facts::{Facts, Value, table};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
+use freestand_study::run::{Progress, Step, no_progress};
 use rayon::prelude::*;
 
 pub use curves::{ObjectCurves, load_curves};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
 pub use runs::{
-    Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, Limits, METHODS,
-    Method, Quality, RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+    Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, KeepRuns, Limits,
+    METHODS, Method, Quality, RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
 
 /// How limit states are fitted, by name.
@@ -35,6 +37,32 @@ pub const FITS: Choices<FitKind> = &[
     (FitKind::Ordered, "ordered", "one β for all limit states of an object: curves cannot cross"),
     (FitKind::Separate, "separate", "each limit state by itself"),
 ];
+
+/// How runs are fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FitMethod {
+    /// Curves of all limit states, from the outcomes.
+    Curves(FitKind),
+    /// As ordered, and `exceeds` from the shocks.
+    TwoStage,
+}
+
+/// How runs are fitted, by name.
+pub const FIT_METHODS: Choices<FitMethod> = &[
+    (FitMethod::Curves(FitKind::Ordered), "ordered", "one β for all limit states of an object: curves cannot cross"),
+    (FitMethod::Curves(FitKind::Separate), "separate", "each limit state by itself"),
+    (FitMethod::TwoStage, TWO_STAGE, "as ordered, with `exceeds` from the shocks below the ceiling"),
+];
+
+impl FitMethod {
+    /// How the limit states are fitted that are fitted to outcomes.
+    pub fn kind(self) -> FitKind {
+        match self {
+            Self::Curves(kind) => kind,
+            Self::TwoStage => FitKind::Ordered,
+        }
+    }
+}
 
 /// What an object withstands, for a fit of its shocks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +75,10 @@ pub struct ShockLimits {
 
 /// The name of a fit of shocks, of its curve.
 pub const TWO_STAGE: &str = "two-stage";
+
+/// Rotations over α below this take no part in a line of ln demand or ln shock: at the intensity that
+/// just lifts an object both are 0, and their logarithms have no end.
+const LEAST_ROTATION_RATIO: f64 = 0.01;
 
 /// Bootstrap samples where none are asked for.
 pub const DEFAULT_REPLICATES: u32 = 1000;
@@ -66,7 +98,8 @@ pub struct FragilityRequest {
     pub at: Option<At>,
     /// How limit states are fitted.
     pub fit: FitKind,
-    /// The tolerance of a fit of shocks; `None`: the classes of the table count.
+    /// The tolerance of a fit of shocks; `None`: the classes of the table count. Of runs it is that of
+    /// the first object whose shocks are fitted.
     pub shock: Option<ShockLimits>,
     /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`], 0: none.
     pub replicates: Option<u32>,
@@ -87,6 +120,8 @@ pub struct ObjectFragility {
     pub fit: Fit,
     /// The probability of exceeding the tolerance, from the shocks.
     pub two_stage: Option<TwoStage>,
+    /// Why the shocks of runs were not fitted, so that the outcomes were.
+    pub no_two_stage: Option<String>,
     /// How well they fit.
     pub goodness: Option<Goodness>,
     /// Fits of samples of motions; `None` for counts.
@@ -119,11 +154,21 @@ pub struct FragilityReport {
 /// Fits the fragilities of all objects of a table.
 ///
 /// # Errors
-/// A table that cannot be read.
+/// A table that cannot be read, with everything that is wrong with it.
 pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems> {
+    fragility_watched(request, &no_progress)
+}
+
+/// As [`fragility`], and can be stopped at every bootstrap sample.
+///
+/// # Errors
+/// As [`fragility`], or that it was stopped.
+pub fn fragility_watched(request: FragilityRequest, progress: Progress) -> Result<FragilityReport, Problems> {
     check_replicates(request.replicates)?;
-    let table = OutcomeTable::load(&request.outcomes)?;
-    fitted(request, table, METHOD)
+    let table = OutcomeTable::load_watched(&request.outcomes, progress)?;
+    request.shock.map_or(Ok(()), |limits| table.check_shocks(limits.ceiling_g))?;
+    let limits = vec![request.shock; table.objects.len()];
+    fitted(request, table, (METHOD, &limits), progress)
 }
 
 /// The most bootstrap samples: each keeps the curves of every object.
@@ -136,23 +181,57 @@ fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
     Err(Problem::value(message, format!("give at most {MAX_REPLICATES}")).of(&["bootstrap"]))
 }
 
-/// Fits the fragilities of all objects of a table that was read.
-fn fitted(request: FragilityRequest, table: OutcomeTable, method: &'static str) -> Result<FragilityReport, Problems> {
+/// Asks whether to go on.
+///
+/// # Errors
+/// The caller stopped the work.
+fn go_on(progress: Progress) -> Result<(), Problem> {
+    match progress(Step { stage: None, done: 0, total: 0 }) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Problem::stopped()),
+    }
+}
+
+/// Fits the fragilities of all objects of a table that was read; `limits` has, for each of them, what
+/// a fit of its shocks needs, or nothing.
+fn fitted(
+    request: FragilityRequest,
+    table: OutcomeTable,
+    (method, limits): (&'static str, &[Option<ShockLimits>]),
+    progress: Progress,
+) -> Result<FragilityReport, Problems> {
     let at = table.measure.at(request.at)?;
     let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
+    let is_wanted = || go_on(progress).is_ok();
+    let shocks = if limits.iter().any(Option::is_some) { table.shocks() } else { Vec::new() };
     // Within an object the samples are calculated in parallel.
-    let each = table.objects.iter().zip(table.by_object()?).enumerate();
-    let objects = each.map(|(i, (id, outcomes))| {
+    let each = table.objects.iter().zip(table.by_object()?).zip(limits).enumerate();
+    let objects = each.map(|(i, ((id, outcomes), limits))| {
+        go_on(progress)?;
         let mut states = outcomes.limit_states();
-        if request.shock.is_some() {
+        let all = states.clone();
+        if limits.is_some() {
             states.retain(|state| *state != LimitState::Exceeds);
         }
-        let fit = fit_curves(&outcomes, &states, request.fit);
-        let two_stage = request.shock.map(|limits| two_stage(&table, i, &fit, limits)).transpose()?;
-        let goodness = goodness(&outcomes, &fit, replicates.min(MAX_SIMULATED), request.seed);
+        let mut fit = fit_curves(&outcomes, &states, request.fit);
+        let shocks = shocks.get(i).map_or(&[][..], Vec::as_slice);
+        let (two_stage, no_two_stage) = match limits.map(|limits| two_stage(shocks, &fit, limits)).transpose() {
+            Ok(found) => (found, None),
+            Err(error) if method == METHOD => {
+                return Err(table.object_problem(i, &error.to_string(), shock_hint(error)));
+            }
+            // Of many objects some may have too few shocks; their outcomes are still there.
+            Err(error) => {
+                states = all;
+                fit = fit_curves(&outcomes, &states, request.fit);
+                (None, Some(error.to_string()))
+            }
+        };
+        let goodness = goodness(&outcomes, &fit, (replicates.min(MAX_SIMULATED), request.seed), &is_wanted);
         let bootstrap = (replicates > 0 && !fit.fitted_states().is_empty())
-            .then(|| bootstrap(&outcomes, &states, request.fit, replicates, request.seed))
+            .then(|| bootstrap(&outcomes, &states, request.fit, (replicates, request.seed), &is_wanted))
             .flatten();
+        go_on(progress)?;
         let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
         Ok(ObjectFragility {
             id: id.clone(),
@@ -160,6 +239,7 @@ fn fitted(request: FragilityRequest, table: OutcomeTable, method: &'static str) 
             unresolved,
             fit,
             two_stage,
+            no_two_stage,
             goodness,
             bootstrap,
             qualities: Vec::new(),
@@ -172,22 +252,28 @@ fn fitted(request: FragilityRequest, table: OutcomeTable, method: &'static str) 
     Ok(FragilityReport { request, table, at, objects, warnings, method })
 }
 
-/// The probability of exceeding a tolerance from the shocks of an object.
-fn two_stage(table: &OutcomeTable, object: usize, fit: &Fit, limits: ShockLimits) -> Result<TwoStage, Problem> {
+/// The probability of exceeding a tolerance from the shocks of an object, with their lines.
+fn two_stage(shocks: &[(usize, ShockRun)], fit: &Fit, limits: ShockLimits) -> Result<TwoStage, ShockFitError> {
     let ShockLimits { tolerance_g, ceiling_g } = limits;
-    let shock = fit_shock(&table.shocks(object), ceiling_g).map_err(|error| {
-        let id = table.objects.get(object).map_or("", String::as_str);
-        let hint = match error {
-            ShockFitError::Shock { .. } => {
-                "give the `ceiling` of this object, the ceiling_g of the shock of its balance point"
-            }
-            ShockFitError::TooFew { .. } => "give the column edge_acceleration [g] for runs that rocked",
-            ShockFitError::NoMaximum => "fit the classes with `fit = \"ordered\"`",
-        };
-        Problem::value(format!("object {}: {error}", shorten(id)), hint).in_file(&table.file.path)
-    })?;
+    let runs: Vec<ShockRun> = shocks.iter().map(|(_, run)| *run).collect();
+    let shock = match fit_shock(&runs, ceiling_g) {
+        Ok(shock) => Some(shock),
+        // No shock exceeds such a tolerance, whatever the distribution.
+        Err(_) if tolerance_g >= ceiling_g => None,
+        Err(error) => return Err(error),
+    };
     let curve = |state: LimitState| fit.curve(state).unwrap_or(CurveKind::None { lower: 0.0 });
-    Ok(TwoStage { rocks: curve(LimitState::Rocks), overturns: curve(LimitState::Overturns), shock, tolerance_g })
+    let (rocks, overturns) = (curve(LimitState::Rocks), curve(LimitState::Overturns));
+    Ok(TwoStage { rocks, overturns, shock, ceiling_g, tolerance_g })
+}
+
+/// What to do about shocks that cannot be fitted.
+fn shock_hint(error: ShockFitError) -> &'static str {
+    match error {
+        ShockFitError::Shock { .. } => "give the `ceiling` of this object, the ceiling_g of its balance point",
+        ShockFitError::TooFew { .. } => "give the column edge_acceleration [g] for runs that rocked",
+        ShockFitError::NoMaximum => "fit the classes with `fit = \"ordered\"`",
+    }
 }
 
 /// The share of samples without a curve from which on the intervals are doubtful.
@@ -222,6 +308,9 @@ fn gathered(objects: &[ObjectFragility]) -> Vec<String> {
 /// The warnings of an object, without its id.
 fn warnings(object: &ObjectFragility) -> Vec<String> {
     let mut warnings = Vec::new();
+    if let Some(why) = &object.no_two_stage {
+        warnings.push(format!("exceeds is fitted to the outcomes, not to the shocks: {why}"));
+    }
     if object.unresolved > 0 {
         let verb = if object.unresolved == 1 { "was" } else { "were" };
         warnings.push(format!(
@@ -314,6 +403,14 @@ impl ObjectFragility {
         ObjectCurves { id: self.id.clone(), measure, at, curves: self.fit.curves.clone(), line: 0 }
     }
 
+    /// How it was fitted.
+    fn fit_name(&self) -> &'static str {
+        match self.two_stage {
+            Some(_) if self.fit.kind == FitKind::Ordered => TWO_STAGE,
+            _ => name_of(FITS, self.fit.kind),
+        }
+    }
+
     fn runs(&self) -> f64 {
         whole(self.outcomes.totals().iter().sum())
     }
@@ -345,14 +442,14 @@ impl ObjectFragility {
             })
             .collect();
         let shock = self.two_stage.map(|two_stage| {
-            let TwoStage { shock, tolerance_g, .. } = two_stage;
+            let TwoStage { shock, ceiling_g, tolerance_g, .. } = two_stage;
             Facts::default()
                 .key("tolerance_g", tolerance_g)
-                .key("ceiling_g", shock.ceiling_g)
-                .key("intercept", shock.intercept)
-                .key("slope", shock.slope)
-                .key("sigma", shock.sigma)
-                .key("log_likelihood", shock.log_likelihood)
+                .key("ceiling_g", ceiling_g)
+                .key("intercept", shock.map(|shock| shock.intercept))
+                .key("slope", shock.map(|shock| shock.slope))
+                .key("sigma", shock.map(|shock| shock.sigma))
+                .key("log_likelihood", shock.map(|shock| shock.log_likelihood))
                 .key("median", two_stage.median())
                 .key("why", two_stage.is_above_ceiling().then_some("ceiling"))
         });
@@ -383,7 +480,7 @@ impl ObjectFragility {
             .key("im_unit", measure.unit())
             .key("at", at.name())
             .key("method", method)
-            .key("fit", name_of(FITS, self.fit.kind))
+            .key("fit", self.fit_name())
             .key("motions", self.outcomes.motions())
             .key("runs", self.runs())
             .key("unresolved", self.unresolved)
@@ -497,7 +594,7 @@ impl FragilityReport {
                     .key("lower", curve.kind.lower())
                     .key("upper", curve.kind.upper())
                     .key("method", self.method)
-                    .key("fit", name_of(FITS, object.fit.kind))
+                    .key("fit", object.fit_name())
                     .key("motions", object.outcomes.motions())
                     .key("runs", object.runs())
             })
@@ -549,7 +646,7 @@ mod tests {
     use super::*;
 
     fn report(text: &str) -> FragilityReport {
-        let table = OutcomeTable::read(text.as_bytes(), Path::new("o.csv")).unwrap();
+        let table = OutcomeTable::read(text.as_bytes(), Path::new("o.csv"), &no_progress).unwrap();
         let request = FragilityRequest {
             outcomes: PathBuf::from("o.csv"),
             at: None,
@@ -558,7 +655,8 @@ mod tests {
             replicates: Some(200),
             seed: 1,
         };
-        fitted(request, table, METHOD).unwrap()
+        let limits = vec![None; table.objects.len()];
+        fitted(request, table, (METHOD, &limits), &no_progress).unwrap()
     }
 
     #[test]

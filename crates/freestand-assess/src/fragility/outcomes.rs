@@ -6,12 +6,14 @@ use std::path::Path;
 use freestand::fragility::{OutcomeClass, Outcomes, Run, ShockRun};
 use freestand::rocking::Outcome;
 use freestand_input::file::{InputFile, load};
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::nearest;
+use freestand_study::run::{Progress, no_progress};
 
+use super::LEAST_ROTATION_RATIO;
 use super::measure::{MEASURES, Measure};
-use super::table::{Row, Table};
+use super::table::{Row, RowProblems, Table};
 
 const HINT: &str = "write one row per run under \"object,motion,pfv [m/s],outcome\", or counts under \
                     \"object,pfv [m/s],no_uplift,rocked,exceeded,overturned\"";
@@ -27,7 +29,7 @@ pub(crate) struct OutcomeRun {
     /// Its line in the file, from 1.
     pub(crate) line: usize,
     pub(crate) run: Run,
-    /// Its shock, if it is known \[g\].
+    /// Its shock, if it is known and the rotation is not below [`LEAST_ROTATION_RATIO`] \[g\].
     pub(crate) shock_g: Option<f64>,
 }
 
@@ -45,18 +47,28 @@ pub struct OutcomeTable {
     pub(crate) runs: Vec<OutcomeRun>,
     /// Runs of each object that could not be followed.
     pub(crate) unresolved: Vec<usize>,
+    /// The line of the first row of each object, from 1.
+    first_lines: Vec<usize>,
 }
 
 impl OutcomeTable {
     /// Reads a file.
     ///
     /// # Errors
-    /// A missing column, a class that does not exist, a measure that is not above 0, an empty cell,
-    /// each with line and column; two rows of one object, motion and level; the table that `assess`
-    /// writes.
-    pub fn load(path: &Path) -> Result<Self, Problem> {
-        let read = Self::read(&load(path)?, path)?;
-        read.check_twice()?;
+    /// A missing column; all rows with a class that does not exist, a measure that is not above 0 or an
+    /// empty cell, each with line and column; all rows of one object, motion and level; the table that
+    /// `assess` writes.
+    pub fn load(path: &Path) -> Result<Self, Problems> {
+        Self::load_watched(path, &no_progress)
+    }
+
+    /// As [`OutcomeTable::load`], and can be stopped.
+    ///
+    /// # Errors
+    /// As [`OutcomeTable::load`], or that it was stopped.
+    pub(super) fn load_watched(path: &Path, progress: Progress) -> Result<Self, Problems> {
+        let read = Self::read(&load(path)?, path, progress)?;
+        read.check_twice(progress)?;
         Ok(read)
     }
 
@@ -64,19 +76,21 @@ impl OutcomeTable {
     ///
     /// # Errors
     /// As for [`OutcomeTable::load`].
-    pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Self, Problem> {
-        let table = Table::read(bytes, path, HINT)?;
+    pub(super) fn read(bytes: &[u8], path: &Path, progress: Progress) -> Result<Self, Problems> {
+        let mut problems = RowProblems::watched(progress);
+        let table = Table::read(bytes, path, HINT, &mut problems)?;
         if table.column("world").is_some() && table.column("fell").is_some() {
             let problem = table.header_problem("this is the table of worlds that assess writes".to_owned());
-            return Err(problem.hint(
-                "its worlds have no intensity measure and cannot be fitted: give a table with the measure of every run",
-            ));
+            let hint =
+                "its worlds have no intensity measure and cannot be fitted: give a table with the measure of every run";
+            return Err(problem.hint(hint).into());
         }
         let (column, measure) = measure_of(&table)?;
         let unit = table.headings.get(column).and_then(|heading| heading.unit.as_deref());
         let factor = measure
             .factor_from(unit)
             .map_err(|problem| table.header_problem(problem.message).hint(problem.hint.unwrap_or_default()))?;
+        let mut reading = Reading { objects: Names::default(), motions: Names::default(), problems };
         let mut read = Self {
             file: InputFile::new(path, bytes),
             measure,
@@ -84,20 +98,28 @@ impl OutcomeTable {
             motions: Vec::new(),
             runs: Vec::new(),
             unresolved: Vec::new(),
+            first_lines: Vec::new(),
         };
         let intensity = |row: &Row| Ok::<f64, Problem>(factor * table.positive(row, column)?);
         if table.column("outcome").is_some() || table.column("motion").is_some() {
-            read.add_runs(&table, intensity)?;
+            read.add_runs(&table, intensity, &mut reading)?;
         } else {
-            read.add_counts(&table, intensity)?;
+            read.add_counts(&table, intensity, &mut reading)?;
         }
+        reading.problems.finish(path)?;
+        (read.objects, read.motions) = (reading.objects.names, reading.motions.names);
         Ok(read)
     }
 
-    fn add_runs(&mut self, table: &Table, intensity: impl Fn(&Row) -> Result<f64, Problem>) -> Result<(), Problem> {
+    fn add_runs(
+        &mut self,
+        table: &Table,
+        intensity: impl Fn(&Row) -> Result<f64, Problem>,
+        reading: &mut Reading<'_>,
+    ) -> Result<(), Problem> {
         let (object, motion, outcome) = (table.needed("object")?, table.needed("motion")?, table.needed("outcome")?);
         let weight = table.column("weight");
-        let shock = table.column("edge_acceleration");
+        let (shock, rotation) = (table.column("edge_acceleration"), table.column("rotation_ratio"));
         let unit = shock.and_then(|shock| table.headings.get(shock)).map(|heading| heading.unit.as_deref());
         // A shock is in g or m/s², as a peak acceleration is.
         let to_g = unit.map_or(Ok(1.0), |unit| Measure::Pga.factor_from(unit)).map_err(|_| {
@@ -105,36 +127,38 @@ impl OutcomeTable {
             table.header_problem(message).hint("write edge_acceleration [g]")
         })?;
         for row in &table.rows {
-            let object = self.object(table.filled(row, object)?);
-            let motion = place(&mut self.motions, table.filled(row, motion)?);
-            let (intensity, text) = (intensity(row)?, table.filled(row, outcome)?);
-            let weight = table.optional(row, weight)?.unwrap_or(1.0);
-            let shock_g = table.optional(row, shock)?.map(|shock| to_g * shock);
-            if text == UNRESOLVED {
+            reading.problems.row()?;
+            // Every cell of a row is read before the row is given up, so that all that is wrong is told.
+            let problems = &mut reading.problems;
+            let object = problems.keep(table.filled(row, object));
+            let motion = problems.keep(table.filled(row, motion));
+            let intensity = problems.keep(intensity(row));
+            let class = problems.keep(class_of(table, row, outcome));
+            let weight = problems.keep(table.optional(row, weight));
+            let shock = problems.keep(table.optional(row, shock));
+            let rotation = problems.keep(table.optional(row, rotation));
+            let (Some(object), Some(motion), Some(intensity)) = (object, motion, intensity) else { continue };
+            let (Some(class), Some(weight)) = (class, weight) else { continue };
+            let (Some(shock), Some(rotation)) = (shock, rotation) else { continue };
+            let shock = shock.filter(|_| rotation.is_none_or(|ratio| ratio >= LEAST_ROTATION_RATIO));
+            let object = self.object(reading, object, row.line);
+            let motion = reading.motions.place(motion);
+            let Some(class) = class else {
                 self.unresolved[object] += 1;
                 continue;
-            }
-            // What leans on a wall has fallen.
-            let text = if text == Outcome::Leaned.name() { OutcomeClass::Overturned.name() } else { text };
-            let Some(class) = OutcomeClass::ALL.into_iter().find(|class| class.name() == text) else {
-                let names = OutcomeClass::ALL.map(OutcomeClass::name);
-                let near = nearest(text, &names).map(|near| format!("; is it {near}?")).unwrap_or_default();
-                let message = format!("\"{}\" is not an outcome{near}", shorten(text));
-                let hint = format!("write {}, or unresolved for a run that could not be calculated", names.join(", "));
-                return Err(table.cell_problem(row, outcome, &message).hint(hint));
             };
-            let line = row.line;
-            self.runs.push(OutcomeRun {
-                object,
-                line,
-                run: Run { motion: Some(motion), intensity, class, weight },
-                shock_g,
-            });
+            let run = Run { motion: Some(motion), intensity, class, weight: weight.unwrap_or(1.0) };
+            self.runs.push(OutcomeRun { object, line: row.line, run, shock_g: shock.map(|shock| to_g * shock) });
         }
         Ok(())
     }
 
-    fn add_counts(&mut self, table: &Table, intensity: impl Fn(&Row) -> Result<f64, Problem>) -> Result<(), Problem> {
+    fn add_counts(
+        &mut self,
+        table: &Table,
+        intensity: impl Fn(&Row) -> Result<f64, Problem>,
+        reading: &mut Reading<'_>,
+    ) -> Result<(), Problem> {
         let object = table.needed("object")?;
         let columns = COUNTS.map(|name| table.column(name));
         table.needed("overturned")?;
@@ -143,28 +167,33 @@ impl OutcomeTable {
             return Err(table.header_problem(message));
         }
         for row in &table.rows {
-            let object = self.object(table.filled(row, object)?);
-            let intensity = intensity(row)?;
-            for (class, column) in OutcomeClass::ALL.into_iter().zip(columns) {
-                let Some(column) = column else { continue };
-                let weight = table.non_negative(row, column)?;
-                self.runs.push(OutcomeRun {
-                    object,
-                    line: row.line,
-                    run: Run { motion: None, intensity, class, weight },
-                    shock_g: None,
-                });
+            reading.problems.row()?;
+            let problems = &mut reading.problems;
+            let object = problems.keep(table.filled(row, object));
+            let intensity = problems.keep(intensity(row));
+            let counts = columns.map(|column| column.map(|column| problems.keep(table.non_negative(row, column))));
+            let Some((object, intensity)) = object.zip(intensity) else { continue };
+            let object = self.object(reading, object, row.line);
+            for (class, count) in OutcomeClass::ALL.into_iter().zip(counts) {
+                let Some(Some(weight)) = count else { continue };
+                let run = Run { motion: None, intensity, class, weight };
+                self.runs.push(OutcomeRun { object, line: row.line, run, shock_g: None });
             }
         }
         Ok(())
     }
 
-    /// Refuses a run that is there twice: a motion at one level has one outcome.
-    fn check_twice(&self) -> Result<(), Problem> {
+    /// Refuses runs that are there twice: a motion at one level has one outcome.
+    fn check_twice(&self, progress: Progress) -> Result<(), Problems> {
+        let mut problems = RowProblems::watched(progress);
         let mut known: HashMap<(usize, usize, u64), &OutcomeRun> = HashMap::new();
         for one in &self.runs {
+            problems.row()?;
             let Some(motion) = one.run.motion else { continue };
-            let Some(before) = known.insert((one.object, motion, one.run.intensity.to_bits()), one) else { continue };
+            let before = *known.entry((one.object, motion, one.run.intensity.to_bits())).or_insert(one);
+            if before.line == one.line {
+                continue;
+            }
             let name = |names: &[String], place: usize| shorten(names.get(place).map_or("", String::as_str));
             let outcomes = if before.run.class == one.run.class {
                 format!("is there twice, with the outcome {}", one.run.class.name())
@@ -179,61 +208,119 @@ impl OutcomeTable {
                 name(&self.motions, motion),
             );
             let hint = "keep one of the two rows; name motions differently if they are different ones";
-            return Err(Problem::value(message, hint).in_file(&self.file.path).at_line(one.line));
+            problems.push(Problem::value(message, hint).in_file(&self.file.path).at_line(one.line));
         }
-        Ok(())
+        problems.finish(&self.file.path)
     }
 
     /// The place of an object; a new one is added.
-    fn object(&mut self, id: &str) -> usize {
-        let object = place(&mut self.objects, id);
-        self.unresolved.resize(self.objects.len(), 0);
+    fn object(&mut self, reading: &mut Reading<'_>, id: &str, line: usize) -> usize {
+        let object = reading.objects.place(id);
+        if object == self.unresolved.len() {
+            self.unresolved.push(0);
+            self.first_lines.push(line);
+        }
         object
+    }
+
+    /// A problem with an object, at its first row.
+    pub(super) fn object_problem(&self, object: usize, message: &str, hint: &str) -> Problem {
+        let id = self.objects.get(object).map_or("", String::as_str);
+        let problem = Problem::value(format!("object {}: {message}", shorten(id)), hint).in_file(&self.file.path);
+        self.first_lines.get(object).map_or(problem.clone(), |line| problem.at_line(*line))
     }
 
     /// The runs of every object, in the order of the objects.
     ///
     /// # Errors
-    /// An object of which no run could be followed.
-    pub(crate) fn by_object(&self) -> Result<Vec<Outcomes>, Problem> {
+    /// All objects of which no run could be followed.
+    pub(crate) fn by_object(&self) -> Result<Vec<Outcomes>, Problems> {
         let mut runs: Vec<Vec<Run>> = vec![Vec::new(); self.objects.len()];
         for one in &self.runs {
             if let Some(runs) = runs.get_mut(one.object) {
                 runs.push(one.run);
             }
         }
-        let outcomes = runs.iter().zip(&self.objects).map(|(runs, id)| {
-            Outcomes::new(runs).map_err(|error| {
-                Problem::value(format!("object {}: {error}", shorten(id)), "leave out the object, or add its runs")
-                    .in_file(&self.file.path)
-            })
+        let mut problems = RowProblems::default();
+        let outcomes = runs.iter().enumerate().map(|(object, runs)| {
+            let found = Outcomes::new(runs).map_err(|error| {
+                self.object_problem(object, &error.to_string(), "leave out the object, or add its runs")
+            });
+            problems.keep(found)
         });
-        outcomes.collect()
+        let outcomes: Vec<Outcomes> = outcomes.collect::<Vec<_>>().into_iter().flatten().collect();
+        problems.finish(&self.file.path)?;
+        Ok(outcomes)
+    }
+
+    /// Refuses shocks that no landing below the ceiling has.
+    pub(super) fn check_shocks(&self, ceiling_g: f64) -> Result<(), Problems> {
+        let mut problems = RowProblems::default();
+        for (object, shocks) in self.shocks().iter().enumerate() {
+            for (line, ShockRun { shock_g, .. }) in shocks.iter().filter(|(_, run)| !run.is_below(ceiling_g)) {
+                let hint = "give the `ceiling` of this object, the ceiling_g of the shock of its balance point";
+                let message =
+                    format!("the shock is {shock_g} g, which is not above 0 and at most the ceiling, {ceiling_g} g");
+                problems.push(Problem { line: Some(*line), ..self.object_problem(object, &message, hint) });
+            }
+        }
+        problems.finish(&self.file.path)
+    }
+
+    /// For each object the shocks of its runs that rocked and did not overturn, with their lines.
+    pub(super) fn shocks(&self) -> Vec<Vec<(usize, ShockRun)>> {
+        let mut shocks = vec![Vec::new(); self.objects.len()];
+        for OutcomeRun { object, line, run, shock_g } in &self.runs {
+            let rocked = matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded) && run.weight > 0.0;
+            if let (true, Some(shock_g), Some(of_object)) = (rocked, *shock_g, shocks.get_mut(*object)) {
+                of_object.push((*line, ShockRun { intensity: run.intensity, shock_g, weight: run.weight }));
+            }
+        }
+        shocks
     }
 }
 
-impl OutcomeTable {
-    /// The shocks of the runs of an object that rocked and did not overturn.
-    pub(crate) fn shocks(&self, object: usize) -> Vec<ShockRun> {
-        let rocked = self.runs.iter().filter(|run| {
-            run.object == object && matches!(run.run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded)
-        });
-        let shock = |run: &OutcomeRun| {
-            let shock_g = run.shock_g.filter(|_| run.run.weight > 0.0)?;
-            Some(ShockRun { intensity: run.run.intensity, shock_g, weight: run.run.weight })
-        };
-        rocked.filter_map(shock).collect()
+/// What is remembered while a table is read.
+struct Reading<'p> {
+    objects: Names,
+    motions: Names,
+    problems: RowProblems<'p>,
+}
+
+/// Names with their places, as they first appear.
+#[derive(Default)]
+struct Names {
+    names: Vec<String>,
+    places: HashMap<String, usize>,
+}
+
+impl Names {
+    fn place(&mut self, name: &str) -> usize {
+        if let Some(place) = self.places.get(name) {
+            return *place;
+        }
+        let place = self.names.len();
+        self.names.push(name.to_owned());
+        self.places.insert(name.to_owned(), place);
+        place
     }
 }
 
-fn place(names: &mut Vec<String>, name: &str) -> usize {
-    // Rows of an object or of a motion usually follow each other.
-    if names.last().is_some_and(|last| last == name) {
-        return names.len() - 1;
+/// The class of a row; `None`: it could not be followed.
+fn class_of(table: &Table, row: &Row, outcome: usize) -> Result<Option<OutcomeClass>, Problem> {
+    let text = table.filled(row, outcome)?;
+    if text == UNRESOLVED {
+        return Ok(None);
     }
-    names.iter().position(|known| known == name).unwrap_or_else(|| {
-        names.push(name.to_owned());
-        names.len() - 1
+    // What leans on a wall has fallen.
+    let text = if text == Outcome::Leaned.name() { OutcomeClass::Overturned.name() } else { text };
+    let class = OutcomeClass::ALL.into_iter().find(|class| class.name() == text);
+    class.map(Some).ok_or_else(|| {
+        let names = OutcomeClass::ALL.map(OutcomeClass::name);
+        let near = nearest(text, &names).map(|near| format!("; is it {near}?")).unwrap_or_default();
+        let message = format!("\"{}\" is not an outcome{near}", shorten(text));
+        let hint = format!("write {}, or unresolved for a run that could not be calculated", names.join(", "));
+        table.cell_problem(row, outcome, &message).hint(hint)
     })
 }
 
@@ -258,8 +345,8 @@ fn measure_of(table: &Table) -> Result<(usize, Measure), Problem> {
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> Result<OutcomeTable, Problem> {
-        OutcomeTable::read(text.as_bytes(), Path::new("o.csv"))
+    fn read(text: &str) -> Result<OutcomeTable, Problems> {
+        OutcomeTable::read(text.as_bytes(), Path::new("o.csv"), &no_progress)
     }
 
     #[test]
@@ -279,14 +366,15 @@ mod tests {
     fn a_run_that_is_there_twice_is_refused_with_both_lines() {
         let twice = |outcome: &str| {
             let text = format!("object,motion,pgv [m/s],outcome\na,m,0.2,rocked\na,n,0.2,rocked\na,m,0.2,{outcome}\n");
-            read(&text).unwrap().check_twice()
+            read(&text).unwrap().check_twice(&no_progress)
         };
         for (outcome, said) in [("overturned", "two outcomes, rocked and overturned"), ("rocked", "is there twice")] {
             let problem = twice(outcome).unwrap_err();
-            assert!(problem.to_string().contains("lines 2 and 4") && problem.message.contains(said), "{problem}");
+            let text = problem.to_string();
+            assert!(problem.len() == 1 && text.contains("lines 2 and 4") && text.contains(said), "{problem}");
         }
         let counts = read("object,pgv [m/s],no_uplift,overturned\na,0.2,3,1\na,0.2,2,1\n").unwrap();
-        assert_eq!(counts.check_twice(), Ok(()));
+        assert_eq!(counts.check_twice(&no_progress), Ok(()));
     }
 
     #[test]
@@ -309,9 +397,23 @@ mod tests {
         ];
         for (text, said) in cases {
             let problem = read(text).unwrap_err();
-            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
+            assert!(problem.to_string().contains(said) && problem.problems[0].hint.is_some(), "{said}: {problem}");
         }
-        let only_unresolved = read("object,motion,pga [g],outcome\na,m,1,unresolved\n").unwrap();
-        assert!(only_unresolved.by_object().unwrap_err().message.contains("no runs"));
+        let only_unresolved = read("object,motion,pga [g],outcome\nb,m,1,rocked\na,m,1,unresolved\n").unwrap();
+        let problem = only_unresolved.by_object().unwrap_err().to_string();
+        assert!(problem.starts_with("o.csv:3: object a: there are no runs"), "{problem}");
+    }
+
+    #[test]
+    fn all_bad_rows_are_told_at_once_up_to_a_bound() {
+        let rows = "a,m,0,rocked\na,m,1\na,,x,fell\na,m,2,rocked\n";
+        let problems = read(&format!("object,motion,pga [g],outcome\n{rows}")).unwrap_err();
+        let places: Vec<Option<usize>> = problems.problems.iter().map(|problem| problem.line).collect();
+        assert_eq!(places, [Some(3), Some(2), Some(4), Some(4), Some(4)], "{problems}");
+        let many = read(&format!("object,pga [g],rocked,overturned\n{}", "a,NaN,1,x\n".repeat(30))).unwrap_err();
+        assert_eq!(many.len(), 21);
+        assert!(many.problems[20].to_string().starts_with("o.csv: 40 problems more"), "{many}");
+        let twice = "object,motion,pgv [m/s],outcome\n".to_owned() + &"a,m,0.2,rocked\n".repeat(4);
+        assert_eq!(read(&twice).unwrap().check_twice(&no_progress).unwrap_err().len(), 3);
     }
 }

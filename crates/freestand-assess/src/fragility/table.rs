@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, nearest};
+use freestand_study::run::Progress;
+
+use super::go_on;
 
 /// A heading, `pfv [m/s]`: its name in small letters with `_` for blanks, and the unit between the
 /// brackets.
@@ -27,15 +30,38 @@ pub(crate) struct Row {
 /// The most problems with rows of a table that are told one by one.
 const MAX_TOLD: usize = 20;
 
+/// Rows that are read before the caller is asked whether to go on: some milliseconds of work.
+const ROWS_UNASKED: usize = 4096;
+
 /// The problems with the rows of a table, which are told together.
-#[derive(Debug, Default)]
-pub(crate) struct RowProblems {
+#[derive(Default)]
+pub(crate) struct RowProblems<'p> {
     told: Problems,
     /// Problems beyond [`MAX_TOLD`].
     more: usize,
+    /// Who may stop the reading.
+    progress: Option<Progress<'p>>,
+    rows: usize,
 }
 
-impl RowProblems {
+impl<'p> RowProblems<'p> {
+    /// Of a table whose reading can be stopped.
+    pub(crate) fn watched(progress: Progress<'p>) -> Self {
+        Self { progress: Some(progress), ..Self::default() }
+    }
+
+    /// Counts a row.
+    ///
+    /// # Errors
+    /// The caller stopped the reading.
+    pub(crate) fn row(&mut self) -> Result<(), Problem> {
+        self.rows += 1;
+        match self.progress {
+            Some(progress) if self.rows.is_multiple_of(ROWS_UNASKED) => go_on(progress),
+            _ => Ok(()),
+        }
+    }
+
     /// Adds a problem.
     pub(crate) fn push(&mut self, problem: Problem) {
         if self.told.len() < MAX_TOLD {
@@ -77,19 +103,13 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Reads the bytes of a file; `hint` says what its headings should be.
-    pub(crate) fn read(bytes: &[u8], path: &Path, hint: &'static str) -> Result<Self, Problem> {
-        let mut problems = RowProblems::default();
-        let table = Self::read_rows(bytes, path, hint, &mut problems)?;
-        problems.told.problems.into_iter().next().map_or(Ok(table), Err)
-    }
-
-    /// As [`Table::read`], without the rows whose number of cells is wrong, which are collected.
-    pub(crate) fn read_rows(
+    /// Reads the bytes of a file; `hint` says what its headings should be. Rows whose number of cells is
+    /// wrong are left out and collected.
+    pub(crate) fn read(
         bytes: &[u8],
         path: &Path,
         hint: &'static str,
-        problems: &mut RowProblems,
+        problems: &mut RowProblems<'_>,
     ) -> Result<Self, Problem> {
         let format = |message: String| Problem::new(ProblemKind::Format, message).in_file(path).hint(hint);
         if bytes.starts_with(b"PK\x03\x04") {
@@ -111,7 +131,7 @@ impl Table {
             let line = record.position().map_or(1, |position| line_of(bytes, position));
             Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
         });
-        let head: Row = records.next().unwrap_or_else(|| Err(format("the file is empty".to_owned())))?;
+        let head: Row = records.next().unwrap_or_else(|| Err(format("the file is empty".to_owned()).at_line(1)))?;
         let headings: Vec<Heading> = head.cells.iter().map(|cell| heading(cell)).collect();
         if let [only] = headings.as_slice()
             && let Some((_, name)) =
@@ -124,6 +144,7 @@ impl Table {
         let mut rows = Vec::new();
         for row in records {
             let row = row?;
+            problems.row()?;
             if row.cells.len() != headings.len() {
                 let message = format!("this row has {} cells, and the header has {}", row.cells.len(), headings.len());
                 let hint = "write one row per line with a cell for each heading; quote a text that has a comma";
@@ -190,8 +211,8 @@ impl Table {
     /// with a row to them and then returns `None`: all of them are told together.
     pub(crate) fn each_row<'a, T>(
         &'a self,
-        mut problems: RowProblems,
-        mut read: impl FnMut(&'a Row, &mut RowProblems) -> Option<T>,
+        mut problems: RowProblems<'_>,
+        mut read: impl FnMut(&'a Row, &mut RowProblems<'_>) -> Option<T>,
     ) -> Result<Vec<T>, Problems> {
         let values = self.rows.iter().filter_map(|row| read(row, &mut problems)).collect();
         problems.finish(&self.path)?;
@@ -290,8 +311,11 @@ fn heading(cell: &str) -> Heading {
 mod tests {
     use super::*;
 
+    /// The first problem of a table, or the table.
     fn read(text: &str) -> Result<Table, Problem> {
-        Table::read(text.as_bytes(), Path::new("t.csv"), "a, b")
+        let mut problems = RowProblems::default();
+        let table = Table::read(text.as_bytes(), Path::new("t.csv"), "a, b", &mut problems)?;
+        problems.told.problems.into_iter().next().map_or(Ok(table), Err)
     }
 
     #[test]
@@ -309,7 +333,7 @@ mod tests {
     fn the_problems_of_all_rows_are_told() {
         let numbers = |text: &str| {
             let mut problems = RowProblems::default();
-            let table = Table::read_rows(text.as_bytes(), Path::new("t.csv"), "a, b", &mut problems).unwrap();
+            let table = Table::read(text.as_bytes(), Path::new("t.csv"), "a, b", &mut problems).unwrap();
             table.each_row(problems, |row, problems| problems.keep(table.positive(row, 1)))
         };
         assert_eq!(numbers("a,b\nx,1\ny,2\n"), Ok(vec![1.0, 2.0]));

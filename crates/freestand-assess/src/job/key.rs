@@ -21,7 +21,7 @@ const FORMAT: u32 = 5;
 const TABLES_WITHOUT_EFFECT: [&str; 5] = ["assessment", "objects", "outputs", "worlds", "restraint"];
 
 /// The key of a run in parts of `part` objects.
-pub(super) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> String {
+pub(crate) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> String {
     let hashes = |files: &[InputFile]| -> Vec<String> { files.iter().map(|file| file.sha256.clone()).collect() };
     let text = json!({
         "format": FORMAT,

@@ -6,19 +6,21 @@ mod portfolio;
 mod shards;
 mod store;
 
+pub(crate) use key::resume_key;
 pub use portfolio::Finished;
+pub(crate) use portfolio::progress_names;
 pub use shards::{
     Merged, PLAN_SCHEMA, PlanReport, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards, plan_shards, run_shard,
 };
+pub(crate) use store::{PROGRESS, Part, Store};
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use key::resume_key;
-use portfolio::{Portfolio, assess, progress_names, shake};
+use portfolio::{Portfolio, assess, shake};
 use serde::Serialize;
 use serde_json::json;
-use store::{PROGRESS, Part, Store, part_size};
+use store::part_size;
 
 use crate::inventory::{Edit, Floors, Inventory, Mapping, ReadOptions, read_inventory};
 use crate::library::{Libraries, Lookup};

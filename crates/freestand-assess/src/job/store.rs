@@ -15,9 +15,11 @@ use freestand_output::folder::write_file;
 use freestand_output::paths::io_problem;
 use freestand_study::study::Study;
 use freestand_study::study::assessment::Dimensions;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 /// Folder of the parts inside the output folder.
-pub(super) const PROGRESS: &str = "progress";
+pub(crate) const PROGRESS: &str = "progress";
 
 /// The file with the key of the run.
 const PLAN: &str = "plan";
@@ -40,16 +42,16 @@ pub(super) fn part_size(study: &Study, inventory: &Inventory) -> usize {
 
 /// Rows of an inventory that are assessed and stored together.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Part {
+pub(crate) struct Part {
     /// The name of its files, without their endings.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// Its rows, counted from 0.
-    pub(super) rows: Range<usize>,
+    pub(crate) rows: Range<usize>,
 }
 
 impl Part {
     /// The parts of a run over this many rows, of `size` rows each.
-    pub(super) fn of_run(rows: usize, size: usize) -> Vec<Self> {
+    pub(crate) fn of_run(rows: usize, size: usize) -> Vec<Self> {
         ranges(0..rows, size).enumerate().map(|(part, rows)| Self { name: format!("{part:06}"), rows }).collect()
     }
 
@@ -79,7 +81,7 @@ fn ranges(rows: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>>
 
 /// A folder of parts.
 #[derive(Debug)]
-pub(super) struct Store {
+pub(crate) struct Store {
     folder: PathBuf,
     /// Locked as long as this lives: two runs in one folder would read each other's parts. `None`: the
     /// folder of a plan, in which each shard has files of its own.
@@ -89,13 +91,13 @@ pub(super) struct Store {
 impl Store {
     /// Opens the folder for a run with this `key`. Parts of another run are removed; parts of the
     /// same run are kept if `resume` is set.
-    pub(super) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
+    pub(crate) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
         let failed = |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
         fs::create_dir_all(folder).map_err(failed)?;
         let lock = fs::File::create(folder.join(LOCK)).map_err(failed)?;
         // Some file systems cannot lock files: there, two runs cannot be told apart.
         if let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
-            return Err(Problem::new(ProblemKind::Io, "another assessment is writing into this folder")
+            return Err(Problem::new(ProblemKind::Io, "another run is writing into this folder")
                 .in_file(folder)
                 .hint("wait until it has finished, or give another folder with `out`"));
         }
@@ -133,7 +135,7 @@ impl Store {
     }
 
     /// Stores a part, which is then complete or absent.
-    pub(super) fn write(&self, part: &Part, found: &[Assessment]) -> Result<(), Problem> {
+    pub(crate) fn write<T: Serialize>(&self, part: &Part, found: &[T]) -> Result<(), Problem> {
         let path = self.folder.join(part.results_name());
         let mut lines = Vec::new();
         for one in found {
@@ -175,10 +177,15 @@ impl Store {
 
     /// A stored part; `None` where it is absent, incomplete or of other objects.
     pub(super) fn read<'a>(&self, part: &Part, ids: impl ExactSizeIterator<Item = &'a str>) -> Option<Vec<Assessment>> {
+        let found: Vec<Assessment> = self.rows(part)?;
+        Some(found).filter(|found| found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id))
+    }
+
+    /// The rows of a stored part; `None` where it is absent or a row cannot be read.
+    pub(crate) fn rows<T: DeserializeOwned>(&self, part: &Part) -> Option<Vec<T>> {
         let file = fs::File::open(self.folder.join(part.results_name())).ok()?;
         let lines = BufReader::new(file).lines();
-        let found: Option<Vec<Assessment>> = lines.map(|line| serde_json::from_str(&line.ok()?).ok()).collect();
-        found.filter(|found| found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id))
+        lines.map(|line| serde_json::from_str(&line.ok()?).ok()).collect()
     }
 }
 

@@ -144,7 +144,7 @@ pub(crate) fn load_costs(path: &Path) -> Result<Costs, Problems> {
 
 fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
     let mut rows = RowProblems::default();
-    let table = Table::read_rows(bytes, path, HINT, &mut rows)?;
+    let table = Table::read(bytes, path, HINT, &mut rows)?;
     let mut problems = Problems::default();
     let id = problems.keep(table.needed("id"));
     let amounts = [("repair_cost", ""), ("replacement_cost", ""), ("downtime_cost", "/day"), ("casualty_cost", "")];
@@ -340,7 +340,7 @@ fn read_options(
     mut changed: impl FnMut(ChangedObject) -> Result<Option<Effect>, Problem>,
 ) -> Result<(Vec<OptionRow>, Vec<String>), Problems> {
     let mut rows = RowProblems::default();
-    let table = Table::read_rows(bytes, path, OPTIONS_HINT, &mut rows)?;
+    let table = Table::read(bytes, path, OPTIONS_HINT, &mut rows)?;
     let mut problems = Problems::default();
     let [id, option, cost] = ["id", "option", "cost"].map(|name| problems.keep(table.needed(name)));
     problems.keep(currency_of(&table, &[("cost", "")], currency));

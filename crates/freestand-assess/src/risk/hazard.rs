@@ -202,7 +202,7 @@ fn from_file(
     site_deg: Option<(f64, f64)>,
 ) -> Result<MeasuredHazard, Problems> {
     let mut problems = RowProblems::default();
-    let table = Table::read_rows(bytes, path, HINT, &mut problems)?;
+    let table = Table::read(bytes, path, HINT, &mut problems)?;
     let is_openquake = table.headings.iter().any(|heading| heading.name.starts_with("poe-"));
     let file = Some(InputFile::new(path, bytes));
     if is_openquake {

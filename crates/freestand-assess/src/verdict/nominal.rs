@@ -20,6 +20,7 @@ use super::response::{axis_motion, options};
 use crate::inventory::Item;
 use crate::library::Tolerance;
 use crate::output::words::listed;
+use crate::result::Criterion;
 
 /// An object as it is listed.
 #[derive(Debug, Clone)]
@@ -134,6 +135,19 @@ impl Nominal {
     /// Whether its tolerance cannot be compared, because mass or cushion are missing.
     pub(crate) fn lacks_shock(&self) -> bool {
         self.subject.capacity.is_some() && !self.has_tolerance()
+    }
+
+    /// The tolerance and the ceiling of its shock, for a fit of shocks \[g\].
+    ///
+    /// # Errors
+    /// Why the shock alone does not tell whether the tolerance is exceeded, in words.
+    pub(crate) fn shock_limits(&self) -> Result<(f64, f64), &'static str> {
+        let capacity = self.subject.capacity.as_ref().ok_or("it has no tolerance")?;
+        let ceiling_g = self.ceiling_g().ok_or("its mass or its cushion is not known")?;
+        match (capacity.edge_criterion(), capacity.peak_m_s2) {
+            (Criterion::Peak, Some(peak)) if capacity.edge_lift_m.is_none() => Ok((peak / G0_M_S2, ceiling_g)),
+            _ => Err("its tolerance is not a peak acceleration alone"),
+        }
     }
 
     /// The shock of a landing from the balance point; `None` without mass and cushion \[g\].

@@ -7,15 +7,16 @@ use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
 use freestand_assess::export::{ExportFormat, ExportRequest, FORMATS, check_export, export};
 use freestand_assess::fragility::{
-    At, FITS, FRAGILITY_SCHEMA, FragilityReport, FragilityRequest, ShockLimits, fragility,
+    At, FIT_METHODS, FRAGILITY_SCHEMA, FitMethod, FragilityReport, FragilityRequest, ShockLimits, fragility_watched,
 };
 use freestand_assess::risk::{HazardSource, coordinates};
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::Dimension;
 use freestand_input::words::Choices;
 use freestand_output::json::document;
 
 use super::Done;
+use super::assess::watched;
 use super::fragility_runs::{self, RunArgs};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -46,6 +47,11 @@ Examples:
   Every object under every motion at the same intensities, for the losses of freestand risk:
     freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --method stripes \\
       --scales \"0.1 m/s:1.5 m/s:10\" --out stripes
+  Continue them after Ctrl-C or a crash, in the same folder:
+    freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --out fragility --resume
+  The shock and its tolerance as a distribution below the ceiling:
+    freestand fragility --height 1.8m --thickness 0.5m --mass 150kg --stiffness \"4380 N/mm\" \\
+      --tolerance 5g --motion floor/*.csv --fit two-stage --out fragility
   The fit alone:
     freestand fragility --outcomes outcomes.csv --out fragility
     freestand fragility --outcomes outcomes.csv --fit separate --json
@@ -65,8 +71,8 @@ pub(crate) struct FragilityArgs {
     #[arg(long, value_parser = choice(PLACES))]
     pub(super) at: Option<At>,
     /// How the limit states of an object are fitted
-    #[arg(long, value_parser = choice(FITS), default_value = name_of(FITS, FitKind::Ordered))]
-    pub(super) fit: FitKind,
+    #[arg(long, value_parser = choice(FIT_METHODS), default_value = name_of(FIT_METHODS, FitMethod::Curves(FitKind::Ordered)))]
+    pub(super) fit: FitMethod,
     /// Peak acceleration of a landing that the object withstands. With --outcomes and --ceiling, the
     /// fit of `exceeds` uses the shocks of the column edge_acceleration [g], not the outcomes
     #[arg(long, positive = Dimension::Acceleration, help_heading = "One object")]
@@ -152,6 +158,10 @@ fn run_table(
     if args.tolerance.is_some() && args.ceiling.is_none() {
         let message = "--tolerance with --outcomes needs the ceiling of the shocks";
         values.push(Problem::value(message, "give --ceiling, the ceiling_g that freestand shock states"));
+    } else if args.tolerance.is_none() && args.fit == FitMethod::TwoStage {
+        let message = "--fit two-stage with --outcomes needs the tolerance and the ceiling of the shocks";
+        values
+            .push(Problem::value(message, "give --tolerance and --ceiling, the ceiling_g that freestand shock states"));
     }
     values.finish()?;
     let shock = tolerance
@@ -161,29 +171,43 @@ fn run_table(
     let mut exports = Exports::new(args, costs)?;
     let inputs: Vec<PathBuf> = [Some(outcomes), costs, args.hazard.as_ref()].into_iter().flatten().cloned().collect();
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
-    let mut report = fragility(FragilityRequest {
+    let request = FragilityRequest {
         outcomes: outcomes.clone(),
         at: args.at,
-        fit: args.fit,
+        fit: args.fit.kind(),
         shock,
         replicates: args.bootstrap,
         seed: global.seed(),
-    })?;
+    };
+    // Before the fits, so that no signal is missed between them and the files.
+    let stop = printer.stop();
+    let go_on = || if stop.wanted() { Err(Failure::Stopped { printed: false }) } else { Ok(()) };
+    let found = watched(printer, |progress| fragility_watched(request, progress));
+    let mut report = found.map_err(stopped)?;
     // Before anything is written, so that what cannot be exported leaves no folder.
     exports.make(&report)?;
     report.warnings.append(&mut exports.warnings);
     let facts = report.facts();
     if files.wanted() {
         files.table("fragility", || report.table())?;
+        go_on()?;
         files.table("empirical", || report.empirical_table())?;
+        go_on()?;
         let json = document(FRAGILITY_SCHEMA, &facts, &report.warnings)?;
         files.write("fragility.json", || json)?;
+        go_on()?;
         files.figure("fragility", || report.figure())?;
+        go_on()?;
         exports.write(&files)?;
     }
     files.finish_result(FRAGILITY_SCHEMA, &report.warnings)?;
     printer.result(FRAGILITY_SCHEMA, &facts, &report.warnings, || curves_text(&report))?;
     Ok(Done::OK)
+}
+
+/// A failure of work that a signal may have stopped.
+pub(super) fn stopped(problems: Problems) -> Failure {
+    if problems.is_stopped() { Failure::Stopped { printed: false } } else { problems.into() }
 }
 
 /// The folders for other programs.

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use freestand::rocking::{Base, Restitution};
 use freestand_assess::fragility::{
-    At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, Limits, METHODS, Measure, Method, RunObjects,
-    RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+    At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, KeepRuns, Limits, METHODS, Measure, Method,
+    RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
 use freestand_assess::risk::load_changed;
 use freestand_input::file::{InputFile, load};
@@ -21,7 +21,7 @@ use freestand_study::rock::problem;
 use super::Done;
 use super::assess::{ListArgs, watched};
 use super::block::ShapeArgs;
-use super::fragility::{Exports, FragilityArgs, curves_text};
+use super::fragility::{Exports, FragilityArgs, curves_text, stopped};
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -96,6 +96,9 @@ pub(crate) struct RunArgs {
     /// changes are also run as changed, with the id ID/option
     #[arg(long, conflicts_with = "outcomes", value_name = "FILE", help_heading = "The runs")]
     options: Option<PathBuf>,
+    /// Continue earlier runs of an inventory in the same folder --out, after Ctrl-C or a crash
+    #[arg(long, conflicts_with = "outcomes", help_heading = "The runs")]
+    resume: bool,
     /// Number of worlds, if the study generates its motions; records are used once each [default: 40]
     #[arg(long, conflicts_with = "outcomes", value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000), help_heading = "The runs")]
     worlds: Option<u32>,
@@ -259,6 +262,10 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         let message = "--options changes objects of an inventory, and none is given";
         values.push(Problem::value(message, "give --inventory, or the changed size in the flags"));
     }
+    if runs.resume && !(listed && global.out.is_some()) {
+        let message = "--resume continues runs of an inventory in their folder";
+        values.push(Problem::value(message, "give --inventory and the --out of the earlier command"));
+    }
     if listed {
         runs.refuse_object(args)?;
         runs.read
@@ -306,8 +313,12 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
             RunObjects::Listed { study: &study, inventory: &inventory, worlds: runs.worlds, changed }
         }
     };
+    let keep = global.out.clone().filter(|_| listed);
+    let keep = keep.map(|folder| KeepRuns { folder, resume: runs.resume, force: global.force });
+    let is_kept = keep.is_some();
     let request = RunsRequest {
         objects,
+        keep,
         measures: asked,
         at: args.at,
         method: runs.method,
@@ -319,10 +330,12 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         seed: global.seed(),
         inputs: sources,
     };
+    // Before the runs, so that no signal is missed between them and the files.
+    let stop = printer.stop();
     let found = watched(printer, |progress| fragility_of_runs(&request, progress));
-    let report = found.map_err(|problems| match problems.is_stopped() {
-        true => Failure::Stopped { printed: false },
-        false => problems.into(),
+    let report = found.map_err(|problems| match is_kept && problems.is_stopped() {
+        true => Failure::StoppedKeepingRuns,
+        false => stopped(problems),
     })?;
     // Before anything is written, so that what cannot be exported leaves no folder.
     if let Some(first) = report.first() {
@@ -332,7 +345,12 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let warnings: Vec<String> = of_runs.chain(exports.warnings.iter().cloned()).collect();
     let facts = report.facts(global.seed());
     if files.wanted() {
-        write(&report, &facts, &warnings, &files)?;
+        let go_on = || match (stop.wanted(), is_kept) {
+            (false, _) => Ok(()),
+            (true, true) => Err(Failure::StoppedKeepingRuns),
+            (true, false) => Err(Failure::Stopped { printed: false }),
+        };
+        write(&report, &facts, &warnings, &files, go_on)?;
         exports.write(&files)?;
     }
     files.finish_result(FRAGILITY_SCHEMA, &warnings)?;
@@ -343,22 +361,36 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     Ok(Done { criterion_met: !has_errors })
 }
 
-fn write(report: &RunsReport, facts: &Facts, warnings: &[String], files: &Files) -> Result<(), Failure> {
+/// Writes the files; asks before each of them whether to go on, because tables and figures of many runs
+/// take some seconds.
+fn write(
+    report: &RunsReport,
+    facts: &Facts,
+    warnings: &[String],
+    files: &Files,
+    go_on: impl Fn() -> Result<(), Failure>,
+) -> Result<(), Failure> {
     for (place, (fit, outcomes)) in report.reports.iter().zip(&report.outcomes).enumerate() {
-        let name = |what: &str| file_name(what, place, fit.table.measure);
-        let table = |what: &str| name(what).trim_end_matches(".csv").to_owned();
-        files.write(&name("outcomes"), || outcomes)?;
-        files.table(&table("fragility"), || fit.table())?;
-        files.table(&table("empirical"), || fit.empirical_table())?;
+        let name = |what: &str| file_name(what, place, fit.table.measure).trim_end_matches(".csv").to_owned();
+        go_on()?;
+        files.table(&name("outcomes"), || Ok(outcomes.clone()))?;
+        go_on()?;
+        files.table(&name("fragility"), || fit.table())?;
+        files.table(&name("empirical"), || fit.empirical_table())?;
     }
+    go_on()?;
     let json = document(FRAGILITY_SCHEMA, facts, warnings)?;
     files.write("fragility.json", || json)?;
     if let Some(first) = report.first() {
+        go_on()?;
         files.figure("fragility", || first.figure())?;
     }
+    go_on()?;
     files.figure("ida", || report.ida_figure())?;
+    go_on()?;
     files.figure("measures", || report.measures_figure())?;
-    files.figure("residuals", || report.residuals_figure())
+    files.figure("residuals", || report.residuals_figure())?;
+    go_on()
 }
 
 fn text(report: &RunsReport) -> String {

@@ -485,7 +485,7 @@ fn rates_are_told_with_their_intervals() {
     let folder = tempfile::tempdir().unwrap();
     let (outcomes, curves, hazard) = (example("outcomes.csv"), example("curves.csv"), example("hazard.csv"));
     let text = |args: &[&str]| {
-        let output = freestand(folder.path(), &[&["risk"], args, &["--hazard", &hazard]].concat());
+        let output = execute(folder.path(), &[&["risk"], args, &["--hazard", &hazard]].concat());
         String::from_utf8(output.stdout).unwrap()
     };
     let fitted = text(&["--outcomes", &outcomes, "--bootstrap", "50"]);
@@ -506,7 +506,7 @@ fn all_bad_rows_are_told_at_once() {
     write(folder.path(), "o.csv", options);
     write(folder.path(), "bad.csv", "id,option,cost [AUD],median_factor\ncabinet,strap,,3\ncabinet,strap,100,\n");
     let told = |args: &[&str]| -> Vec<String> {
-        let output = freestand(folder.path(), &[&["risk", "--out", "o"], args].concat());
+        let output = execute(folder.path(), &[&["risk", "--out", "o"], args].concat());
         let text = String::from_utf8(output.stderr).unwrap();
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{args:?}: {text}");
         let errors = text.lines().filter_map(|line| line.strip_prefix("error: "));
@@ -544,7 +544,7 @@ fn ids_are_mapped_for_other_programs() {
     write(folder.path(), "o.csv", &format!("object,motion,pgv [m/s],outcome\n{rows}"));
     let formats = ["--format", "pelicun", "--format", "openquake", "--site-coordinates", "1,2", "--demand", "0.3 m/s"];
     let base = ["fragility", "--outcomes", "o.csv", "--bootstrap", "0", "--out", "out"];
-    let output = freestand(folder.path(), &[&base[..], &formats].concat());
+    let output = execute(folder.path(), &[&base[..], &formats].concat());
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && told.contains("2 ids were changed for OpenQuake, such as"), "{told}");
     assert!(told.contains("openquake/ids.csv has both"), "{told}");

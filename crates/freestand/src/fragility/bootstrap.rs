@@ -12,6 +12,9 @@ use super::outcomes::{Counts, LimitState, OutcomeClass, Outcomes};
 const RESAMPLED: u64 = u64::MAX;
 const SIMULATED: u64 = u64::MAX - 1;
 
+/// Whether samples are still wanted.
+pub type GoOn<'a> = &'a (dyn Fn() -> bool + Sync);
+
 /// The fits of samples of motions drawn again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bootstrap {
@@ -104,7 +107,7 @@ pub fn percentiles(mut values: Vec<f64>) -> Option<(f64, f64)> {
 /// Fits samples of as many motions as there are, drawn with replacement; all levels of a motion stay
 /// together. Sample i uses the random numbers of (seed, i) and nothing else, so the samples do not
 /// depend on threads, and objects under the same motions share them. `None` for counts, which have
-/// no motions.
+/// no motions, and where `go_on` says no: it is asked before every sample.
 ///
 /// # Reference
 /// Efron, B. and Tibshirani, R. (1993). An introduction to the bootstrap, chapter 8 (clusters).
@@ -116,8 +119,8 @@ pub fn bootstrap(
     outcomes: &Outcomes,
     states: &[LimitState],
     kind: FitKind,
-    replicates: u32,
-    seed: u64,
+    (replicates, seed): (u32, u64),
+    go_on: GoOn,
 ) -> Option<Bootstrap> {
     let motions = outcomes.motions()?;
     let whole = fit_counts(outcomes.levels(), &outcomes.counts(None), states, kind, &[]);
@@ -125,14 +128,18 @@ pub fn bootstrap(
     let samples: Vec<Vec<Curve>> = (0..replicates)
         .into_par_iter()
         .map(|replicate| {
+            if !go_on() {
+                return None;
+            }
             let mut random = draw_stream(seed, RESAMPLED, u64::from(replicate), 0);
             let mut times = vec![0.0; motions];
             for _ in 0..motions {
                 times[random.random_range(0..motions)] += 1.0;
             }
-            fit_counts(outcomes.levels(), &outcomes.counts(Some(&times)), states, kind, &whole.curves).curves
+            let counts = outcomes.counts(Some(&times));
+            Some(fit_counts(outcomes.levels(), &counts, states, kind, &whole.curves).curves)
         })
-        .collect();
+        .collect::<Option<_>>()?;
     let fits = |curves: &&Vec<Curve>| {
         let is_fitted = |curve: &&Curve| matches!(curve.kind, CurveKind::Lognormal { .. });
         let fitted: Vec<LimitState> = curves.iter().filter(is_fitted).map(|curve| curve.limit_state).collect();
@@ -164,26 +171,31 @@ impl Goodness {
     }
 }
 
-/// How well curves fit; `None` if no limit state has a lognormal curve.
+/// How well curves fit; `None` if no limit state has a lognormal curve, and where `go_on` says no: it
+/// is asked before every simulated sample.
 ///
 /// A simulated sample has one capacity for each motion: a standard normal number ε, and at the
 /// intensity x the limit states whose ln(x/θ)/β is above it are reached. So the levels of a motion
 /// belong together, as those of a motion that is scaled do. Counts have no motions, and every run
 /// has its own ε. Sample i uses the random numbers of (seed, i).
-pub fn goodness(outcomes: &Outcomes, fit: &Fit, replicates: u32, seed: u64) -> Option<Goodness> {
+pub fn goodness(outcomes: &Outcomes, fit: &Fit, (replicates, seed): (u32, u64), go_on: GoOn) -> Option<Goodness> {
     let states = fit.fitted_states();
     if states.is_empty() {
         return None;
     }
     let (deviance, dof) = deviance(outcomes, fit, &states);
-    let simulate = |replicate: u32| -> Option<f64> {
+    // `None`: stopped; a sample without β for a state cannot be compared, and has no deviance.
+    let simulate = |replicate: u32| -> Option<Option<f64>> {
+        if !go_on() {
+            return None;
+        }
         let simulated = simulated(outcomes, fit, &states, seed, replicate);
         let counts = simulated.counts(None);
         let again = fit_counts(simulated.levels(), &counts, &states, fit.kind, &fit.curves);
-        // A sample without β for a state cannot be compared.
-        (again.fitted_states() == states).then(|| self::deviance(&simulated, &again, &states).0)
+        Some((again.fitted_states() == states).then(|| self::deviance(&simulated, &again, &states).0))
     };
-    let simulated: Vec<f64> = (0..replicates).into_par_iter().filter_map(simulate).collect();
+    let simulated: Vec<Option<f64>> = (0..replicates).into_par_iter().map(simulate).collect::<Option<_>>()?;
+    let simulated: Vec<f64> = simulated.into_iter().flatten().collect();
     let larger = simulated.iter().filter(|other| **other >= deviance).count();
     // The sample itself is one of them.
     let p_value = (!simulated.is_empty()).then(|| (larger + 1) as f64 / (simulated.len() + 1) as f64);

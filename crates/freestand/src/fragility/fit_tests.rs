@@ -145,7 +145,7 @@ fn counts_and_rows_are_one_fit() {
     for kind in [FitKind::Ordered, FitKind::Separate] {
         assert_eq!(fit_curves(&outcomes, &STATES, kind), fit_curves(&counts, &STATES, kind));
     }
-    assert!(bootstrap(&counts, &STATES, FitKind::Ordered, 10, 1).is_none());
+    assert!(bootstrap(&counts, &STATES, FitKind::Ordered, (10, 1), &|| true).is_none());
 }
 
 /// x → c x: θ → c θ, the same β and likelihood. Only ln x differs, by rounding.
@@ -226,7 +226,7 @@ fn the_motions_are_the_sample_and_not_the_runs() {
         .map(|seed| {
             let runs = clustered(seed, motions, &grid(0.1, 3.0, 40), [0.2, 0.4, 0.6], beta);
             let outcomes = Outcomes::new(&runs).unwrap();
-            let samples = bootstrap(&outcomes, &STATES, FitKind::Ordered, 300, seed).unwrap();
+            let samples = bootstrap(&outcomes, &STATES, FitKind::Ordered, (300, seed), &|| true).unwrap();
             assert_eq!((samples.failed, samples.samples.len()), (0, 300));
             let (low, high) = samples.interval(LimitState::Overturns).unwrap().median;
             (high / low).ln()
@@ -244,10 +244,15 @@ fn threads_do_not_change_a_sample() {
     let fit = fit_curves(&outcomes, &STATES, FitKind::Ordered);
     let [one, three] = [1, 3].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| (bootstrap(&outcomes, &STATES, FitKind::Ordered, 60, 9), goodness(&outcomes, &fit, 60, 9)))
+        pool.install(|| {
+            (
+                bootstrap(&outcomes, &STATES, FitKind::Ordered, (60, 9), &|| true),
+                goodness(&outcomes, &fit, (60, 9), &|| true),
+            )
+        })
     });
     assert_eq!(one, three);
-    assert_ne!(one.0, bootstrap(&outcomes, &STATES, FitKind::Ordered, 60, 10), "another seed");
+    assert_ne!(one.0, bootstrap(&outcomes, &STATES, FitKind::Ordered, (60, 10), &|| true), "another seed");
 }
 
 /// Curves that made the runs fit; one lognormal curve does not fit two groups of motions whose
@@ -258,7 +263,7 @@ fn a_misfit_is_seen() {
     let states = [LimitState::Overturns];
     let good = Outcomes::new(&clustered(1, 60, &levels, [0.1, 0.2, 0.5], 0.4)).unwrap();
     let fit = fit_curves(&good, &states, FitKind::Ordered);
-    let well = goodness(&good, &fit, 99, 1).unwrap();
+    let well = goodness(&good, &fit, (99, 1), &|| true).unwrap();
     assert!(!well.is_misfit() && well.dof == 18 && well.ks < 0.15, "{well:?}");
     let mut runs = clustered(2, 60, &levels, [0.1, 0.1, 0.12], 0.1);
     runs.extend(
@@ -268,7 +273,7 @@ fn a_misfit_is_seen() {
     );
     let mixed = Outcomes::new(&runs).unwrap();
     let fit = fit_curves(&mixed, &states, FitKind::Ordered);
-    let badly = goodness(&mixed, &fit, 99, 1).unwrap();
+    let badly = goodness(&mixed, &fit, (99, 1), &|| true).unwrap();
     assert!(badly.is_misfit() && badly.ks > 0.2, "{badly:?}");
 }
 
@@ -362,7 +367,13 @@ fn what_no_shock_distribution_fits_is_said() {
 fn a_tolerance_at_the_ceiling_is_exceeded_only_by_overturning() {
     let shock = fit_shock(&shocks(1, 200, (2.0, 0.8, 0.35), 6.0), 6.0).unwrap();
     let curve = |median| CurveKind::Lognormal { median, beta: 0.4 };
-    let at = |tolerance_g| TwoStage { rocks: curve(0.2), overturns: curve(0.9), shock, tolerance_g };
+    let at = |tolerance_g| TwoStage {
+        rocks: curve(0.2),
+        overturns: curve(0.9),
+        shock: Some(shock),
+        ceiling_g: 6.0,
+        tolerance_g,
+    };
     for x in [0.1, 0.5, 2.0] {
         let [rocks, overturns] = [0.2, 0.9].map(|median| lognormal_probability(x, median, 0.4));
         assert_eq!(at(6.0).probability(x), overturns);
@@ -394,4 +405,40 @@ fn samples_that_are_few_or_all_the_same_have_no_interval() {
     assert_eq!(few.lacks_interval(state), Some(NoInterval::FewCurves { known: 1, samples: 3 }));
     assert!(few.interval(state).is_none());
     assert!(of(vec![curve(1.0), curve(2.0), none()]).interval(state).is_some());
+}
+
+/// Median and β of each limit state.
+const ORDERED: [(f64, f64); 3] = [
+    (0.2214900617836216, 0.5881486391032181),
+    (0.44867645634068737, 0.5881486391032181),
+    (0.7937635185842341, 0.5881486391032181),
+];
+const SEPARATE: [(f64, f64); 3] = [
+    (0.22035691236741575, 0.6070864976733632),
+    (0.45183353608065624, 0.5907249137429267),
+    (0.7930445421165542, 0.5497761671840987),
+];
+
+/// Counts at six levels. The ordered fit is that of `OrderedModel` (probit) of statsmodels 0.15 by
+/// ln x, the separate ones those of its binomial model with a probit link; both converge to 1e-10.
+#[test]
+fn fits_are_those_of_statsmodels() {
+    let levels = [0.1, 0.2, 0.35, 0.6, 1.0, 1.7];
+    let counts = [[18, 2, 0, 0], [11, 7, 2, 0], [5, 8, 5, 2], [1, 6, 7, 6], [0, 2, 6, 12], [0, 0, 1, 19]];
+    let mut runs = Vec::new();
+    for (intensity, counts) in levels.into_iter().zip(counts) {
+        for (class, count) in OutcomeClass::ALL.into_iter().zip(counts) {
+            runs.push(Run { motion: None, intensity, class, weight: f64::from(count) });
+        }
+    }
+    let outcomes = Outcomes::new(&runs).unwrap();
+    for (kind, expected) in [(FitKind::Ordered, ORDERED), (FitKind::Separate, SEPARATE)] {
+        let fit = fit_curves(&outcomes, &STATES, kind);
+        for (state, (median, beta)) in STATES.into_iter().zip(expected) {
+            let Some(CurveKind::Lognormal { median: found, beta: spread }) = fit.curve(state) else { panic!() };
+            // The score of 1e-8 per run.
+            assert!((found / median - 1.0).abs() < 1e-8, "{kind:?} {state:?} {found}");
+            assert!((spread / beta - 1.0).abs() < 1e-8, "{kind:?} {state:?} {spread}");
+        }
+    }
 }

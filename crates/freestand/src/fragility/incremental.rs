@@ -9,6 +9,10 @@ pub const STEP_RATIO: f64 = 1.3;
 /// A boundary between two classes is known when the scales on both sides of it are this close.
 pub const BRACKET_RATIO: f64 = 1.05;
 
+/// The scales below and above the uplift threshold are this close. The threshold is exact, but at it
+/// the last digit of a motion decides whether the object lifts.
+const THRESHOLD_RATIO: f64 = 1.002;
+
 /// How far above the scale that first overturns an object it is run again.
 pub const BEYOND_RATIO: f64 = 1.5;
 
@@ -29,8 +33,9 @@ pub struct ScaleRun {
 
 /// The scales of one motion, rising, as the outcomes ask for them.
 ///
-/// From `start_ratio` the scale grows by [`STEP_RATIO`] until the object overturns, or to
-/// `max_ratio`. If it lifts at the first scale, smaller ones follow until it does not. Then each
+/// `threshold_ratio` is the scale above which a horizontal motion lifts the object. It is run 0.1 %
+/// below and 0.1 % above it. From there the scale grows by [`STEP_RATIO`] until the object overturns,
+/// or to `max_ratio`. If it lifts at the first scale, smaller ones follow until it does not. Then each
 /// boundary between classes is bisected in the logarithm to [`BRACKET_RATIO`], and three scales up to
 /// [`BEYOND_RATIO`] times the one that first overturned it follow: survival is not monotone in the
 /// scale. A run that could not be followed is kept, and bounds nothing.
@@ -56,7 +61,7 @@ pub struct ScaleRun {
 /// assert!(overturned.iter().any(|scale| (scale / overturned[0] - 1.5).abs() < 1e-12));
 /// ```
 pub fn scales_of_motion(
-    start_ratio: f64,
+    threshold_ratio: f64,
     max_ratio: f64,
     states: &[LimitState],
     mut run: impl FnMut(f64) -> Option<OutcomeClass>,
@@ -68,9 +73,14 @@ pub fn scales_of_motion(
         runs.insert(place, ScaleRun { scale_ratio, class });
         class
     };
-    let start_ratio = start_ratio.min(max_ratio);
-    let mut scale_ratio = start_ratio;
+    let half = THRESHOLD_RATIO.sqrt();
+    let start_ratio = (threshold_ratio / half).min(max_ratio);
+    at(&mut runs, start_ratio);
+    let mut scale_ratio = (threshold_ratio * half).min(max_ratio);
     for _ in 0..MAX_STEPS {
+        if start_ratio >= max_ratio {
+            break;
+        }
         let class = at(&mut runs, scale_ratio);
         if class == Some(OutcomeClass::Overturned) || scale_ratio >= max_ratio {
             break;
@@ -231,6 +241,21 @@ mod tests {
                 assert!(above / below <= BRACKET_RATIO, "{capacity} {state:?} {below} {above}");
             }
         }
+    }
+
+    /// Bisected to 5 %, the step would be at 0.98 or 1.02 of its place.
+    #[test]
+    fn the_uplift_threshold_is_bracketed_closely_up_to_the_largest_scale() {
+        for threshold in [0.3, 1.0, 7.3] {
+            let runs = scales_of_motion(threshold, 10.0, &STATES, |scale| Some(class(scale / threshold, 20.0)));
+            let place = runs.iter().position(|run| run.class != Some(OutcomeClass::NoUplift)).unwrap();
+            let (below, above) = (runs[place - 1].scale_ratio, runs[place].scale_ratio);
+            // Rounding of a product and a root.
+            assert!(((below * above).sqrt() / threshold - 1.0).abs() < 1e-15, "{threshold}");
+            assert!(above / below < 1.0021, "{threshold}");
+        }
+        let weak = scales_of_motion(30.0, 10.0, &STATES, |scale| Some(class(scale / 30.0, 20.0)));
+        assert_eq!(weak, [ScaleRun { scale_ratio: 10.0, class: Some(OutcomeClass::NoUplift) }]);
     }
 
     #[test]

@@ -19,7 +19,7 @@ use thiserror::Error;
 use crate::block::Block;
 
 pub use bootstrap::{
-    Bootstrap, CurveInterval, Empirical, Goodness, NoInterval, bootstrap, capacity_spread, empirical, goodness,
+    Bootstrap, CurveInterval, Empirical, GoOn, Goodness, NoInterval, bootstrap, capacity_spread, empirical, goodness,
     percentiles,
 };
 pub use draws::{draw_stream, log_uniform_draw, lognormal_draw, uniform_draw};

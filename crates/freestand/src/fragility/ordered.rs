@@ -75,7 +75,11 @@ impl CurveKind {
     pub fn median(self) -> Option<f64> {
         match self {
             Self::Lognormal { median, .. } => Some(median),
-            Self::Step { lower, upper } => Some((lower * upper).sqrt()),
+            Self::Step { lower, upper } => {
+                let product = lower * upper;
+                // Of huge or tiny ends the product is not a number that has its root.
+                Some(if product.is_normal() { product.sqrt() } else { lower.sqrt() * upper.sqrt() })
+            }
             Self::Bounds { .. } | Self::None { .. } | Self::All { .. } | Self::NotIncreasing { .. } => None,
         }
     }

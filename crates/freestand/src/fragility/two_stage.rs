@@ -19,6 +19,14 @@ pub struct ShockRun {
     pub weight: f64,
 }
 
+impl ShockRun {
+    /// Whether its shock is above 0 and at most the ceiling \[g\]. The shock of the balance point is the
+    /// ceiling, up to rounding.
+    pub fn is_below(&self, ceiling_g: f64) -> bool {
+        self.shock_g > 0.0 && self.shock_g <= ceiling_g * (1.0 + 1e-9)
+    }
+}
+
 /// Why a distribution of shocks cannot be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ShockFitError {
@@ -93,11 +101,8 @@ impl ShockDistribution {
 /// # Errors
 /// A shock above the ceiling, too few runs, or shocks that no such distribution fits.
 pub fn fit_shock(runs: &[ShockRun], ceiling_g: f64) -> Result<ShockDistribution, ShockFitError> {
-    for (i, &ShockRun { shock_g, .. }) in runs.iter().enumerate() {
-        // The shock of the balance point is the ceiling, up to rounding.
-        if !(shock_g > 0.0 && shock_g <= ceiling_g * (1.0 + 1e-9)) {
-            return Err(ShockFitError::Shock { run: i + 1, shock_g, ceiling_g });
-        }
+    if let Some(i) = runs.iter().position(|run| !run.is_below(ceiling_g)) {
+        return Err(ShockFitError::Shock { run: i + 1, shock_g: runs[i].shock_g, ceiling_g });
     }
     let weight: f64 = runs.iter().map(|run| run.weight).sum();
     let mean = |of: &dyn Fn(&ShockRun) -> f64| runs.iter().map(|run| run.weight * of(run)).sum::<f64>() / weight;
@@ -182,8 +187,11 @@ pub struct TwoStage {
     pub rocks: CurveKind,
     /// When it overturns.
     pub overturns: CurveKind,
-    /// The shock of an object that rocks.
-    pub shock: ShockDistribution,
+    /// The shock of an object that rocks; `None`: not known, and not needed for a tolerance at or above
+    /// the ceiling.
+    pub shock: Option<ShockDistribution>,
+    /// The ceiling \[g\].
+    pub ceiling_g: f64,
     /// Tolerance \[g\].
     pub tolerance_g: f64,
 }
@@ -191,7 +199,7 @@ pub struct TwoStage {
 impl TwoStage {
     /// Whether the tolerance is at or above the ceiling, so that only overturning exceeds it.
     pub fn is_above_ceiling(&self) -> bool {
-        self.tolerance_g >= self.shock.ceiling_g
+        self.tolerance_g >= self.ceiling_g
     }
 
     /// The intensity at which the probability is ½; `None` if it never is between the thousandth
@@ -213,6 +221,7 @@ impl TwoStage {
             CurveKind::Step { .. } => kind.probability(intensity).unwrap_or(0.0),
         };
         let (rocks, overturns) = (certain(self.rocks), certain(self.overturns));
-        overturns + (rocks - overturns).max(0.0) * self.shock.exceedance(self.tolerance_g, intensity)
+        let exceedance = self.shock.map_or(0.0, |shock| shock.exceedance(self.tolerance_g, intensity));
+        overturns + (rocks - overturns).max(0.0) * exceedance
     }
 }

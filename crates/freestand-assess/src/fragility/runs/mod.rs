@@ -1,12 +1,13 @@
 //! Fragilities from runs: objects under motions at many scales.
 //!
 //! `changed` has objects that options change, `shaking` the motions and their measures, `follow` the
-//! runs, `table` their outcomes in the form that the fit reads, `quality` how well each measure tells
+//! runs, `kept` the finished ones on disk, `table` their outcomes in the form that the fit reads, `quality` how well each measure tells
 //! what happens, `figures` the figures.
 
 mod changed;
 mod figures;
 mod follow;
+mod kept;
 mod quality;
 mod shaking;
 mod table;
@@ -17,7 +18,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use freestand::block::Block;
 use freestand::cushion::Cushion;
-use freestand::fragility::{FitKind, LimitState, resurrections};
+use freestand::fragility::{LimitState, resurrections};
 use freestand::rocking::Restitution;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -25,22 +26,25 @@ use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::words::{Choices, counted, name_of, number, shortest, significant};
 use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
+use freestand_output::table::Table;
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
 use rayon::prelude::*;
 
 use super::measure::{At, MEASURES, Measure};
-use super::{FragilityReport, FragilityRequest, check_replicates, fitted};
+use super::outcomes::OutcomeTable;
+use super::{FitMethod, FragilityReport, FragilityRequest, ShockLimits, TWO_STAGE, check_replicates, fitted};
 use crate::inventory::{Inventory, Item};
-use crate::job::{JobReport, said};
+use crate::job::{JobReport, Part, said};
 use crate::library::{Confidence, Tolerance};
 use crate::output::head;
 use crate::verdict::Nominal;
-use follow::Followed;
+use follow::{Followed, GoOn};
 use shaking::{RatioFactors, Shaking};
 
 pub use changed::{Change, ChangedObject};
+pub use kept::KeepRuns;
 pub use quality::Quality;
 pub use shaking::{DEFAULT_WORLDS, FloorMotion};
 pub use table::file_name;
@@ -199,13 +203,15 @@ pub struct RunsRequest<'a> {
     /// Rotation over α beyond which a tolerance is exceeded.
     pub rotation_ratio: Option<f64>,
     /// How limit states are fitted.
-    pub fit: FitKind,
+    pub fit: FitMethod,
     /// Bootstrap samples; `None`: [`super::DEFAULT_REPLICATES`].
     pub replicates: Option<u32>,
     /// Seed of the bootstrap.
     pub seed: u64,
     /// The files that it was made from, for the document.
     pub inputs: Vec<InputFile>,
+    /// Where finished runs of a list are kept; `None`: nowhere.
+    pub keep: Option<KeepRuns>,
 }
 
 /// One object and its runs.
@@ -221,6 +227,8 @@ pub(super) struct ObjectRuns {
     /// For each measure the intensities over which an adaptive analysis spreads its runs.
     spans: Vec<Option<(f64, f64)>>,
     has_tolerance: bool,
+    /// Whether a rotation exceeds its tolerance.
+    limits_rotation: bool,
 }
 
 /// Fragilities from runs.
@@ -229,13 +237,14 @@ pub struct RunsReport {
     /// One for each measure, with the outcomes of its table.
     pub reports: Vec<FragilityReport>,
     /// The tables of outcomes, for each measure.
-    pub outcomes: Vec<Vec<u8>>,
+    pub outcomes: Vec<Table>,
     /// Warnings about the result.
     pub warnings: Vec<String>,
     method: Method,
     max_scale_ratio: f64,
     scales: Option<Vec<f64>>,
     rotation_ratio: Option<f64>,
+    fit: FitMethod,
     objects: Vec<ObjectRuns>,
     floors: Vec<Vec<Shaking>>,
     left_out: Vec<(String, String)>,
@@ -277,21 +286,46 @@ const MAX_LEVELS: usize = 10_000;
 pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<RunsReport, Problems> {
     check_replicates(request.replicates)?;
     let measures = measures_of(request)?;
-    let go_on = || match progress(Step { stage: None, done: 0, total: 0 }) {
-        ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(()) => Err(Problems::from(Problem::stopped())),
-    };
+    let go_on = || super::go_on(progress).map_err(Problems::from);
     let Prepared { mut objects, floors, left_out } = prepare(request, &measures, go_on)?;
     check_ground(&measures, &floors)?;
-    let total = objects.iter().map(|one| floors.get(one.floor).map_or(0, Vec::len)).sum();
+    check_shocks(request.fit, &objects)?;
+    let motions: Vec<usize> = floors.iter().map(Vec::len).collect();
+    let of = |one: &ObjectRuns| motions.get(one.floor).copied().unwrap_or(0);
+    let total = objects.iter().map(of).sum();
     let done = AtomicUsize::new(0);
-    let count = || -> Result<(), Problems> {
-        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+    let count = |runs: usize| -> Result<(), Problems> {
+        let done = done.fetch_add(runs, Ordering::Relaxed) + runs;
         match progress(Step { stage: Some(Stage::RockingHistories), done, total }) {
             ControlFlow::Continue(()) => Ok(()),
             ControlFlow::Break(()) => Err(Problem::stopped().into()),
         }
     };
+    let store = kept::open(request, &measures, objects.len())?;
+    for part in Part::of_run(objects.len(), kept::PART) {
+        let Some(objects) = objects.get_mut(part.rows.clone()) else { continue };
+        if let Some(store) = &store
+            && kept::read(store, &part, objects, &motions)
+        {
+            count(objects.iter().map(of).sum())?;
+            continue;
+        }
+        run_part(request, objects, &floors, &measures, (&go_on, &|| count(1)))?;
+        if let Some(store) = &store {
+            kept::write(store, &part, objects)?;
+        }
+    }
+    fit(request, measures, Prepared { objects, floors, left_out }, progress)
+}
+
+/// Runs some objects under all motions of their floors.
+fn run_part(
+    request: &RunsRequest,
+    objects: &mut [ObjectRuns],
+    floors: &[Vec<Shaking>],
+    measures: &[(Measure, At)],
+    (go_on, count): (GoOn, GoOn),
+) -> Result<(), Problems> {
     // Every motion of every object is a task of its own.
     let tasks: Vec<(usize, usize)> = objects
         .iter()
@@ -303,7 +337,7 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
         .map(|&(i, motion)| {
             let one = objects.get(i).ok_or_else(missing)?;
             let shaking = floors.get(one.floor).and_then(|floor| floor.get(motion)).ok_or_else(missing)?;
-            let runs = follow::first_runs(request, one, shaking, &measures, &go_on)?;
+            let runs = follow::first_runs(request, one, shaking, measures, go_on)?;
             count()?;
             Ok(runs)
         })
@@ -316,10 +350,10 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     if request.method == Method::Incremental && request.scales.is_none() {
         objects.par_iter_mut().try_for_each(|one| {
             go_on()?;
-            follow::fill(request, one, floors.get(one.floor).map_or(&[], Vec::as_slice), &measures, &go_on)
+            follow::fill(request, one, floors.get(one.floor).map_or(&[], Vec::as_slice), measures, go_on)
         })?;
     }
-    fit(request, measures, Prepared { objects, floors, left_out }, go_on)
+    Ok(())
 }
 
 fn missing() -> Problems {
@@ -331,7 +365,7 @@ fn fit(
     request: &RunsRequest,
     measures: Vec<(Measure, At)>,
     Prepared { objects, floors, left_out }: Prepared,
-    go_on: impl Fn() -> Result<(), Problems>,
+    progress: Progress,
 ) -> Result<RunsReport, Problems> {
     let mut report = RunsReport {
         reports: Vec::new(),
@@ -341,6 +375,7 @@ fn fit(
         max_scale_ratio: request.max_scale_ratio,
         scales: request.scales.clone(),
         rotation_ratio: request.rotation_ratio,
+        fit: request.fit,
         objects,
         floors,
         left_out,
@@ -348,21 +383,21 @@ fn fit(
         study: OfStudy::of(&request.objects),
     };
     for (place, (measure, at)) in measures.iter().enumerate() {
-        go_on()?;
-        let bytes = table::outcomes_csv(&report, *measure, place, *at)?;
-        go_on()?;
+        super::go_on(progress)?;
+        let outcomes = table::outcomes(&report, (*measure, place, *at), progress)?;
+        super::go_on(progress)?;
         let name = file_name("outcomes", place, *measure);
-        let table = table::read(&bytes, &name)?;
+        let table = table::read(outcomes.as_ref(), &name, progress)?;
+        let limits = shock_limits(request.fit, &report.objects, &table);
         let fits = FragilityRequest {
             outcomes: PathBuf::from(name),
             at: Some(*at),
-            fit: request.fit,
-            shock: None,
+            fit: request.fit.kind(),
+            shock: limits.iter().flatten().next().copied(),
             replicates: request.replicates,
             seed: request.seed,
         };
-        go_on()?;
-        let mut found = fitted(fits, table, name_of(METHODS, request.method))?;
+        let mut found = fitted(fits, table, (name_of(METHODS, request.method), &limits), progress)?;
         for object in &mut found.objects {
             let Some(runs) = report.objects.iter().find(|one| one.id == object.id) else { continue };
             let shakings = report.floors.get(runs.floor).map_or(&[][..], Vec::as_slice);
@@ -371,10 +406,28 @@ fn fit(
             object.qualities = quality::qualities(request.method, object, runs, shakings, (*measure, place, *at));
         }
         report.reports.push(found);
-        report.outcomes.push(bytes);
+        report.outcomes.push(outcomes);
     }
     report.warnings = report.all_warnings();
     Ok(report)
+}
+
+/// Refuses a fit of shocks where no object has a tolerance that its shock alone decides.
+fn check_shocks(fit: FitMethod, objects: &[ObjectRuns]) -> Result<(), Problem> {
+    let why = objects.first().and_then(|one| one.shock_limits().err());
+    let Some(why) = why.filter(|_| fit == FitMethod::TwoStage && objects.iter().all(|one| one.shock_limits().is_err()))
+    else {
+        return Ok(());
+    };
+    let message = format!("`fit = \"{TWO_STAGE}\"` needs the shocks of an object and its tolerance: {why}");
+    let hint = "give mass, cushion and a peak acceleration as tolerance, or fit the outcomes with `fit = \"ordered\"`";
+    Err(Problem::value(message, hint).of(&["fit"]))
+}
+
+/// What a fit of shocks needs of each object of a table; nothing of one whose outcomes are fitted.
+fn shock_limits(fit: FitMethod, objects: &[ObjectRuns], table: &OutcomeTable) -> Vec<Option<ShockLimits>> {
+    let of = |id: &String| objects.iter().find(|one| one.id == *id).and_then(|one| one.shock_limits().ok());
+    table.objects.iter().map(|id| of(id).filter(|_| fit == FitMethod::TwoStage)).collect()
 }
 
 /// The measures with the place of each.
@@ -436,6 +489,7 @@ fn prepare(
             motions: Vec::new(),
             spans: Vec::new(),
             has_tolerance: request.rotation_ratio.is_some() || nominal.has_tolerance(),
+            limits_rotation: request.rotation_ratio.is_some(),
             nominal,
         })
     };
@@ -530,6 +584,18 @@ impl ObjectRuns {
         LimitState::ALL.into_iter().filter(can_tell).collect()
     }
 
+    /// What a fit of its shocks needs.
+    ///
+    /// # Errors
+    /// Why they cannot be fitted, in words.
+    fn shock_limits(&self) -> Result<ShockLimits, &'static str> {
+        if self.limits_rotation {
+            return Err("a rotation exceeds its tolerance, too");
+        }
+        let (tolerance_g, ceiling_g) = self.nominal.shock_limits()?;
+        Ok(ShockLimits { tolerance_g, ceiling_g })
+    }
+
     /// Number of runs whose scale is above [`DOUBTFUL_SCALE`].
     fn marked(&self) -> usize {
         self.motions.iter().flatten().filter(|run| run.scale_ratio > DOUBTFUL_SCALE).count()
@@ -550,6 +616,18 @@ impl RunsReport {
             let objects = counted(self.left_out.len(), "object");
             let verb = if self.left_out.len() == 1 { "was" } else { "were" };
             warnings.push(format!("{objects} {verb} not run: {}{rest}", named.join(", ")));
+        }
+        if self.fit == FitMethod::TwoStage {
+            let not: Vec<(&str, &str)> =
+                self.objects.iter().filter_map(|one| Some((&*one.id, one.shock_limits().err()?))).collect();
+            if let Some((id, why)) = not.first() {
+                let verb = if not.len() == 1 { "is" } else { "are" };
+                warnings.push(format!(
+                    "{} {verb} fitted as ordered, not from shocks: {} for example, because {why}",
+                    counted(not.len(), "object"),
+                    shorten(id),
+                ));
+            }
         }
         let lacking = self.objects.iter().filter(|one| one.nominal.lacks_shock()).count();
         if lacking > 0 {

@@ -3,15 +3,11 @@
 use freestand::fragility::{LimitState, OutcomeClass, capacity_spread, line_through, trend_p_value};
 use freestand_output::facts::Facts;
 
-use super::super::ObjectFragility;
 use super::super::measure::{At, Measure};
+use super::super::{LEAST_ROTATION_RATIO, ObjectFragility};
 use super::follow::Followed;
 use super::shaking::{Shaking, Strength};
 use super::{Method, ObjectRuns};
-
-/// Rotations over α below this take no part in the line of ln demand: at the intensity that just lifts
-/// an object the rotation is 0, and its logarithm has no end.
-const LEAST_ROTATION_RATIO: f64 = 0.01;
 
 /// A measure and a limit state of one object.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,9 +3,13 @@
 use std::path::Path;
 
 use freestand::fragility::level_weights;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::shortest;
+use freestand_output::rows::{csv_writer, table_of_csv};
+use freestand_output::table::Table;
+use freestand_study::run::Progress;
 
+use super::super::go_on;
 use super::super::measure::{At, Measure};
 use super::super::outcomes::{OutcomeTable, UNRESOLVED};
 use super::{Method, RunsReport};
@@ -29,7 +33,11 @@ pub fn file_name(what: &str, place: usize, measure: Measure) -> String {
 }
 
 /// The runs of all objects by one measure. Extra columns say how each run came about.
-pub(super) fn outcomes_csv(report: &RunsReport, measure: Measure, place: usize, at: At) -> Result<Vec<u8>, Problem> {
+pub(super) fn outcomes(
+    report: &RunsReport,
+    (measure, place, at): (Measure, usize, At),
+    progress: Progress,
+) -> Result<Table, Problem> {
     let broken = |error: &dyn std::fmt::Display| {
         Problem::new(ProblemKind::Computation, format!("the outcomes cannot be written: {error}"))
     };
@@ -38,10 +46,20 @@ pub(super) fn outcomes_csv(report: &RunsReport, measure: Measure, place: usize, 
         "1" => measure.name(),
         unit => format!("{} [{unit}]", measure.name()),
     };
-    let heads =
-        ["object", "motion", &intensity, "outcome", "edge_acceleration [g]", "weight", "scale", "rotation_ratio"];
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(heads).map_err(|error| broken(&error))?;
+    // Texts and numbers.
+    let columns = [
+        ("object", false),
+        ("motion", false),
+        (&*intensity, true),
+        ("outcome", false),
+        ("edge_acceleration [g]", true),
+        ("weight", true),
+        ("scale", true),
+        ("rotation_ratio", true),
+    ];
+    let levels = Levels::of(report, place);
+    let mut writer = csv_writer();
+    writer.write_record(columns.map(|(name, _)| name)).map_err(|error| broken(&error))?;
     for one in &report.objects {
         let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
         let units: Vec<Option<f64>> =
@@ -66,12 +84,13 @@ pub(super) fn outcomes_csv(report: &RunsReport, measure: Measure, place: usize, 
         let factor = if all > 0.0 { known / all } else { 1.0 };
         for (((runs, weights), shaking), unit) in one.motions.iter().zip(&weights).zip(shakings).zip(&units) {
             let Some(unit) = unit else { continue };
+            go_on(progress)?;
             for (run, weight) in runs.iter().zip(weights) {
                 let text = |value: Option<f64>| value.map(shortest).unwrap_or_default();
                 let record = [
                     one.id.clone(),
                     shaking.name.clone(),
-                    shortest(report.intensity(place, unit * run.scale_ratio)),
+                    shortest(levels.exact(unit * run.scale_ratio)),
                     run.run.map_or(UNRESOLVED, |run| run.class.name()).to_owned(),
                     text(run.run.and_then(|run| run.edge_acceleration_g)),
                     if is_weighted { shortest(factor * weight) } else { "1".to_owned() },
@@ -82,20 +101,32 @@ pub(super) fn outcomes_csv(report: &RunsReport, measure: Measure, place: usize, 
             }
         }
     }
-    writer.into_inner().map_err(|error| broken(&error))
+    Ok(table_of_csv(writer.into_inner().map_err(|error| broken(&error))?, &columns))
 }
 
-impl RunsReport {
-    /// The intensity of a run: with stripes, by the first measure, the level itself, which the division
-    /// for the scale and the product with it may miss by a last digit.
-    fn intensity(&self, place: usize, product: f64) -> f64 {
-        let levels = self.scales.iter().flatten().filter(|_| self.method == Method::Stripes && place == 0);
+/// The intensities of stripes by the first measure, rising; none of other runs.
+struct Levels(Vec<f64>);
+
+impl Levels {
+    fn of(report: &RunsReport, place: usize) -> Self {
+        let given = report.scales.iter().flatten().filter(|_| report.method == Method::Stripes && place == 0);
+        let mut levels: Vec<f64> = given.copied().collect();
+        levels.sort_by(f64::total_cmp);
+        Self(levels)
+    }
+
+    /// The intensity of a run: the level itself, which the division for the scale and the product with
+    /// it may miss by a last digit.
+    fn exact(&self, product: f64) -> f64 {
         // Two roundings, 2.2e-16 each.
-        levels.copied().find(|level| (product / level - 1.0).abs() < 1e-15).unwrap_or(product)
+        const ROUNDING: f64 = 1e-15;
+        let place = self.0.partition_point(|level| *level < product * (1.0 - ROUNDING));
+        let level = self.0.get(place).filter(|level| (product / **level - 1.0).abs() < ROUNDING);
+        level.copied().unwrap_or(product)
     }
 }
 
 /// What the fit reads: the very bytes that are written.
-pub(super) fn read(bytes: &[u8], name: &str) -> Result<OutcomeTable, Problem> {
-    OutcomeTable::read(bytes, Path::new(name))
+pub(super) fn read(bytes: &[u8], name: &str, progress: Progress) -> Result<OutcomeTable, Problems> {
+    OutcomeTable::read(bytes, Path::new(name), progress)
 }

@@ -353,9 +353,11 @@ impl Seen {
     fn refusal(&self, failure: &Failure) -> Refusal {
         let problems = match failure {
             Failure::Problems(problems) => problems.as_slice(),
-            Failure::Stopped { .. } | Failure::StoppedAfterWriting | Failure::StoppedInShard | Failure::BrokenPipe => {
-                &[]
-            }
+            Failure::Stopped { .. }
+            | Failure::StoppedAfterWriting
+            | Failure::StoppedKeepingRuns
+            | Failure::StoppedInShard
+            | Failure::BrokenPipe => &[],
         };
         let mut all = problems.iter().map(|problem| self.of_problem(problem));
         let Some(mut first) = all.next() else {

@@ -1,0 +1,130 @@
+//! Finished runs on disk, from which a run that was stopped or killed goes on.
+
+use std::path::PathBuf;
+
+use freestand::fragility::OutcomeClass;
+use freestand_input::file::sha256_hex;
+use freestand_input::problem::Problem;
+use freestand_output::folder::announce;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+
+use super::super::FRAGILITY_SCHEMA;
+use super::super::measure::{At, Measure};
+use super::follow::Followed;
+use super::{Change, METHODS, ObjectRuns, RunObjects, RunsRequest};
+use crate::job::{PROGRESS, Part, Store, progress_names, resume_key};
+use crate::verdict::NominalRun;
+use freestand_input::words::name_of;
+
+/// Objects of a part: some seconds of work, which is what a killed run loses.
+pub(super) const PART: usize = 16;
+
+/// Version of the text that is hashed; raise it with every change of that text, of the content of a
+/// part, or of what scales are chosen.
+const FORMAT: u32 = 1;
+
+/// Where finished runs of a list are kept until the results are written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeepRuns {
+    /// The folder of the results.
+    pub folder: PathBuf,
+    /// Runs of an earlier command in the same folder are used.
+    pub resume: bool,
+    /// Files of others in the folder are replaced.
+    pub force: bool,
+}
+
+/// The runs of one object.
+#[derive(Debug, Serialize, Deserialize)]
+struct KeptObject {
+    id: String,
+    spans: Vec<Option<(f64, f64)>>,
+    motions: Vec<Vec<KeptRun>>,
+}
+
+/// The scale, and unless it could not be followed the class, the rotation and the shock.
+type KeptRun = (f64, Option<(usize, f64, Option<f64>)>);
+
+/// Opens the store of finished runs; `None` where none are kept.
+///
+/// # Errors
+/// A folder that cannot be written, or has files of others.
+pub(super) fn open(
+    request: &RunsRequest,
+    measures: &[(Measure, At)],
+    objects: usize,
+) -> Result<Option<Store>, Problem> {
+    let (Some(keep), RunObjects::Listed { study, inventory, worlds, changed }) = (&request.keep, &request.objects)
+    else {
+        return Ok(None);
+    };
+    let changed: Vec<_> = changed
+        .iter()
+        .map(|one| {
+            let Change { stiffness_n_m, base_thickness_m, mass_kg } = one.change;
+            (&one.id, &one.curve_id, stiffness_n_m, base_thickness_m, mass_kg)
+        })
+        .collect();
+    let text = json!({
+        "format": FORMAT,
+        "list": resume_key(study, inventory, PART),
+        "worlds": worlds,
+        "changed": changed,
+        "method": name_of(METHODS, request.method),
+        "scales": request.scales,
+        "max_scale": request.max_scale_ratio,
+        "rotation": request.rotation_ratio,
+        "measures": measures.iter().map(|(measure, at)| (measure.name(), at.name())).collect::<Vec<_>>(),
+    });
+    announce(&keep.folder, keep.force, FRAGILITY_SCHEMA, &progress_names(&Part::of_run(objects, PART)))?;
+    let key = sha256_hex(text.to_string().as_bytes());
+    Store::open(&keep.folder.join(PROGRESS), &key, keep.resume).map(Some)
+}
+
+/// Reads a part into its objects; `false` where it is absent or of other objects.
+pub(super) fn read(store: &Store, part: &Part, objects: &mut [ObjectRuns], motions: &[usize]) -> bool {
+    let Some(found) = store.rows::<KeptObject>(part) else { return false };
+    let is_same = found.len() == objects.len()
+        && found
+            .iter()
+            .zip(&*objects)
+            .all(|(kept, one)| kept.id == one.id && motions.get(one.floor) == Some(&kept.motions.len()));
+    let runs: Option<Vec<Vec<Vec<Followed>>>> = found.iter().map(followed).collect();
+    let (true, Some(runs)) = (is_same, runs) else { return false };
+    for ((one, runs), kept) in objects.iter_mut().zip(runs).zip(found) {
+        (one.motions, one.spans) = (runs, kept.spans);
+    }
+    true
+}
+
+/// `None`: a class that does not exist.
+fn followed(kept: &KeptObject) -> Option<Vec<Vec<Followed>>> {
+    let run = |&(scale_ratio, run): &KeptRun| -> Option<Followed> {
+        let run = match run {
+            None => None,
+            Some((class, rotation_ratio, edge_acceleration_g)) => {
+                let class = *OutcomeClass::ALL.get(class)?;
+                Some(NominalRun { class, rotation_ratio, edge_acceleration_g })
+            }
+        };
+        Some(Followed { scale_ratio, run })
+    };
+    kept.motions.iter().map(|runs| runs.iter().map(run).collect()).collect()
+}
+
+/// Stores a part.
+///
+/// # Errors
+/// A disk that is full.
+pub(super) fn write(store: &Store, part: &Part, objects: &[ObjectRuns]) -> Result<(), Problem> {
+    let run = |run: &Followed| -> KeptRun {
+        (run.scale_ratio, run.run.map(|run| (run.class.index(), run.rotation_ratio, run.edge_acceleration_g)))
+    };
+    let kept = objects.iter().map(|one| KeptObject {
+        id: one.id.clone(),
+        spans: one.spans.clone(),
+        motions: one.motions.iter().map(|runs| runs.iter().map(run).collect()).collect(),
+    });
+    store.write(part, &kept.collect::<Vec<KeptObject>>())
+}
