@@ -390,6 +390,7 @@ impl<'a> Worlds<'a> {
         levels_ratio: &[f64],
         again: Again,
         building: Option<BuildingDraw>,
+        go_on: impl Fn() -> Result<(), Problems> + Sync,
     ) -> Result<Vec<Vec<Arc<FloorOfWorld>>>, Problems> {
         let in_turn = match &self.source {
             Source::InTurn(motions) if self.building_is_known() || building.is_some() => Some(motions.len()),
@@ -403,8 +404,10 @@ impl<'a> Worlds<'a> {
         let mut first: Vec<(u32, u32)> = worlds.clone().map(|world| (shaking(world), world)).collect();
         first.sort_unstable();
         first.dedup_by_key(|(shaking, _)| *shaking);
-        let floors =
-            |&(shaking, world): &(u32, u32)| Ok((shaking, self.remembered(world, levels_ratio, again, building)?));
+        let floors = |&(shaking, world): &(u32, u32)| {
+            go_on()?;
+            Ok((shaking, self.remembered(world, levels_ratio, again, building)?))
+        };
         let made: Vec<Result<_, Problems>> = first.par_iter().map(floors).collect();
         let made: HashMap<u32, Vec<Arc<FloorOfWorld>>> = made.into_iter().collect::<Result<_, _>>()?;
         let of_level = |level: usize| {

@@ -26,6 +26,7 @@ def test_check_inventory_takes_tables(tmp_path):
     assert found.objects == expected.objects and found.ok
     assert list(found.table["height_m"]) == [2.0, 0.8]
     pyarrow = pytest.importorskip("pyarrow")
+    assert fs.check_inventory(frame.set_index("id")).objects == expected.objects
     assert fs.check_inventory(pyarrow.Table.from_pandas(frame)).objects == expected.objects
     polars = pytest.importorskip("polars", reason="polars is not installed")
     assert fs.check_inventory(polars.read_csv(tmp_path / "list.csv")).objects == expected.objects

@@ -364,7 +364,7 @@ fn floors(
     let repetition = |group: Group| u32::from(change == Change::Again(group));
     let again = Again { motion: repetition(Group::Motion), building: repetition(Group::Building) };
     let building = change.normal(Group::Building).map(|normal| context.worlds.building_at(normal));
-    context.worlds.floors(range, levels_ratio, again, building)
+    context.worlds.floors(range, levels_ratio, again, building, || context.go_on())
 }
 
 fn rigid_in_world(

@@ -168,6 +168,10 @@ fn run_table(
         .zip(ceiling)
         .map(|(tolerance, ceiling)| ShockLimits { tolerance_g: tolerance / G0_M_S2, ceiling_g: ceiling / G0_M_S2 });
     let costs = args.runs.inventory();
+    if costs.is_some() && args.format.is_empty() {
+        let message = "--inventory with --outcomes has quantities and costs for --format, which is not given";
+        return Err(Failure::usage(message, "give --format, or leave out --inventory"));
+    }
     let mut exports = Exports::new(args, costs)?;
     let inputs: Vec<PathBuf> = [Some(outcomes), costs, args.hazard.as_ref()].into_iter().flatten().cloned().collect();
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;

@@ -269,7 +269,8 @@ def _named(problem: Problem, path: str, name: str) -> Problem:
 
 def _write_csv(source: Any, path: str, name: str) -> None:
     if hasattr(source, "to_csv"):  # pandas
-        source.to_csv(path, index=False)
+        # An index with a name is a column, such as the ids after set_index("id").
+        source.to_csv(path, index=any(one is not None for one in source.index.names))
     elif hasattr(source, "write_csv"):  # polars
         source.write_csv(path)
     elif hasattr(source, "to_pylist") and hasattr(source, "column_names"):  # pyarrow

@@ -191,7 +191,7 @@ pub(super) fn of_study(
         Ok(ground.map(|ground| Strength::new(&ground.motion.along, asked)).transpose()?)
     };
     let grounds = (0..count).into_par_iter().map(ground).collect::<Result<Vec<_>, Problems>>()?;
-    let floors = all.floors(0..count, levels_ratio, Again::default(), None)?;
+    let floors = all.floors(0..count, levels_ratio, Again::default(), None, &go_on)?;
     let of_floor = |floors: Vec<Arc<FloorOfWorld>>| -> Result<Vec<Shaking>, Problems> {
         let made = floors.into_par_iter().zip(&grounds).enumerate().map(|(world, (floor, ground))| {
             let name = all.name(world as u32);
