@@ -112,6 +112,26 @@ impl CurveKind {
     pub fn probability(self, intensity: f64) -> Option<f64> {
         self.median().map(|median| lognormal_probability(intensity, median, self.beta().unwrap_or(0.0)))
     }
+
+    /// The probability at an intensity, also where no curve is known: then the least that the runs
+    /// allow, 1 from the intensity on from which every run reached it, and 0 below. A step jumps at
+    /// its median, between its ends. Of a state that is not reached more often at higher intensities
+    /// nothing is known at any of them, so that 0 says nothing either: tell the user.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand::fragility::CurveKind;
+    /// let all = CurveKind::All { upper: 0.2 };
+    /// assert_eq!((all.probability(0.3), all.least_probability(0.3)), (None, 1.0));
+    /// assert_eq!(all.least_probability(0.1), 0.0);
+    /// ```
+    pub fn least_probability(self, intensity: f64) -> f64 {
+        match self {
+            Self::Lognormal { .. } | Self::Step { .. } => self.probability(intensity).unwrap_or(0.0),
+            Self::All { upper } | Self::Bounds { upper: Some(upper), .. } => f64::from(u8::from(intensity >= upper)),
+            Self::Bounds { upper: None, .. } | Self::None { .. } | Self::NotIncreasing { .. } => 0.0,
+        }
+    }
 }
 
 /// The fragility of one limit state.

@@ -213,14 +213,13 @@ impl TwoStage {
 
     /// The probability at an intensity.
     pub fn probability(&self, intensity: f64) -> f64 {
-        let certain = |kind: CurveKind| match kind {
+        let rocks = match self.rocks {
+            // Below the weakest motions of the runs their shocks alone let the probability fall: it has
+            // no jump there.
             CurveKind::All { .. } => 1.0,
-            CurveKind::None { .. } | CurveKind::NotIncreasing { .. } => 0.0,
-            CurveKind::Bounds { upper, .. } => f64::from(u8::from(upper.is_some_and(|upper| intensity >= upper))),
-            CurveKind::Lognormal { median, beta } => lognormal_probability(intensity, median, beta),
-            CurveKind::Step { .. } => kind.probability(intensity).unwrap_or(0.0),
+            kind => kind.least_probability(intensity),
         };
-        let (rocks, overturns) = (certain(self.rocks), certain(self.overturns));
+        let overturns = self.overturns.least_probability(intensity);
         let exceedance = self.shock.map_or(0.0, |shock| shock.exceedance(self.tolerance_g, intensity));
         overturns + (rocks - overturns).max(0.0) * exceedance
     }

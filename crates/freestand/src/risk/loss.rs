@@ -77,12 +77,17 @@ const HUNDREDTHS: f64 = 100.0;
 /// Exact if all losses are multiples of an amount that divides the loss of all objects into at most
 /// 131,072 steps (fewer if levels times objects exceed about 2,500, at least 4,096). Otherwise there are as many steps, a
 /// loss between two of them is shared between both, which keeps the expected loss, and each object
-/// adds up to half a step of uncertainty to the losses that are asked for.
+/// adds up to half a step of uncertainty to the losses that are asked for. How often any loss happens
+/// is exact all the same: that is the rate of the smallest loss, and of every one below a step.
 pub fn independent_loss_exceedance(levels: &[(f64, Vec<LossShares>)], losses: &[f64]) -> Vec<LossPoint> {
+    let terms: usize = levels.iter().flat_map(|(_, objects)| objects).map(Vec::len).sum();
+    on_lattice(levels, losses, (MAX_TERMS / terms.max(1) as f64).clamp(MIN_STEPS, MAX_STEPS))
+}
+
+/// The same with at most so many steps.
+fn on_lattice(levels: &[(f64, Vec<LossShares>)], losses: &[f64], steps: f64) -> Vec<LossPoint> {
     let largest = |object: &LossShares| object.iter().map(|share| share.0).fold(0.0, f64::max);
     let total = levels.iter().map(|(_, objects)| objects.iter().map(largest).sum()).fold(0.0, f64::max);
-    let terms: usize = levels.iter().flat_map(|(_, objects)| objects).map(Vec::len).sum();
-    let steps = (MAX_TERMS / terms.max(1) as f64).clamp(MIN_STEPS, MAX_STEPS);
     let all = || levels.iter().flat_map(|(_, objects)| objects).flatten().map(|share| share.0);
     // Rounding must not put a loss below itself; a shared one is half a step off.
     let (step, slack) = match common_amount(all()).filter(|amount| total <= steps * amount) {
@@ -92,12 +97,31 @@ pub fn independent_loss_exceedance(levels: &[(f64, Vec<LossShares>)], losses: &[
     let mut rates = vec![0.0; losses.len()];
     for (annual_rate, objects) in levels {
         let at_least = rising_sums(&sum_of(objects, step));
-        for (rate, least) in rates.iter_mut().zip(losses) {
-            let from = (least / step - slack).ceil().max(0.0) as usize;
-            *rate += annual_rate * at_least.get(from).copied().unwrap_or(0.0);
+        let (any, smallest) = any_loss(objects);
+        for (rate, &least) in rates.iter_mut().zip(losses) {
+            *rate += annual_rate
+                * if least <= 0.0 {
+                    1.0
+                } else if least < step || least <= smallest {
+                    // On the lattice a part of a loss below a step is at 0, with the worlds without any.
+                    any
+                } else {
+                    let from = (least / step - slack).ceil().max(1.0) as usize;
+                    at_least.get(from).copied().unwrap_or(0.0)
+                };
         }
     }
     losses.iter().zip(rates).map(|(&loss, annual_rate)| LossPoint { loss, annual_rate }).collect()
+}
+
+/// The probability that any object has a loss, 1 − Π P(no loss), and the smallest loss that is
+/// possible.
+fn any_loss(objects: &[LossShares]) -> (f64, f64) {
+    let losses = |object: &LossShares| object.iter().copied().filter(|share| share.0 > 0.0).collect::<Vec<_>>();
+    let none: f64 =
+        objects.iter().map(|object| (-losses(object).iter().map(|share| share.1).sum::<f64>().min(1.0)).ln_1p()).sum();
+    let possible = objects.iter().flat_map(losses).filter(|share| share.1 > 0.0);
+    (-none.exp_m1(), possible.map(|share| share.0).fold(f64::INFINITY, f64::min))
 }
 
 /// The largest amount of which all losses are multiples; `None` where one is no whole number of
@@ -247,5 +271,43 @@ mod tests {
             let expected = 1.0 - point.loss / unit / f64::from(1 << 20);
             assert!((point.annual_rate - expected).abs() < 10.0 / MAX_STEPS, "{point:?} {expected}");
         }
+    }
+
+    /// A small loss beside a total of 10⁷√2 is far below a step of the lattice: worlds without any loss
+    /// do not count, and the small one is as frequent as it is.
+    #[test]
+    fn a_loss_below_a_step_is_as_frequent_as_it_is() {
+        let large = 1e7 * 2.0_f64.sqrt();
+        let objects = vec![vec![(0.0, 0.9), (7.0, 0.1)], vec![(0.0, 0.97), (0.0, 0.01), (large, 0.02)]];
+        let curve = independent_loss_exceedance(&[(0.1, objects)], &[0.0, 3.0, 7.0, 0.99 * large]);
+        let rates: Vec<f64> = curve.iter().map(|point| point.annual_rate / 0.1).collect();
+        let any = 1.0 - 0.9 * 0.98;
+        // Sums of three numbers below 1.
+        assert!((rates[0] - 1.0).abs() < 1e-15, "{rates:?}");
+        assert!((rates[1] - any).abs() < 1e-14 && (rates[2] - any).abs() < 1e-14, "{rates:?}");
+        assert!((rates[3] - 0.02).abs() < 1e-14, "{rates:?}");
+    }
+
+    /// Many objects whose repair costs 1 % of their replacement, and more steps of a repair than there
+    /// may be: how often any of them has a loss is 1 − Π P(no loss) at every level.
+    #[test]
+    fn repairs_of_many_objects_are_counted() {
+        let repair = 3.0_f64.sqrt();
+        let (levels, count) = (10, 1000);
+        let p = |level: i32| (2e-4 * f64::from(level), 1e-5 * f64::from(level));
+        let of = |level: i32| {
+            let (repaired, lost) = p(level);
+            let object = vec![(0.0, 1.0 - repaired - lost), (repair, repaired), (100.0 * repair, lost)];
+            (0.3_f64.powi(level), vec![object; count as usize])
+        };
+        let levels: Vec<(f64, Vec<LossShares>)> = (1..=levels).map(of).collect();
+        // The fewest steps, as with ten times as many levels: the test is about them, not about time.
+        let point = on_lattice(&levels, &[repair], MIN_STEPS)[0];
+        let none = |(i, (rate, _)): (usize, &(f64, Vec<LossShares>))| {
+            let (repaired, lost) = p(i as i32 + 1);
+            rate * (1.0 - (1.0 - repaired - lost).powi(count))
+        };
+        let expected: f64 = levels.iter().enumerate().map(none).sum();
+        assert!((point.annual_rate / expected - 1.0).abs() < 1e-12, "{point:?} {expected}");
     }
 }

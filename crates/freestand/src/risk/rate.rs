@@ -73,9 +73,9 @@ impl AnnualRates {
 /// ```
 pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
     let least = |upper: Option<f64>| upper.map_or(0.0, |upper| hazard.annual_rate(upper));
-    let (median, beta, ends) = match curve {
-        CurveKind::Lognormal { median, beta } => (median, beta, None),
-        CurveKind::Step { lower, upper } => ((lower * upper).sqrt(), 0.0, Some((lower, upper))),
+    let ends = match curve {
+        CurveKind::Lognormal { .. } => None,
+        CurveKind::Step { lower, upper } => Some((lower, upper)),
         CurveKind::None { lower } => return unknown(0.0, most(hazard, lower)),
         CurveKind::Bounds { lower, upper } => {
             return unknown(least(upper), lower.and_then(|lower| most(hazard, lower)));
@@ -83,16 +83,15 @@ pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
         CurveKind::All { upper } => return unknown(least(Some(upper)), None),
         CurveKind::NotIncreasing { .. } => return unknown(0.0, None),
     };
+    let (Some(median), beta) = (curve.median(), curve.beta().unwrap_or(0.0)) else { return unknown(0.0, None) };
     let (rate, beyond, below_first) = match hazard {
-        Hazard::PowerLaw { rate, reference, exponent } => {
-            let spread = exponent * beta;
-            (rate * (median / reference).powf(-exponent) * (0.5 * spread * spread).exp(), 0.0, 0.0)
-        }
+        Hazard::PowerLaw { exponent, .. } => (whole(hazard.annual_rate(median), exponent * beta), 0.0, 0.0),
         Hazard::Points(points) => {
-            let at = |x: f64| probability(x, median, beta);
-            let first = points.first().map_or(0.0, |point| point.annual_rate * at(point.intensity));
+            let first = at_first(points, median, beta);
             let between: f64 = points.windows(2).map(|pair| segment(pair[0], pair[1], median, beta)).sum();
-            let beyond = points.last().map_or(0.0, |point| point.annual_rate * (1.0 - at(point.intensity)));
+            let beyond = points
+                .last()
+                .map_or(0.0, |point| point.annual_rate * (1.0 - probability(point.intensity, median, beta)));
             let below = points.first_chunk().map_or(0.0, |pair| below_first(pair, median, beta));
             (first + between, beyond, below)
         }
@@ -122,6 +121,16 @@ fn most(hazard: &Hazard, lower: f64) -> Option<f64> {
         Hazard::PowerLaw { .. } => (0.0, 0.0),
     };
     (first <= lower).then(|| hazard.annual_rate(lower).max(last))
+}
+
+/// ∫ Φ |dλ| of a power law without ends, λ(θ) exp(k²β²/2), with kβ.
+fn whole(rate_of_median: f64, spread: f64) -> f64 {
+    rate_of_median * (0.5 * spread * spread).exp()
+}
+
+/// λ(x₁)Φ(u₁), the first term of the rate.
+fn at_first(points: &[HazardPoint], median: f64, beta: f64) -> f64 {
+    points.first().map_or(0.0, |point| point.annual_rate * probability(point.intensity, median, beta))
 }
 
 /// ∫ Φ |dλ| up to x₁ if the first segment went on below it: [−λΦ] and ∫ λ dΦ.
@@ -247,9 +256,9 @@ pub fn deaggregation(hazard: &Hazard, curve: CurveKind) -> Vec<Bin> {
 fn rate_below(hazard: &Hazard, upto: f64, median: f64, beta: f64) -> f64 {
     let here = hazard.annual_rate(upto) * probability(upto, median, beta);
     match hazard {
-        Hazard::PowerLaw { rate, reference, exponent } => {
+        Hazard::PowerLaw { exponent, .. } => {
             let shift = exponent * beta;
-            let all = rate * (median / reference).powf(-exponent) * (0.5 * shift * shift).exp();
+            let all = whole(hazard.annual_rate(median), shift);
             // A step contributes from its median on.
             let share = if beta > 0.0 {
                 normal_ratio((upto / median).ln() / beta + shift)
@@ -260,8 +269,7 @@ fn rate_below(hazard: &Hazard, upto: f64, median: f64, beta: f64) -> f64 {
         }
         Hazard::Points(points) => {
             // [−λΦ] and ∫ λ dΦ of the segments, the last one cut at `upto`.
-            let first =
-                points.first().map_or(0.0, |point| point.annual_rate * probability(point.intensity, median, beta));
+            let first = at_first(points, median, beta);
             let cut = HazardPoint { intensity: upto, annual_rate: hazard.annual_rate(upto) };
             let upto_cut = points.windows(2).filter(|pair| pair[0].intensity < upto).map(|pair| {
                 let high = if pair[1].intensity > upto { cut } else { pair[1] };
@@ -442,6 +450,13 @@ mod tests {
         let exponent = 10.0_f64.ln() / 5.0_f64.ln();
         assert!((below.below_first / (0.2 * 10.0_f64.powf(exponent) - 0.2) - 1.0).abs() < 1e-13);
         assert_eq!((below.annual_rate_upper, below.begins_too_high()), (None, true));
+        // The product of such ends is no number that has their root: √(1e-200·1e-200) = 1e-200, below the
+        // first point.
+        let tiny = annual_rate(&hazard, CurveKind::Step { lower: 1e-200, upper: 1e-200 });
+        assert_eq!((tiny.annual_rate, tiny.below_first.is_finite()), (Some(0.2), true));
+        let law = Hazard::power_law(1e-4, 1e200, 2.0).unwrap();
+        let huge = annual_rate(&law, CurveKind::Step { lower: 1e199, upper: 1e201 });
+        assert!((huge.annual_rate.unwrap() / 1e-4 - 1.0).abs() < 1e-12, "{huge:?}");
         // A very small β is a step.
         let steep = annual_rate(&hazard, lognormal(0.1, 1e-9)).annual_rate.unwrap();
         assert!((steep / hazard.annual_rate(0.1) - 1.0).abs() < 1e-8, "{steep}");
