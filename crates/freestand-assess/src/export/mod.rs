@@ -127,7 +127,7 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
                 .map(|source| hazard_of(source, Some(report.at), request.site_deg))
                 .transpose()?;
             warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
-            openquake::files(report, request, &listed, demand, hazard.as_ref())?
+            openquake::files(report, request, &listed, demand, hazard.as_ref(), &mut warnings)?
         }
     };
     files.extend(id_table);
@@ -209,7 +209,7 @@ fn objects<'a>(
             continue;
         }
         let shape = if request.is_discrete {
-            Shape::Points(Points::of(object, report.request.shock.is_some()))
+            Shape::Points(Points::of(object, report.request.shock.is_some())?)
         } else {
             let overturns = exported(object, LimitState::Overturns, request.beta)?.ok_or_else(|| {
                 let message = format!("object {} has no curve of overturning", shorten(&object.id));
@@ -368,6 +368,7 @@ fn sources(report: &FragilityReport) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fragility::{At, FragilityRequest, fragility};
 
     #[test]
     fn ids_are_plain_and_unique() {
@@ -393,5 +394,77 @@ mod tests {
         assert_eq!(found[..4], ["2_racks___2", "2_racks__", "it_s", "a_b_c_2"]);
         assert_eq!((found[4].as_str(), found[5].as_str()), (&*"x".repeat(50), &*format!("{}_2", "x".repeat(48))));
         assert_eq!([&found[6], &found[7], &found[8]], [&*exact, "007", "a_b_c"]);
+    }
+
+    /// The folder for OpenQuake of three objects, with an inventory, by a power law of sa_avg.
+    fn for_openquake(inventory: &str) -> Exported {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let rows = ["a", "b", "c"].map(|id| {
+            [(0.1, "rocked"), (0.2, "overturned"), (0.3, "rocked"), (0.4, "overturned")]
+                .map(|(x, outcome)| format!("{id},m{x},{x},{outcome}\n"))
+                .concat()
+        });
+        std::fs::write(path("o.csv"), format!("object,motion,sa_avg(0.2:2) [g],outcome\n{}", rows.concat())).unwrap();
+        std::fs::write(path("i.csv"), inventory).unwrap();
+        let report = fragility(FragilityRequest {
+            outcomes: path("o.csv"),
+            at: None,
+            fit: FitKind::Ordered,
+            shock: None,
+            replicates: Some(0),
+            seed: 1,
+        })
+        .unwrap();
+        let request = ExportRequest {
+            format: ExportFormat::OpenQuake,
+            demand: None,
+            realizations: None,
+            beta: None,
+            is_discrete: false,
+            site_deg: Some((151.2, -33.9)),
+            inventory: Some(path("i.csv")),
+            hazard: Some(HazardSource::PowerLaw {
+                text: "k0=1e-3 /yr, k=2, reference=0.3 g".to_owned(),
+                measure: report.table.measure,
+            }),
+        };
+        export(&report, &request).unwrap()
+    }
+
+    fn text_of(exported: &Exported, name: &str) -> String {
+        let bytes = exported.files.iter().find(|file| file.0 == format!("openquake/{name}")).unwrap();
+        String::from_utf8(bytes.1.clone()).unwrap()
+    }
+
+    /// The last column, the value of all pieces of an object.
+    fn values(exported: &Exported) -> Vec<String> {
+        let text = text_of(exported, "exposure.csv");
+        text.lines().skip(1).map(|line| line.rsplit(',').next().unwrap().to_owned()).collect()
+    }
+
+    /// Beside costs an object without one is worth nothing that is known; without any cost each counts 1.
+    #[test]
+    fn a_value_is_an_amount_or_a_count() {
+        let some = for_openquake("id,quantity,repair_cost [AUD],replacement_cost [AUD]\na,2,,900\nb,3,50,\nc,1,,\n");
+        assert_eq!(values(&some), ["1800", "0", "0"]);
+        let said = "b and 1 more: no replacement_cost in the inventory, so exposure.csv has the value 0";
+        assert!(some.warnings.iter().any(|warning| warning.starts_with(said)), "{:?}", some.warnings);
+        let none = for_openquake("id,quantity\na,2\nb,3\nc,1\n");
+        assert_eq!(values(&none), ["2", "3", "1"]);
+        assert!(none.warnings.is_empty(), "{:?}", none.warnings);
+    }
+
+    /// The hazard curve of a folder can be read again, AvgSA with its periods.
+    #[test]
+    fn an_exported_hazard_is_read_again() {
+        let exported = for_openquake("id\na\nb\nc\n");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("hazard.csv");
+        std::fs::write(&path, text_of(&exported, "hazard.csv")).unwrap();
+        let read = hazard_of(&HazardSource::File(path), None, None).unwrap();
+        assert_eq!((read.measure.name(), read.at), ("sa_avg(0.2:2)".to_owned(), At::Ground));
+        // λ = k0 at the reference; points are joined by power laws, so that only their digits differ.
+        assert!((read.hazard.annual_rate(0.3) / 1e-3 - 1.0).abs() < 1e-6, "{}", read.hazard.annual_rate(0.3));
     }
 }

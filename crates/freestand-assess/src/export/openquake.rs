@@ -9,7 +9,7 @@ use freestand_output::rows::csv;
 use serde_json::json;
 
 use crate::fragility::{At, FragilityReport, Measure};
-use crate::risk::MeasuredHazard;
+use crate::risk::{AVERAGE_KEY, CostRow, MeasuredHazard};
 
 use super::{ExportObject, ExportRequest, Files, Listed, Shape, sources};
 
@@ -87,6 +87,28 @@ fn function(object: &ExportObject, imt: &str, factor: f64) -> String {
     }
 }
 
+fn replacement(object: &ExportObject) -> Option<f64> {
+    object.cost.and_then(|cost| cost.replacement)
+}
+
+/// What an object without a replacement cost is worth in the column of values, which is required: 1
+/// where no object has any cost, so that the values count objects. Beside costs in a currency 1 would be
+/// an amount of it, so that it is 0, with a warning.
+fn value_without_cost(objects: &[ExportObject]) -> (f64, Option<String>) {
+    if !objects.iter().any(|object| object.cost.is_some_and(CostRow::has_costs)) {
+        return (1.0, None);
+    }
+    let without: Vec<&ExportObject> = objects.iter().filter(|object| replacement(object).is_none()).collect();
+    let warning = without.split_first().map(|(first, rest)| {
+        let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
+        format!(
+            "{}{more}: no replacement_cost in the inventory, so exposure.csv has the value 0 and OpenQuake counts no loss",
+            shorten(&first.object.id)
+        )
+    });
+    (0.0, warning)
+}
+
 /// Where an object is \[degrees\].
 fn site_of(object: &ExportObject, request: &ExportRequest) -> Result<(f64, f64), Problem> {
     object.site_deg.or(request.site_deg).ok_or_else(|| {
@@ -148,7 +170,12 @@ fn extent(shape: &Shape, exponent: f64) -> (f64, f64) {
 
 /// `hazard.csv`, a hazard curve as OpenQuake writes it: probabilities of exceedance within a year, the
 /// same at all sites.
-fn hazard_csv(imt: &str, factor: f64, sites: &[(f64, f64)], levels: &[(f64, f64)]) -> Result<Vec<u8>, Problem> {
+fn hazard_csv(
+    measure: Measure,
+    (imt, factor): (&str, f64),
+    sites: &[(f64, f64)],
+    levels: &[(f64, f64)],
+) -> Result<Vec<u8>, Problem> {
     let names = ["lon", "lat", "depth"].map(str::to_owned).into_iter();
     let header: Vec<String> =
         names.chain(levels.iter().map(|(x, _)| format!("poe-{}", shortest(factor * x)))).collect();
@@ -158,7 +185,12 @@ fn hazard_csv(imt: &str, factor: f64, sites: &[(f64, f64)], levels: &[(f64, f64)
     };
     let table = csv(&header.iter().map(String::as_str).collect::<Vec<_>>(), sites.iter().map(row))?;
     let commas = ",".repeat(header.len() - 1);
-    let mut text = format!("#{commas}\"kind='mean', investigation_time=1.0, imt='{imt}'\"\n").into_bytes();
+    // OpenQuake has no periods of AvgSA; it keeps what it does not know, and we read it.
+    let periods = match measure {
+        Measure::SaAverage { .. } => format!(", {AVERAGE_KEY}='{}'", measure.name()),
+        _ => String::new(),
+    };
+    let mut text = format!("#{commas}\"kind='mean', investigation_time=1.0, imt='{imt}'{periods}\"\n").into_bytes();
     text.extend(table);
     Ok(text)
 }
@@ -180,6 +212,7 @@ pub(super) fn files(
     listed: &Listed,
     demand: Option<f64>,
     hazard: Option<&MeasuredHazard>,
+    warnings: &mut Vec<String>,
 ) -> Result<Files, Problem> {
     let (imt, factor) = imt_of(report.table.measure, report.at)?;
     if demand.is_none() && hazard.is_none() {
@@ -192,13 +225,14 @@ pub(super) fn files(
         let message = format!("the hazard curve is for {of_hazard}, and the outcomes are for {of_table}");
         return Err(Problem::value(message, "give a hazard curve for the measure of the outcomes").of(&["hazard"]));
     }
+    let (unpriced, warning) = value_without_cost(listed.objects);
+    warnings.extend(warning);
     let mut functions = String::new();
     let (mut assets, mut sites) = (Vec::new(), Vec::new());
     for object in listed.objects {
         let (lon, lat) = site_of(object, request)?;
         functions += &function(object, &imt, factor);
-        // The column is required; without costs every object counts 1.
-        let value = object.cost.and_then(|cost| cost.replacement).unwrap_or(1.0);
+        let value = replacement(object).unwrap_or(unpriced);
         let (lon, lat) = (round(lon), round(lat));
         let numbers = [lon, lat].map(shortest);
         let value = [object.quantity, object.quantity * value].map(shortest);
@@ -246,7 +280,7 @@ pub(super) fn files(
     }
     if let Some(hazard) = hazard {
         let levels = levels(&hazard.hazard, listed.objects);
-        files.push(("hazard.csv".to_owned(), hazard_csv(&imt, factor, &sites, &levels)?));
+        files.push(("hazard.csv".to_owned(), hazard_csv(report.table.measure, (&imt, factor), &sites, &levels)?));
         let job = format!(
             "[general]\ndescription = free-standing objects, {RISK_YEARS} years\ncalculation_mode = \
              classical_damage\n\n[hazard]\nhazard_curves_csv = hazard.csv\ninvestigation_time = 1\n\n{risk}\

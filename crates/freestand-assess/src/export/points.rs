@@ -1,6 +1,8 @@
 //! Curves as points, for programs that join them by straight lines.
 
-use freestand::fragility::{Empirical, LimitState, empirical};
+use freestand::fragility::{CurveKind, Empirical, LimitState, empirical};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
 
 use crate::fragility::ObjectFragility;
 
@@ -25,19 +27,31 @@ pub(super) struct Points {
 impl Points {
     /// The shares of runs of an object, made to rise; or, where shocks were fitted, samples of the
     /// fitted probabilities.
-    pub(super) fn of(object: &ObjectFragility, is_by_shock: bool) -> Self {
+    ///
+    /// # Errors
+    /// Fitted probabilities of an object that rocks or overturns no more often under stronger motions:
+    /// nothing is known of them.
+    pub(super) fn of(object: &ObjectFragility, is_by_shock: bool) -> Result<Self, Problem> {
         match object.two_stage.filter(|_| is_by_shock) {
             Some(two_stage) => {
                 let overturns = object.fit.curve(LimitState::Overturns);
+                let known = [Some(two_stage.rocks), Some(two_stage.overturns), overturns];
+                if known.into_iter().flatten().any(|kind| matches!(kind, CurveKind::NotIncreasing { .. })) {
+                    let id = shorten(&object.id);
+                    let message = format!("object {id} rocks or overturns no more often under stronger motions");
+                    let hint =
+                        "leave out `tolerance`, so that the shares of runs are exported, or run more intensities";
+                    return Err(Problem::value(message, hint));
+                }
                 let levels = sampled(object.outcomes.levels());
                 let of = |p: &dyn Fn(f64) -> f64| -> Vec<f64> {
                     // Rounding alone would make a curve fall.
                     levels.iter().scan(0.0_f64, |most, x| Some(raise(most, p(*x)))).collect()
                 };
-                let overturns = of(&|x| overturns.and_then(|kind| kind.probability(x)).unwrap_or(0.0));
+                let overturns = of(&|x| overturns.map_or(0.0, |kind| kind.least_probability(x)));
                 let exceeds = of(&|x| two_stage.probability(x));
                 let exceeds = exceeds.iter().zip(&overturns).map(|(one, other)| one.max(*other)).collect();
-                Self { levels, exceeds: Some(exceeds), overturns }
+                Ok(Self { levels, exceeds: Some(exceeds), overturns })
             }
             None => {
                 let seen = |state| {
@@ -57,7 +71,7 @@ impl Points {
                 let overturned = of(&overturns);
                 let exceeded = exceeds
                     .map(|curve| of(&curve).iter().zip(&overturned).map(|(one, other)| one.max(*other)).collect());
-                Self { exceeds: exceeded, overturns: overturned, levels }
+                Ok(Self { exceeds: exceeded, overturns: overturned, levels })
             }
         }
     }
@@ -133,7 +147,50 @@ fn between(curve: &[(f64, f64)], x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use freestand::fragility::{Curve, Fit, FitKind, OutcomeClass, Outcomes, Run, TwoStage};
+
     use super::*;
+
+    /// An object whose runs, at 0.1 and 0.2, all rocked or all overturned, and tolerates more than the
+    /// ceiling.
+    fn by_shock(rocks: CurveKind, overturns: CurveKind) -> ObjectFragility {
+        let class = OutcomeClass::Overturned;
+        let runs = [0.1, 0.2].map(|intensity| Run { motion: Some(0), intensity, class, weight: 1.0 });
+        let curve = |limit_state, kind| Curve { limit_state, kind };
+        ObjectFragility {
+            id: "a".to_owned(),
+            outcomes: Outcomes::new(&runs).unwrap(),
+            unresolved: 0,
+            fit: Fit {
+                kind: FitKind::Ordered,
+                curves: vec![curve(LimitState::Rocks, rocks), curve(LimitState::Overturns, overturns)],
+                log_likelihood: 0.0,
+                score_per_run: 0.0,
+            },
+            two_stage: Some(TwoStage { rocks, overturns, shock: None, ceiling_g: 1.0, tolerance_g: 2.0 }),
+            no_two_stage: None,
+            goodness: None,
+            bootstrap: None,
+            qualities: Vec::new(),
+            resurrections: None,
+            scaled_above_4: None,
+        }
+    }
+
+    /// What overturned in every run is exported as certain from the lowest intensity of the runs on, and
+    /// what is not known at all is refused.
+    #[test]
+    fn what_always_overturns_is_exported() {
+        let all = CurveKind::All { upper: 0.1 };
+        let points = Points::of(&by_shock(all, all), true).unwrap();
+        let pairs = points.levels.iter().zip(&points.overturns);
+        assert!(pairs.clone().all(|(x, p)| *p == f64::from(u8::from(*x >= 0.1))), "{points:?}");
+        assert!(pairs.filter(|(_, p)| **p == 1.0).count() > 10);
+        assert_eq!(points.exceeds, Some(points.overturns.clone()));
+        let unknown = CurveKind::NotIncreasing { lower: 0.1, upper: 0.2 };
+        let problem = Points::of(&by_shock(all, unknown), true).unwrap_err();
+        assert!(problem.message.contains("object a rocks or overturns no more often"), "{problem}");
+    }
 
     fn seen(of: &[(f64, f64)]) -> Vec<Empirical> {
         of.iter().map(|&(intensity, reached)| Empirical { intensity, trials: 10.0, reached }).collect()

@@ -84,8 +84,8 @@ const GRID: u32 = 400;
 /// Reads `fragility.csv`, or a table with its first eight columns.
 ///
 /// # Errors
-/// A missing column, an unknown word, a median or β that is not above 0, a limit state that is there
-/// twice, two measures for one object, each with its line and column; all rows that are wrong.
+/// A missing column, an unknown word, a median or β that is not above 0, a step or bounds whose lower
+/// end is above the upper one, a limit state that is there twice, two measures for one object, each with its line and column; all rows that are wrong.
 pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problems> {
     let bytes = load(path)?;
     Ok((InputFile::new(path, &bytes), read(&bytes, path)?))
@@ -155,12 +155,27 @@ fn kind_of(
         let column = table.needed(name)?;
         Ok(factor * table.positive(row, column)?)
     };
+    let in_order = |lower: Option<f64>, upper: Option<f64>| -> Result<(), Problem> {
+        if lower.zip(upper).is_none_or(|(lower, upper)| lower <= upper) {
+            return Ok(());
+        }
+        let column = table.needed("upper")?;
+        let below = shorten(table.text(row, table.needed("lower")?));
+        let message = format!("{} is below the lower intensity {below}", shorten(table.text(row, column)));
+        let hint = "lower is the intensity up to which no run reached the limit state, upper the one from which every \
+                    run did: exchange them";
+        Err(table.cell_problem(row, column, &message).hint(hint))
+    };
     match table.filled(row, kind)? {
         "lognormal" => {
             Ok(CurveKind::Lognormal { median: factor * table.positive(row, median)?, beta: table.positive(row, beta)? })
         }
         "step" => match (table.column("lower"), table.column("upper")) {
-            (Some(_), Some(_)) => Ok(CurveKind::Step { lower: bound("lower")?, upper: bound("upper")? }),
+            (Some(_), Some(_)) => {
+                let (lower, upper) = (bound("lower")?, bound("upper")?);
+                in_order(Some(lower), Some(upper))?;
+                Ok(CurveKind::Step { lower, upper })
+            }
             _ => {
                 let median = factor * table.positive(row, median)?;
                 Ok(CurveKind::Step { lower: median, upper: median })
@@ -174,6 +189,7 @@ fn kind_of(
             let (lower, upper) = (optional("lower")?, optional("upper")?);
             // One of them must be there.
             let lower = if upper.is_none() { Some(bound("lower")?) } else { lower };
+            in_order(lower, upper)?;
             Ok(CurveKind::Bounds { lower, upper })
         }
         "none" => Ok(CurveKind::None { lower: bound("lower")? }),
@@ -236,6 +252,20 @@ mod tests {
         assert_eq!(kind(LimitState::Rocks), Some(CurveKind::Bounds { lower: None, upper: Some(0.2) }));
         let problem = read_text(&format!("{head}\na,pgv,m/s,ground,overturns,bounds,,,,\n")).unwrap_err();
         assert!(problem.to_string().contains("f.csv:2: column 9"), "{problem}");
+    }
+
+    /// At least as often as the upper end and at most as often as the lower one: exchanged, that is
+    /// impossible.
+    #[test]
+    fn ends_that_are_exchanged_are_refused() {
+        let head = format!("{HEAD},lower,upper");
+        let of = |kind: &str, ends: &str| read_text(&format!("{head}\na,pgv,m/s,ground,overturns,{kind},,,{ends}\n"));
+        for kind in ["step", "bounds"] {
+            let problem = of(kind, "0.5,0.2").unwrap_err();
+            let said = "f.csv:2: column 10 (\"upper\"): 0.2 is below the lower intensity 0.5";
+            assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{kind}: {problem}");
+            assert!(of(kind, "0.2,0.5").is_ok() && of(kind, "0.2,0.2").is_ok(), "{kind}");
+        }
     }
 
     #[test]

@@ -252,6 +252,10 @@ fn disorder(table: &Table, above: (&Row, usize), at: (&Row, usize), error: Hazar
     table.cell_problem(at.0, at.1, &message).hint(hint)
 }
 
+/// The key in the comment above the headings that states the periods of AvgSA, as `sa_avg(0.2:2)`; we
+/// write it, and OpenQuake keeps what it does not know.
+pub(crate) const AVERAGE_KEY: &str = "measure";
+
 /// A hazard curve of OpenQuake: probabilities of exceedance in an investigation time.
 fn openquake(
     table: &Table,
@@ -278,11 +282,30 @@ fn openquake(
     let (measure, factor) = match imt.as_str() {
         "PGA" => (Measure::Pga, 1.0),
         "PGV" => (Measure::Pgv, 0.01),
+        "AvgSA" => {
+            // OpenQuake takes the periods from the job and does not write them: without them nothing tells
+            // whether it is the measure of the outcomes.
+            let text = stated(AVERAGE_KEY).unwrap_or_default();
+            let measure = Measure::parse(&text).filter(|measure| matches!(measure, Measure::SaAverage { .. }));
+            let measure = measure.ok_or_else(|| {
+                let message = if text.is_empty() {
+                    format!("AvgSA is the mean over periods that the comment above the headings does not state as {AVERAGE_KEY}")
+                } else {
+                    format!("the {AVERAGE_KEY} \"{}\" of AvgSA does not state its periods", shorten(&text))
+                };
+                let hint = format!(
+                    "add the shortest and the longest period of the job in s to the comment, \
+                     such as imt='AvgSA', {AVERAGE_KEY}='sa_avg(0.2:2)'"
+                );
+                table.header_problem(message).hint(hint)
+            })?;
+            (measure, 1.0)
+        }
         other => match other.starts_with("SA").then(|| Measure::parse(other)).flatten() {
             Some(measure) => (measure, 1.0),
             None => {
-                let message = format!("the measure {} is not one of PGA, PGV and SA", shorten(other));
-                let problem = table.header_problem(message).hint("export hazard curves of PGA, PGV or SA");
+                let message = format!("the measure {} is not one of PGA, PGV, SA and AvgSA", shorten(other));
+                let problem = table.header_problem(message).hint("export hazard curves of PGA, PGV, SA or AvgSA");
                 return Err(problem.into());
             }
         },
@@ -533,6 +556,25 @@ mod tests {
         let elsewhere = only(read(Some((0.0, 0.0))));
         assert!(elsewhere.message.contains("no site at 0,0"), "{elsewhere}");
         assert!(elsewhere.hint.is_some_and(|hint| hint.contains("151.2,-33.9")));
+    }
+
+    /// OpenQuake does not write the periods of AvgSA: they must be added, as our exports do.
+    #[test]
+    fn averages_of_openquake_need_their_periods() {
+        let of = |imt: &str| file(&OPENQUAKE.replace("imt='PGV'", imt).replace("150.0,-33.0,0.0,0.9,0.1,0.0\n", ""));
+        let read = of("imt='AvgSA', measure='sa_avg(0.2:2)'").unwrap();
+        assert_eq!((read.measure, read.at), (Measure::SaAverage { from_s: 0.2, to_s: 2.0 }, At::Ground));
+        let Hazard::Points(points) = &read.hazard else { panic!() };
+        assert_eq!(points[0].intensity, 10.0);
+        for (imt, said) in [
+            ("imt='AvgSA'", "does not state as measure"),
+            ("imt='AvgSA', measure='0.2:2'", "\"0.2:2\" of AvgSA does not state its periods"),
+            ("imt='AvgSA', measure='pga'", "\"pga\" of AvgSA"),
+            ("imt='IA'", "not one of PGA, PGV, SA and AvgSA"),
+        ] {
+            let problem = only(of(imt));
+            assert!(problem.message.contains(said) && problem.hint.is_some(), "{said}: {problem}");
+        }
     }
 
     #[test]

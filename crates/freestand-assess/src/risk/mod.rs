@@ -31,8 +31,8 @@ use portfolio::Portfolio;
 
 pub use costs::load_changed;
 pub(crate) use costs::{CostRow, Costs, load_costs};
+pub(crate) use hazard::{AVERAGE_KEY, MeasuredHazard, hazard_of};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
-pub(crate) use hazard::{MeasuredHazard, hazard_of};
 
 /// The schema of the document.
 pub const RISK_SCHEMA: &str = "freestand.risk/1";

@@ -1,23 +1,24 @@
 //! Losses of all objects together under common motions.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 use freestand::decision::strip_rates;
-use freestand::fragility::{LimitState, OutcomeClass};
+use freestand::fragility::{CurveKind, LimitState, OutcomeClass};
 use freestand::risk::{
     LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance, loss_at_return_period,
     loss_exceedance,
 };
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number};
 use freestand_output::facts::Facts;
 
-use crate::fragility::{At, FragilityReport};
+use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
 
 use super::costs::{CostRow, Costs};
 use super::hazard::MeasuredHazard;
-use super::least;
 use super::objects::ObjectRisk;
+use super::{LOSS_STATES, least};
 
 /// The return periods whose losses are stated \[years\].
 const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
@@ -36,9 +37,42 @@ pub(crate) struct Portfolio {
     pub(super) is_at_least: bool,
 }
 
-/// A motion at an intensity, by their numbers: the classes of the objects with costs.
-type Pair = (usize, usize);
+/// An object with costs.
+struct Priced<'a> {
+    /// Its place in the table of outcomes.
+    object: usize,
+    cost: &'a CostRow,
+    risk: Option<&'a ObjectRisk>,
+}
 
+fn priced<'a>(table: &OutcomeTable, costs: &'a Costs, objects: &'a [ObjectRisk]) -> Vec<Priced<'a>> {
+    let rows = costs.rows.iter().filter(|row| row.has_costs());
+    let rows: HashMap<&str, &CostRow> = rows.map(|row| (row.id.as_str(), row)).collect();
+    let risks: HashMap<&str, &ObjectRisk> = objects.iter().map(|one| (one.id.as_str(), one)).collect();
+    let of = |(object, id): (usize, &String)| {
+        let cost = *rows.get(id.as_str())?;
+        Some(Priced { object, cost, risk: risks.get(id.as_str()).copied() })
+    };
+    table.objects.iter().enumerate().filter_map(of).collect()
+}
+
+/// The worlds that objects share: motions at intensities.
+struct Worlds {
+    /// Intensities, rising.
+    levels: Vec<f64>,
+    /// How often motions happen that each intensity represents \[1/year\].
+    strips: Vec<f64>,
+    /// How many worlds each intensity has.
+    counts: Vec<usize>,
+    /// For each world its intensity, by its number, and the classes of the objects with costs.
+    all: Vec<(usize, Vec<OutcomeClass>)>,
+}
+
+/// The losses of all objects; `None` without costs, and where there are no worlds that objects share,
+/// with a warning that says why.
+///
+/// # Errors
+/// A run that is missing, and intensities that the hazard does not tell apart.
 pub(crate) fn portfolio(
     report: &FragilityReport,
     costs: &Costs,
@@ -47,122 +81,201 @@ pub(crate) fn portfolio(
     warnings: &mut Vec<String>,
 ) -> Result<Option<Portfolio>, Problem> {
     let table = &report.table;
-    let priced: Vec<(usize, &CostRow)> = table
-        .objects
-        .iter()
-        .enumerate()
-        .filter_map(|(i, id)| Some((i, costs.rows.iter().find(|row| &row.id == id && row.has_costs())?)))
-        .collect();
-    let is_needed = |object: usize| priced.iter().any(|(needed, _)| *needed == object);
-    let mut levels: Vec<f64> =
-        table.runs.iter().filter(|run| is_needed(run.object)).map(|run| run.run.intensity).collect();
-    levels.sort_by(f64::total_cmp);
-    levels.dedup();
-    let motions = table.motions.len();
-    if priced.is_empty() || motions == 0 || levels.len() < 2 {
+    let priced = priced(table, costs, objects);
+    if priced.is_empty() {
         return Ok(None);
     }
-    if hazard.at != At::Ground {
-        warnings.push(
-            "the losses of all objects together need a measure of the ground, which they share: none was calculated"
-                .to_owned(),
-        );
-        return Ok(None);
-    }
-    let mut worlds: BTreeMap<Pair, Vec<Option<OutcomeClass>>> = BTreeMap::new();
-    for run in &table.runs {
-        let Some(place) = priced.iter().position(|(object, _)| *object == run.object) else { continue };
-        let level = levels.partition_point(|level| *level < run.run.intensity);
-        let world = worlds.entry((run.run.motion.unwrap_or(0), level)).or_insert_with(|| vec![None; priced.len()]);
-        world[place] = Some(run.run.class);
-    }
-    let wanted = motions * levels.len();
-    let known: usize = worlds.values().map(|classes| classes.iter().flatten().count()).sum();
-    if (known as f64) < (1.0 - NO_STRIPES) * (wanted * priced.len()) as f64 {
-        warnings.push(
-            "the motions were not all scaled to the same intensities, so there are no worlds that all objects share: the \
-             losses of all objects together were not calculated"
-                .to_owned(),
-        );
-        return Ok(None);
-    }
-    for motion in 0..motions {
-        for (level, intensity) in levels.iter().enumerate() {
-            let classes = worlds.get(&(motion, level));
-            for (place, (object, _)) in priced.iter().enumerate() {
-                if classes.and_then(|classes| classes.get(place).copied().flatten()).is_none() {
-                    let name = |names: &[String], i: usize| names.get(i).cloned().unwrap_or_default();
-                    let message = format!(
-                        "object {} has no outcome under motion {} at {}",
-                        name(&table.objects, *object),
-                        name(&table.motions, motion),
-                        table.measure.value_words(*intensity)
-                    );
-                    let hint = "the losses of all objects need every object under every motion at every intensity";
-                    return Err(Problem::value(message, hint).in_file(&table.file.path));
-                }
-            }
-        }
-    }
-    let strips = strip_rates(&levels, |x| hazard.hazard.annual_rate(x)).map_err(|error| {
-        Problem::new(ProblemKind::Value, error.to_string()).hint("give intensities that the hazard curve covers")
-    })?;
-    let loss = |classes: &[Option<OutcomeClass>]| -> f64 {
-        let one = |(class, (_, cost)): (&Option<OutcomeClass>, &(usize, &CostRow))| match class {
-            Some(OutcomeClass::Overturned) => cost.quantity * cost.overturned(),
-            Some(OutcomeClass::Exceeded) => cost.quantity * cost.repair.unwrap_or(0.0),
-            _ => 0.0,
-        };
-        classes.iter().zip(&priced).map(one).sum()
+    let Some(worlds) = shared_worlds(table, &priced, hazard, warnings)? else { return Ok(None) };
+    let one = |(class, priced): (&OutcomeClass, &Priced)| match class {
+        OutcomeClass::Overturned => priced.cost.quantity * priced.cost.overturned(),
+        OutcomeClass::Exceeded => priced.cost.quantity * priced.cost.repair.unwrap_or(0.0),
+        OutcomeClass::NoUplift | OutcomeClass::Rocked => 0.0,
     };
     let all: Vec<World> = worlds
+        .all
         .iter()
-        .map(|((_, level), classes)| World { annual_rate: strips[*level] / motions as f64, loss: loss(classes) })
-        .collect();
-    // Below the hazard nothing is counted, nor below the lowest level.
-    let lowest = strips.iter().position(|strip| *strip > 0.0).unwrap_or(0);
-    let failing = worlds
-        .iter()
-        .filter(|((_, level), classes)| {
-            *level == lowest && classes.iter().flatten().any(|class| *class > OutcomeClass::Rocked)
+        .map(|(level, classes)| World {
+            annual_rate: worlds.strips[*level] / worlds.counts[*level] as f64,
+            loss: classes.iter().zip(&priced).map(one).sum(),
         })
-        .count();
-    let is_at_least = failing as f64 > SMALL * motions as f64;
-    if is_at_least {
-        warnings.push(format!(
-            "at the lowest intensity that is counted, {}, something fails in {} of {}: weaker motions cause losses too, \
-             and the losses of all objects are at least those stated; add lower intensities to the outcomes, and to the \
-             hazard if it begins there",
-            levels.get(lowest).map_or(String::new(), |level| table.measure.value_words(*level)),
-            failing,
-            counted(motions, "motion")
-        ));
-    }
+        .collect();
+    let fails_at = fails_at_lowest(&worlds, table.measure);
+    let is_at_least = fails_at.is_some();
+    warnings.extend(fails_at);
     let curve = loss_exceedance(&all);
     let losses: Vec<f64> = curve.iter().map(|point| point.loss).collect();
-    let independent: Vec<(f64, Vec<LossShares>)> = levels
-        .iter()
-        .zip(&strips)
-        .map(|(level, strip)| {
-            let of = |(_, cost): &(usize, &CostRow)| {
-                let object = objects.iter().find(|one| one.id == cost.id)?;
-                Some(shares(object, cost, *level))
-            };
-            (*strip, priced.iter().filter_map(of).collect())
-        })
-        .collect();
     Ok(Some(Portfolio {
         worlds: all.len(),
         expected_annual_loss: expected_loss_per_year(&all),
-        independent: independent_loss_exceedance(&independent, &losses),
+        independent: independent(&worlds, &priced, &losses, warnings),
         curve,
         is_at_least,
     }))
 }
 
+/// The worlds of the outcomes; `None`, with a warning, where objects share none.
+///
+/// A world with a run that could not be calculated is left out for all objects, and the other motions at
+/// its intensity count for it: what one of its objects costs is not known, so neither is the sum.
+fn shared_worlds(
+    table: &OutcomeTable,
+    priced: &[Priced],
+    hazard: &MeasuredHazard,
+    warnings: &mut Vec<String>,
+) -> Result<Option<Worlds>, Problem> {
+    let mut without = |why: &str| {
+        warnings.push(format!("{why}: the losses of all objects together were not calculated"));
+        Ok(None)
+    };
+    if hazard.at != At::Ground {
+        return without(
+            "the hazard is that of a measure of the floor, and objects share only the motions of the ground",
+        );
+    }
+    let motions = table.motions.len();
+    if motions == 0 {
+        return without("the outcomes are counts, which do not say which objects fail under the same motion");
+    }
+    let mut places: Vec<Option<usize>> = vec![None; table.objects.len()];
+    for (place, one) in priced.iter().enumerate() {
+        places[one.object] = Some(place);
+    }
+    let runs = || table.runs.iter().filter_map(|run| Some((places.get(run.object).copied().flatten()?, &run.run)));
+    let mut levels: Vec<f64> = runs().map(|(_, run)| run.intensity).collect();
+    levels.sort_by(f64::total_cmp);
+    levels.dedup();
+    if levels.len() < 2 {
+        return without("the outcomes have a single intensity, and motions of others would cause losses too");
+    }
+    let mut classes: Vec<Option<OutcomeClass>> = vec![None; motions * levels.len() * priced.len()];
+    let wanted = classes.len();
+    for (place, run) in runs() {
+        let level = levels.partition_point(|level| *level < run.intensity);
+        let world = run.motion.unwrap_or(0) * levels.len() + level;
+        if let Some(class) = classes.get_mut(world * priced.len() + place) {
+            *class = Some(run.class);
+        }
+    }
+    if (classes.iter().flatten().count() as f64) < (1.0 - NO_STRIPES) * wanted as f64 {
+        return without(
+            "the motions were not all scaled to the same intensities, so there are no worlds that all objects share",
+        );
+    }
+    check_missing(table, priced, &levels, &classes)?;
+    let strips = strip_rates(&levels, |x| hazard.hazard.annual_rate(x)).map_err(|error| {
+        Problem::new(ProblemKind::Value, error.to_string()).hint("give intensities that the hazard curve covers")
+    })?;
+    let complete = classes.chunks(priced.len()).enumerate().filter_map(|(world, classes)| {
+        Some((world % levels.len(), classes.iter().copied().collect::<Option<Vec<OutcomeClass>>>()?))
+    });
+    let all: Vec<(usize, Vec<OutcomeClass>)> = complete.collect();
+    let mut counts = vec![0_usize; levels.len()];
+    for (level, _) in &all {
+        counts[*level] += 1;
+    }
+    let left_out = motions * levels.len() - all.len();
+    if let Some(level) = levels.iter().zip(&counts).find(|(_, count)| **count == 0).map(|(level, _)| *level) {
+        let at = table.measure.value_words(level);
+        return without(&format!("at {at} every motion has a run that could not be calculated"));
+    }
+    if left_out > 0 {
+        warnings.push(format!(
+            "{left_out} of {} {} a run that could not be calculated and {} left out of the losses of all objects together; \
+             the other motions at the same intensity count for {}",
+            counted(motions * levels.len(), "world"),
+            if left_out == 1 { "has" } else { "have" },
+            if left_out == 1 { "was" } else { "were" },
+            if left_out == 1 { "it" } else { "them" },
+        ));
+    }
+    Ok(Some(Worlds { levels, strips, counts, all }))
+}
+
+/// Refuses an object with fewer outcomes than there are worlds, unless its runs that could not be
+/// calculated are all that is missing.
+fn check_missing(
+    table: &OutcomeTable,
+    priced: &[Priced],
+    levels: &[f64],
+    classes: &[Option<OutcomeClass>],
+) -> Result<(), Problem> {
+    let missing = |place: usize| {
+        let of_object = classes.iter().skip(place).step_by(priced.len()).enumerate();
+        of_object.filter(|(_, class)| class.is_none()).map(|(world, _)| world)
+    };
+    for (place, one) in priced.iter().enumerate() {
+        let unresolved = table.unresolved.get(one.object).copied().unwrap_or(0);
+        let Some(first) = missing(place).next().filter(|_| missing(place).count() > unresolved) else { continue };
+        let name = |names: &[String], i: usize| names.get(i).cloned().unwrap_or_default();
+        let message = format!(
+            "object {} has no outcome under motion {} at {}",
+            name(&table.objects, one.object),
+            name(&table.motions, first / levels.len()),
+            levels.get(first % levels.len()).map_or(String::new(), |level| table.measure.value_words(*level))
+        );
+        let hint = "the losses of all objects need every object under every motion at every intensity";
+        return Err(Problem::value(message, hint).in_file(&table.file.path));
+    }
+    Ok(())
+}
+
+/// What to say where something fails at the lowest intensity that counts: below it nothing is counted,
+/// nor below the hazard.
+fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
+    let lowest = worlds.strips.iter().position(|strip| *strip > 0.0).unwrap_or(0);
+    let fails = |(level, classes): &&(usize, Vec<OutcomeClass>)| {
+        *level == lowest && classes.iter().any(|class| *class > OutcomeClass::Rocked)
+    };
+    let (failing, all) = (worlds.all.iter().filter(fails).count(), worlds.counts.get(lowest).copied().unwrap_or(0));
+    (failing as f64 > SMALL * all as f64).then(|| {
+        format!(
+            "at the lowest intensity that is counted, {}, something fails in {} of {}: weaker motions cause losses too, \
+             and the losses of all objects are at least those stated; add lower intensities to the outcomes, and to the \
+             hazard if it begins there",
+            worlds.levels.get(lowest).map_or(String::new(), |level| measure.value_words(*level)),
+            failing,
+            counted(all, "motion")
+        )
+    })
+}
+
+/// How often each loss is reached if, given the intensity, objects fail independently of each other, by
+/// their curves; an object without a curve counts with the least that its outcomes allow, with a warning.
+fn independent(worlds: &Worlds, priced: &[Priced], losses: &[f64], warnings: &mut Vec<String>) -> Vec<LossPoint> {
+    let shares_at = |level: f64| -> Vec<LossShares> {
+        priced.iter().filter_map(|one| Some(shares(one.risk?, one.cost, level))).collect()
+    };
+    let levels: Vec<(f64, Vec<LossShares>)> =
+        worlds.levels.iter().zip(&worlds.strips).map(|(level, strip)| (*strip, shares_at(*level))).collect();
+    let unknown: Vec<&str> = priced
+        .iter()
+        .filter_map(|one| one.risk)
+        .filter(|one| LOSS_STATES.into_iter().filter_map(|state| one.curves.curve(state)).any(is_unknown))
+        .map(|one| one.id.as_str())
+        .collect();
+    if let Some((first, rest)) = unknown.split_first() {
+        let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
+        warnings.push(format!(
+            "{}{more}: the outcomes give no curve of exceeding or overturning (\"bounds\" or \"not-increasing\"), so the \
+             losses of objects that fail independently count the least that they can be; run more intensities",
+            shorten(first)
+        ));
+    }
+    independent_loss_exceedance(&levels, losses)
+}
+
+/// Whether nothing but the least probability is known at an intensity of the runs.
+fn is_unknown(kind: CurveKind) -> bool {
+    match kind {
+        CurveKind::Bounds { .. } | CurveKind::NotIncreasing { .. } => true,
+        // From its lowest intensity on, which is that of the runs, every run failed; of `None` none did.
+        CurveKind::Lognormal { .. } | CurveKind::Step { .. } | CurveKind::All { .. } | CurveKind::None { .. } => false,
+    }
+}
+
 /// The losses of one object at a level, by its curves.
 fn shares(object: &ObjectRisk, cost: &CostRow, level: f64) -> LossShares {
-    let p = |state: LimitState| object.curves.curve(state).and_then(|kind| kind.probability(level));
+    let p = |state: LimitState| object.curves.curve(state).map(|kind| kind.least_probability(level));
     let overturns = p(LimitState::Overturns).unwrap_or(0.0);
     let exceeds = p(LimitState::Exceeds).unwrap_or(overturns).max(overturns);
     vec![
@@ -205,5 +318,131 @@ impl Portfolio {
             text += &format!("  once in {years} years: {least}{} {currency}\n", number(loss, 4));
         }
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use freestand::fragility::FitKind;
+    use freestand_input::problem::Problems;
+
+    use super::super::{HazardSource, RiskCurves, RiskReport, RiskRequest, risk};
+    use super::*;
+    use crate::fragility::FragilityRequest;
+
+    /// λ = 10⁻² (x/0.1 m/s)⁻², and 1000 for each object that overturns.
+    fn risk_of(outcomes: &str) -> Result<RiskReport, Problems> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::write(path("o.csv"), outcomes).unwrap();
+        fs::write(path("c.csv"), "id,repair_cost [AUD],replacement_cost [AUD]\na,10,1000\nb,10,1000\n").unwrap();
+        risk(&RiskRequest {
+            curves: RiskCurves::Outcomes(FragilityRequest {
+                outcomes: path("o.csv"),
+                at: None,
+                fit: FitKind::Ordered,
+                shock: None,
+                replicates: Some(0),
+                seed: 1,
+            }),
+            hazard: HazardSource::PowerLaw {
+                text: "k0=1e-2 /yr, k=2, reference=0.1 m/s".to_owned(),
+                measure: Measure::Pgv,
+            },
+            hazard_at: None,
+            site_deg: None,
+            inventory: Some(path("c.csv")),
+            options: None,
+            budget: None,
+            horizon_years: None,
+            discount_ratio: None,
+            accepted_rate: None,
+            years: None,
+        })
+    }
+
+    const LEVELS: [f64; 3] = [0.1, 0.2, 0.4];
+    /// Edges 0.1/√2, 0.1√2, 0.2√2: 2 − 0.5, 0.5 − 0.125 and 0.125 of a hundredth.
+    const STRIPS: [f64; 3] = [0.015, 0.00375, 0.00125];
+
+    /// Outcomes at [`LEVELS`], of each object in two motions.
+    fn table(objects: &[(&str, [[&str; 2]; 3])]) -> String {
+        let mut text = "object,motion,pgv [m/s],outcome\n".to_owned();
+        for (id, outcomes) in objects {
+            for (level, pair) in LEVELS.iter().zip(outcomes) {
+                for (motion, outcome) in pair.iter().enumerate() {
+                    text += &format!("{id},m{motion},{level},{outcome}\n");
+                }
+            }
+        }
+        text
+    }
+
+    const MIXED: [[&str; 2]; 3] = [["rocked", "overturned"], ["overturned", "rocked"], ["overturned", "overturned"]];
+
+    /// What overturns in every run costs as often under common motions as independently.
+    #[test]
+    fn what_always_overturns_counts() {
+        let report = risk_of(&table(&[("a", [["overturned"; 2]; 3]), ("b", MIXED)])).unwrap();
+        let found = report.portfolio.unwrap();
+        let all: f64 = STRIPS.iter().sum();
+        for curve in [&found.curve, &found.independent] {
+            assert_eq!((curve[0].loss, curve.len()), (1000.0, 2));
+            // Sums of three strips.
+            assert!((curve[0].annual_rate / all - 1.0).abs() < 1e-12, "{curve:?}");
+        }
+        assert!(report.warnings.iter().all(|warning| !warning.contains("independently")), "{:?}", report.warnings);
+    }
+
+    /// Without a curve an object counts with the least that is known, and that is said.
+    #[test]
+    fn an_object_without_a_curve_is_named() {
+        let falling = [["overturned"; 2], ["rocked", "overturned"], ["rocked"; 2]];
+        let bounded = [["rocked"; 2], ["rocked", "overturned"], ["overturned"; 2]];
+        let report = risk_of(&table(&[("a", bounded), ("b", falling)])).unwrap();
+        let said = "a and 1 more: the outcomes give no curve";
+        assert!(report.warnings.iter().any(|warning| warning.contains(said)), "{:?}", report.warnings);
+        let found = report.portfolio.unwrap();
+        // Only the strongest motions surely overturn a.
+        assert!((found.independent[0].annual_rate / STRIPS[2] - 1.0).abs() < 1e-12, "{:?}", found.independent);
+    }
+
+    /// A run that could not be calculated takes its world from all objects, and the other motion at that
+    /// intensity counts twice as much.
+    #[test]
+    fn a_world_with_a_run_that_is_not_known_is_left_out() {
+        let mut unknown = MIXED;
+        unknown[1][0] = "unresolved";
+        let known = [["rocked"; 2], ["overturned", "rocked"], ["overturned"; 2]];
+        let report = risk_of(&table(&[("a", unknown), ("b", known)])).unwrap();
+        let said = "1 of 6 worlds has a run that could not be calculated and was left out";
+        assert!(report.warnings.iter().any(|warning| warning.contains(said)), "{:?}", report.warnings);
+        let found = report.portfolio.unwrap();
+        assert_eq!(found.worlds, 5);
+        // At 0.2 m/s nothing overturns in the motion that is left.
+        let expected = 1000.0 * (0.5 * STRIPS[0] + 2.0 * STRIPS[2]);
+        assert!((found.expected_annual_loss / expected - 1.0).abs() < 1e-12, "{}", found.expected_annual_loss);
+
+        unknown[1][1] = "unresolved";
+        let report = risk_of(&table(&[("a", unknown), ("b", known)])).unwrap();
+        let said = "at 0.2 m/s every motion has a run that could not be calculated: the losses of all objects";
+        assert!(report.portfolio.is_none());
+        assert!(report.warnings.iter().any(|warning| warning.contains(said)), "{:?}", report.warnings);
+        // A row that is not there at all is a mistake.
+        let missing = table(&[("a", MIXED), ("b", known)]).replace("b,m1,0.2,rocked\n", "");
+        assert!(risk_of(&missing).unwrap_err().to_string().contains("object b has no outcome under motion m1 at 0.2"));
+    }
+
+    #[test]
+    fn outcomes_without_common_worlds_say_why() {
+        let counts = "object,pgv [m/s],rocked,overturned\na,0.1,4,1\na,0.2,2,3\na,0.4,1,4\n";
+        let one = "object,motion,pgv [m/s],outcome\na,m,0.1,rocked\na,n,0.1,overturned\n";
+        for (text, said) in [(counts, "the outcomes are counts"), (one, "the outcomes have a single intensity")] {
+            let report = risk_of(text).unwrap();
+            assert!(report.portfolio.is_none());
+            assert!(report.warnings.iter().any(|warning| warning.starts_with(said)), "{:?}", report.warnings);
+        }
     }
 }

@@ -2,7 +2,6 @@
 
 use thiserror::Error;
 
-use super::lognormal_probability;
 use super::maximum::{Derivatives, maximum};
 use super::normal_ratio;
 use super::ordered::{CurveKind, density};
