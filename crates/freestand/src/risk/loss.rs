@@ -68,50 +68,84 @@ const MAX_TERMS: f64 = 1e9;
 /// Losses are counted in hundredths: cents.
 const HUNDREDTHS: f64 = 100.0;
 
+/// How much finer the next lattice is.
+const FINER: f64 = 64.0;
+/// The most lattices: losses of one part in 64⁶, 7·10¹⁰, are resolved.
+const MAX_LATTICES: usize = 6;
+/// On a lattice that is not exact a loss counts as reached from so many steps below it. A sum of m losses
+/// between steps is shared among m + 1 of them, with a standard deviation of √m/2 steps at most: three
+/// steps hold nearly all of it for a few objects, whose sums are what is asked for.
+const SHARED: f64 = 3.0;
+
 /// How often the loss is at least as large as each of `losses` if, given the level, objects fail
 /// independently of each other: for each level its annual rate and the losses of every object.
 ///
-/// The sums are taken on a lattice from 0 to the loss of all objects.
+/// The sums are taken on lattices from 0 upwards, the coarsest to the loss of all objects, each other one
+/// 64 times finer, up to as many steps; its last step stands for everything above. Every loss is taken
+/// from the finest lattice that it is on.
 ///
 /// # Accuracy
 /// Exact if all losses are multiples of an amount that divides the loss of all objects into at most
-/// 131,072 steps (fewer if levels times objects exceed about 2,500, at least 4,096). Otherwise there are as many steps, a
-/// loss between two of them is shared between both, which keeps the expected loss, and each object
-/// adds up to half a step of uncertainty to the losses that are asked for. How often any loss happens
-/// is exact all the same: that is the rate of the smallest loss, and of every one below a step.
+/// 131,072 steps (fewer if levels times objects exceed about 2,500, at least 4,096), and below so many of
+/// this amount in any case. Otherwise a loss between two steps is shared between both, which keeps the
+/// expected loss, each object adds up to half a step of uncertainty to the losses that are asked for, and
+/// losses up to three steps below count as reached. A loss has 64 steps or more. How often any loss
+/// happens, which is the rate of the smallest one, is exact.
 pub fn independent_loss_exceedance(levels: &[(f64, Vec<LossShares>)], losses: &[f64]) -> Vec<LossPoint> {
     let terms: usize = levels.iter().flat_map(|(_, objects)| objects).map(Vec::len).sum();
-    on_lattice(levels, losses, (MAX_TERMS / terms.max(1) as f64).clamp(MIN_STEPS, MAX_STEPS))
+    on_lattices(levels, losses, (MAX_TERMS / terms.max(1) as f64).clamp(MIN_STEPS, MAX_STEPS).floor())
 }
 
 /// The same with at most so many steps.
-fn on_lattice(levels: &[(f64, Vec<LossShares>)], losses: &[f64], steps: f64) -> Vec<LossPoint> {
+fn on_lattices(levels: &[(f64, Vec<LossShares>)], losses: &[f64], steps: f64) -> Vec<LossPoint> {
     let largest = |object: &LossShares| object.iter().map(|share| share.0).fold(0.0, f64::max);
     let total = levels.iter().map(|(_, objects)| objects.iter().map(largest).sum()).fold(0.0, f64::max);
     let all = || levels.iter().flat_map(|(_, objects)| objects).flatten().map(|share| share.0);
-    // Rounding must not put a loss below itself; a shared one is half a step off.
-    let (step, slack) = match common_amount(all()).filter(|amount| total <= steps * amount) {
-        Some(amount) => (amount, 1e-6),
-        None => (if total > 0.0 { total / steps } else { 1.0 }, 0.5),
-    };
+    let least = losses.iter().copied().filter(|loss| *loss > 0.0).fold(f64::INFINITY, f64::min);
+    let lattices = lattices(total, common_amount(all()), least, steps);
+    // The lattice of each loss that is asked for.
+    let finest = |loss: f64| lattices.iter().rposition(|(step, _)| loss <= steps * step).unwrap_or(0);
+    let places: Vec<usize> = losses.iter().map(|loss| finest(*loss)).collect();
     let mut rates = vec![0.0; losses.len()];
     for (annual_rate, objects) in levels {
-        let at_least = rising_sums(&sum_of(objects, step));
         let (any, smallest) = any_loss(objects);
-        for (rate, &least) in rates.iter_mut().zip(losses) {
-            *rate += annual_rate
-                * if least <= 0.0 {
-                    1.0
-                } else if least < step || least <= smallest {
-                    // On the lattice a part of a loss below a step is at 0, with the worlds without any.
-                    any
-                } else {
-                    let from = (least / step - slack).ceil().max(1.0) as usize;
-                    at_least.get(from).copied().unwrap_or(0.0)
-                };
+        for (number, &(step, slack)) in lattices.iter().enumerate().filter(|(number, _)| places.contains(number)) {
+            let at_least = rising_sums(&sum_of(objects, step, steps as usize));
+            let here = rates.iter_mut().zip(losses).zip(&places).filter(|(_, place)| **place == number);
+            for ((rate, &least), _) in here {
+                *rate += annual_rate
+                    * if least <= 0.0 {
+                        1.0
+                    } else if least <= smallest {
+                        any
+                    } else {
+                        // At 0 there is no loss, although a part of a shared one.
+                        let from = (least / step - slack).ceil().max(1.0) as usize;
+                        at_least.get(from).copied().unwrap_or(0.0)
+                    };
+            }
         }
     }
     losses.iter().zip(rates).map(|(&loss, annual_rate)| LossPoint { loss, annual_rate }).collect()
+}
+
+/// The steps of lattices, from coarse to fine, until the least loss that is asked for has enough of them
+/// or a lattice is exact, and how far below itself a loss counts as reached \[steps\].
+fn lattices(total: f64, amount: Option<f64>, least: f64, steps: f64) -> Vec<(f64, f64)> {
+    let mut step = if total > 0.0 { total / steps } else { 1.0 };
+    let mut found = Vec::new();
+    loop {
+        if let Some(amount) = amount.filter(|amount| step <= *amount) {
+            // Rounding must not put a loss below itself.
+            found.push((amount, 1e-6));
+            return found;
+        }
+        found.push((step, SHARED));
+        if FINER * least >= steps * step || found.len() == MAX_LATTICES {
+            return found;
+        }
+        step /= FINER;
+    }
 }
 
 /// The probability that any object has a loss, 1 − Π P(no loss), and the smallest loss that is
@@ -141,8 +175,9 @@ fn common_amount(losses: impl Iterator<Item = f64>) -> Option<f64> {
     (common > 0).then_some(common as f64 / HUNDREDTHS)
 }
 
-/// The probability of each number of steps that the losses of all objects add up to.
-fn sum_of(objects: &[LossShares], step: f64) -> Vec<f64> {
+/// The probability of each number of steps that the losses of all objects add up to; the last number,
+/// `most`, stands for all above it too.
+fn sum_of(objects: &[LossShares], step: f64, most: usize) -> Vec<f64> {
     let mut sum = vec![1.0];
     for object in objects {
         // Whole steps, and what is left of another one.
@@ -150,16 +185,26 @@ fn sum_of(objects: &[LossShares], step: f64) -> Vec<f64> {
             .iter()
             .map(|&(loss, p)| {
                 let whole = (loss / step + 1e-6).floor();
-                (whole as usize, (loss / step - whole).max(0.0), p)
+                ((whole as usize).min(most), (loss / step - whole).max(0.0), p)
             })
             .collect();
         let longest = places.iter().map(|place| place.0).max().unwrap_or(0);
-        let mut next = vec![0.0; sum.len() + longest + 1];
-        for (whole, rest, p) in places {
-            for (i, before) in sum.iter().enumerate() {
-                next[i + whole] += before * p * (1.0 - rest);
-                next[i + whole + 1] += before * p * rest;
+        let mut next = vec![0.0; (sum.len() + longest + 1).min(most + 1)];
+        let mut add = |shift: usize, p: f64| {
+            if p == 0.0 {
+                return;
             }
+            let (within, beyond) = sum.split_at(sum.len().min(most - shift.min(most)));
+            for (to, before) in next.iter_mut().skip(shift).zip(within) {
+                *to += before * p;
+            }
+            if let (Some(last), false) = (next.get_mut(most), beyond.is_empty()) {
+                *last += p * beyond.iter().sum::<f64>();
+            }
+        };
+        for (whole, rest, p) in places {
+            add(whole, p * (1.0 - rest));
+            add(whole + 1, p * rest);
         }
         while next.last() == Some(&0.0) {
             next.pop();
@@ -288,26 +333,38 @@ mod tests {
         assert!((rates[3] - 0.02).abs() < 1e-14, "{rates:?}");
     }
 
-    /// Many objects whose repair costs 1 % of their replacement, and more steps of a repair than there
-    /// may be: how often any of them has a loss is 1 − Π P(no loss) at every level.
+    /// Many objects whose repair costs 1 % of their replacement, with a repair of a fifth of a step of the
+    /// coarsest lattice, and not a whole number of cents: the rates of one repair, of up to six, and of a
+    /// replacement.
     #[test]
     fn repairs_of_many_objects_are_counted() {
         let repair = 3.0_f64.sqrt();
-        let (levels, count) = (10, 1000);
-        let p = |level: i32| (2e-4 * f64::from(level), 1e-5 * f64::from(level));
+        let count = 200;
+        let p = |level: i32| (2e-3 * f64::from(level), 1e-5 * f64::from(level));
         let of = |level: i32| {
             let (repaired, lost) = p(level);
             let object = vec![(0.0, 1.0 - repaired - lost), (repair, repaired), (100.0 * repair, lost)];
             (0.3_f64.powi(level), vec![object; count as usize])
         };
-        let levels: Vec<(f64, Vec<LossShares>)> = (1..=levels).map(of).collect();
-        // The fewest steps, as with ten times as many levels: the test is about them, not about time.
-        let point = on_lattice(&levels, &[repair], MIN_STEPS)[0];
-        let none = |(i, (rate, _)): (usize, &(f64, Vec<LossShares>))| {
-            let (repaired, lost) = p(i as i32 + 1);
-            rate * (1.0 - (1.0 - repaired - lost).powi(count))
-        };
-        let expected: f64 = levels.iter().enumerate().map(none).sum();
-        assert!((point.annual_rate / expected - 1.0).abs() < 1e-12, "{point:?} {expected}");
+        let levels: Vec<(f64, Vec<LossShares>)> = (1..=3).map(of).collect();
+        let asked: Vec<f64> = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 100.0].map(|repairs| repairs * repair).to_vec();
+        let curve = on_lattices(&levels, &asked, MIN_STEPS);
+        for (point, repairs) in curve.iter().zip([1, 2, 3, 4, 5, 6, 100]) {
+            // Fewer repairs than these, and no replacement; the tails of 100 repairs vanish.
+            let at = |level: i32| {
+                let (repaired, lost) = p(level);
+                let none = (1.0 - repaired - lost).powi(count);
+                let odds = repaired / (1.0 - repaired - lost);
+                let next = |(term, sum): (f64, f64), i: i32| {
+                    let term = term * odds * f64::from(count - i + 1) / f64::from(i);
+                    (term, sum + term)
+                };
+                0.3_f64.powi(level) * (1.0 - (1..repairs).fold((none, none), next).1)
+            };
+            let expected: f64 = (1..=3).map(at).sum();
+            // A repair is 838.86 steps of the finest lattice: 0.14⁴ = 4e-4 of four of them is four steps below.
+            assert!((point.annual_rate / expected - 1.0).abs() < 1e-3, "{repairs}: {point:?} {expected}");
+        }
+        assert!(curve.windows(2).all(|pair| pair[1].annual_rate < pair[0].annual_rate));
     }
 }
