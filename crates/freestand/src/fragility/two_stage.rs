@@ -31,7 +31,7 @@ impl ShockRun {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ShockFitError {
     /// A shock that is not positive, or above the ceiling.
-    #[error("run {run}: the shock is {shock_g} g, which is not above 0 and at most the ceiling, {ceiling_g} g")]
+    #[error("run {run}: the shock is {shock_g} g, but must be above 0 and at most the ceiling, {ceiling_g} g")]
     Shock {
         /// The run, counted from 1.
         run: usize,
