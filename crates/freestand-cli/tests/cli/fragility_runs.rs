@@ -240,7 +240,7 @@ fn an_option_that_changes_its_object_is_run_and_worth_what_its_curves_say() {
     let args = ["risk", "--outcomes", "plain/outcomes.csv", "--bootstrap", "0", "--options", "options.csv"];
     let missing = refused(folder, &[&args[..], &hazard[..], &money[..]].concat());
     assert!(missing.contains("options.csv:2: ") && missing.contains("shelf/feet"), "{missing}");
-    // Outriggers reach beyond the object, but not into its wall.
+    // Outriggers may reach beyond the object, but not into its wall.
     fs::write(folder.join("wide.csv"), "id,option,cost [AUD],base_thickness [mm]\nshelf,arms,50,1100\n").unwrap();
     let wide = document(folder, &[&call[..], &["--options", "wide.csv"]].concat());
     let of_wide = wide["objects"][2]["counts"]["overturned"].as_f64().unwrap();
