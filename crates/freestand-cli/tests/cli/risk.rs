@@ -479,7 +479,7 @@ fn the_owner_gets_one_page() {
     assert!(!folder.path().join("p/risk.svg").exists());
 }
 
-/// Rates that were fitted are told with their 95 % intervals, those of curves without any.
+/// Rates of fitted outcomes are stated with 95 % intervals, rates of given curves without.
 #[test]
 fn rates_are_told_with_their_intervals() {
     let folder = tempfile::tempdir().unwrap();
@@ -494,7 +494,7 @@ fn rates_are_told_with_their_intervals() {
     assert!(!text(&["--fragility", &curves]).contains("95 %"), "curves have none");
 }
 
-/// Every bad row of every table is told at once, with its line and column, and nothing is written.
+/// All bad rows of all tables are reported at once, with line and column, and nothing is written.
 #[test]
 fn all_bad_rows_are_told_at_once() {
     let folder = tempfile::tempdir().unwrap();
@@ -529,7 +529,8 @@ fn all_bad_rows_are_told_at_once() {
     assert!(!folder.path().join("o").exists(), "nothing is written");
 }
 
-/// Ids that OpenQuake or pelicun would refuse are changed, a table says which is which, and a warning says so.
+/// Ids that OpenQuake or pelicun would refuse are changed; a table lists both ids, and a warning
+/// names it.
 #[test]
 fn ids_are_mapped_for_other_programs() {
     let folder = tempfile::tempdir().unwrap();
