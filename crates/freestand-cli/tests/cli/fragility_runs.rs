@@ -402,8 +402,7 @@ fn shocks_of_runs_are_fitted_below_their_ceiling() {
     assert!(fs::read(folder.join("o/outcomes.parquet")).unwrap().starts_with(b"PAR1"));
 
     // At the intensity at which half of the runs exceed the tolerance by an ordered fit, they do so
-    // by this fit, too. Both are models, and six motions have a standard error of β/√6, 0.1 in ln
-    // x.
+    // by this fit, too. Both are models; the standard error of six motions is β/√6, 0.1 in ln x.
     let ordered = document(folder, &call(&motions, &[&measure[..], &["--tolerance", "2g"]].concat()));
     let by_class = curve(&ordered["objects"][0], "exceeds")["median"].as_f64().unwrap();
     assert!((shock["median"].as_f64().unwrap() / by_class).ln().abs() < 0.2, "{shock} {by_class}");

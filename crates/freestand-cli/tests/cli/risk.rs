@@ -548,7 +548,7 @@ fn ids_are_mapped_for_other_programs() {
     let output = execute(folder.path(), &[&base[..], &formats].concat());
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && told.contains("2 ids were changed for OpenQuake, such as"), "{told}");
-    assert!(told.contains("openquake/ids.csv has both"), "{told}");
+    assert!(told.contains("openquake/ids.csv lists both"), "{told}");
     let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).unwrap();
     let cut = "x".repeat(50);
     assert_eq!(read("openquake/ids.csv"), format!("id,exported_id\n2 racks/Ä,2_racks__\n{long},{cut}\nplain,plain\n"));

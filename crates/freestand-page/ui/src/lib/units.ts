@@ -79,7 +79,7 @@ export function massShown(kg: number, units: Units): string {
 /** A velocity (m/s) or a displacement (m) as a number in the unit that is shown. */
 export const inLength = (metres: number, units: Units) => (units === 'si' ? metres : metres / INCH_M);
 
-/** A share in percent with two significant digits; as in the program, halves go to the even digit. */
+/** A share in percent with two digits; as in the program, halves go to the even digit. */
 export function percent(share: number): string {
   const value = 100 * share;
   const factor = 10 ** Math.max(0, 1 - Math.floor(Math.log10(value || 1)));
