@@ -66,7 +66,8 @@ pub(crate) fn portfolio(
     }
     if hazard.at != At::Ground {
         warnings.push(
-            "the losses of all objects together need a measure of the ground, which they share: none was calculated"
+            "the losses of all objects together were not calculated: they need a measure of the ground, which all \
+             objects share"
                 .to_owned(),
         );
         return Ok(None);
@@ -100,7 +101,7 @@ pub(crate) fn portfolio(
                         name(&table.motions, motion),
                         table.measure.value_words(*intensity)
                     );
-                    let hint = "the losses of all objects need every object under every motion at every intensity";
+                    let hint = "add the run: the losses of all objects need every object under every motion at every intensity";
                     return Err(Problem::value(message, hint).in_file(&table.file.path));
                 }
             }
