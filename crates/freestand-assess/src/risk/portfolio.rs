@@ -101,7 +101,8 @@ pub(crate) fn portfolio(
                         name(&table.motions, motion),
                         table.measure.value_words(*intensity)
                     );
-                    let hint = "add the run: the losses of all objects need every object under every motion at every intensity";
+                    let hint =
+                        "add this run: the losses of all objects need each object under each motion at each intensity";
                     return Err(Problem::value(message, hint).in_file(&table.file.path));
                 }
             }
