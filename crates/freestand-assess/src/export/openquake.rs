@@ -92,8 +92,8 @@ fn replacement(object: &ExportObject) -> Option<f64> {
 }
 
 /// What an object without a replacement cost is worth in the column of values, which is required: 1
-/// where no object has any cost, so that the values count objects. Beside costs in a currency 1 would be
-/// an amount of it, so that it is 0, with a warning.
+/// where no object has any cost, so that the values count objects. Beside costs in a currency 1
+/// would be an amount of it, so that it is 0, with a warning.
 fn value_without_cost(objects: &[ExportObject]) -> (f64, Option<String>) {
     if !objects.iter().any(|object| object.cost.is_some_and(CostRow::has_costs)) {
         return (1.0, None);
@@ -102,7 +102,8 @@ fn value_without_cost(objects: &[ExportObject]) -> (f64, Option<String>) {
     let warning = without.split_first().map(|(first, rest)| {
         let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
         format!(
-            "{}{more}: no replacement_cost in the inventory, so exposure.csv has the value 0 and OpenQuake counts no loss",
+            "{}{more}: no replacement_cost in the inventory, so exposure.csv has the value 0 and OpenQuake counts \
+             no loss",
             shorten(&first.object.id)
         )
     });

@@ -29,8 +29,8 @@ impl Points {
     /// fitted probabilities.
     ///
     /// # Errors
-    /// Fitted probabilities of an object that rocks or overturns no more often under stronger motions:
-    /// nothing is known of them.
+    /// Fitted probabilities of an object that rocks or overturns no more often under stronger
+    /// motions: nothing is known of them.
     pub(super) fn of(object: &ObjectFragility, is_by_shock: bool) -> Result<Self, Problem> {
         match object.two_stage.filter(|_| is_by_shock) {
             Some(two_stage) => {
@@ -151,8 +151,8 @@ mod tests {
 
     use super::*;
 
-    /// An object whose runs, at 0.1 and 0.2, all rocked or all overturned, and tolerates more than the
-    /// ceiling.
+    /// An object whose runs, at 0.1 and 0.2, all rocked or all overturned, and tolerates more than
+    /// the ceiling.
     fn by_shock(rocks: CurveKind, overturns: CurveKind) -> ObjectFragility {
         let class = OutcomeClass::Overturned;
         let runs = [0.1, 0.2].map(|intensity| Run { motion: Some(0), intensity, class, weight: 1.0 });
@@ -177,8 +177,8 @@ mod tests {
         }
     }
 
-    /// What overturned in every run is exported as certain from the lowest intensity of the runs on, and
-    /// what is not known at all is refused.
+    /// What overturned in every run is exported as certain from the lowest intensity of the runs
+    /// on, and what is not known at all is refused.
     #[test]
     fn what_always_overturns_is_exported() {
         let all = CurveKind::All { upper: 0.1 };

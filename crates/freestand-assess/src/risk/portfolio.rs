@@ -22,9 +22,11 @@ use super::{LOSS_STATES, least};
 
 /// The return periods whose losses are stated \[years\].
 const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
-/// Share of worlds of the lowest intensity with a loss above which lower intensities are missing.
+/// If a larger share of the worlds of the lowest intensity has a loss, lower intensities are
+/// missing.
 const SMALL: f64 = 0.02;
-/// Share of missing pairs of motion and intensity above which runs are no stripes at all.
+/// If a larger share of the outcomes under pairs of motion and intensity is missing, the runs are
+/// not stripes.
 const NO_STRIPES: f64 = 0.5;
 
 /// The losses of all objects.
@@ -68,8 +70,8 @@ struct Worlds {
     all: Vec<(usize, Vec<OutcomeClass>)>,
 }
 
-/// The losses of all objects; `None` without costs, and where there are no worlds that objects share,
-/// with a warning that says why.
+/// The losses of all objects; `None` without costs, and where there are no worlds that objects
+/// share, with a warning that says why.
 ///
 /// # Errors
 /// A run that is missing, and intensities that the hazard does not tell apart.
@@ -115,8 +117,9 @@ pub(crate) fn portfolio(
 
 /// The worlds of the outcomes; `None`, with a warning, where objects share none.
 ///
-/// A world with a run that could not be calculated is left out for all objects, and the other motions at
-/// its intensity count for it: what one of its objects costs is not known, so neither is the sum.
+/// A world with a run that could not be calculated is left out for all objects, and the other
+/// motions at its intensity count for it: what one of its objects costs is not known, so neither is
+/// the sum.
 fn shared_worlds(
     table: &OutcomeTable,
     priced: &[Priced],
@@ -129,7 +132,7 @@ fn shared_worlds(
     };
     if hazard.at != At::Ground {
         return without(
-            "the hazard is that of a measure of the floor, and objects share only the motions of the ground",
+            "the hazard curve is that of a measure of the floor, and all objects share only the motions of the ground",
         );
     }
     let motions = table.motions.len();
@@ -180,8 +183,8 @@ fn shared_worlds(
     }
     if left_out > 0 {
         warnings.push(format!(
-            "{left_out} of {} {} a run that could not be calculated and {} left out of the losses of all objects together; \
-             the other motions at the same intensity count for {}",
+            "{left_out} of {} {} a run that could not be calculated and {} left out of the losses of all objects \
+             together; the other motions at the same intensity count for {}",
             counted(motions * levels.len(), "world"),
             if left_out == 1 { "has" } else { "have" },
             if left_out == 1 { "was" } else { "were" },
@@ -213,14 +216,14 @@ fn check_missing(
             name(&table.motions, first / levels.len()),
             levels.get(first % levels.len()).map_or(String::new(), |level| table.measure.value_words(*level))
         );
-        let hint = "the losses of all objects need every object under every motion at every intensity";
+        let hint = "add this run: the losses of all objects need each object under each motion at each intensity";
         return Err(Problem::value(message, hint).in_file(&table.file.path));
     }
     Ok(())
 }
 
-/// What to say where something fails at the lowest intensity that counts: below it nothing is counted,
-/// nor below the hazard.
+/// What to say where something fails at the lowest intensity that counts: intensities below
+/// it, and below the first point of the hazard curve, are not counted.
 fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
     let lowest = worlds.strips.iter().position(|strip| *strip > 0.0).unwrap_or(0);
     let fails = |(level, classes): &&(usize, Vec<OutcomeClass>)| {
@@ -229,9 +232,9 @@ fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
     let (failing, all) = (worlds.all.iter().filter(fails).count(), worlds.counts.get(lowest).copied().unwrap_or(0));
     (failing as f64 > SMALL * all as f64).then(|| {
         format!(
-            "at the lowest intensity that is counted, {}, something fails in {} of {}: weaker motions cause losses too, \
-             and the losses of all objects are at least those stated; add lower intensities to the outcomes, and to the \
-             hazard if it begins there",
+            "at the lowest intensity that is counted, {}, an object fails in {} of {}: weaker motions cause losses too, \
+             so the losses of all objects are at least those stated; add lower intensities to the outcomes, and to \
+             the hazard curve if it begins there",
             worlds.levels.get(lowest).map_or(String::new(), |level| measure.value_words(*level)),
             failing,
             counted(all, "motion")
@@ -239,8 +242,9 @@ fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
     })
 }
 
-/// How often each loss is reached if, given the intensity, objects fail independently of each other, by
-/// their curves; an object without a curve counts with the least that its outcomes allow, with a warning.
+/// How often each loss is reached if, given the intensity, objects fail independently of each
+/// other, by their curves; an object without a curve counts with the least that its outcomes allow,
+/// with a warning.
 fn independent(worlds: &Worlds, priced: &[Priced], losses: &[f64], warnings: &mut Vec<String>) -> Vec<LossPoint> {
     let shares_at = |level: f64| -> Vec<LossShares> {
         priced.iter().filter_map(|one| Some(shares(one.risk?, one.cost, level))).collect()
@@ -256,8 +260,9 @@ fn independent(worlds: &Worlds, priced: &[Priced], losses: &[f64], warnings: &mu
     if let Some((first, rest)) = unknown.split_first() {
         let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
         warnings.push(format!(
-            "{}{more}: the outcomes give no curve of exceeding or overturning (\"bounds\" or \"not-increasing\"), so the \
-             losses of objects that fail independently count the least that they can be; run more intensities",
+            "{}{more}: the outcomes give no curve of exceeding or overturning (\"bounds\" or \
+             \"not-increasing\"), so the losses of objects that fail independently count the least that they can be; \
+             run more intensities",
             shorten(first)
         ));
     }
@@ -268,7 +273,8 @@ fn independent(worlds: &Worlds, priced: &[Priced], losses: &[f64], warnings: &mu
 fn is_unknown(kind: CurveKind) -> bool {
     match kind {
         CurveKind::Bounds { .. } | CurveKind::NotIncreasing { .. } => true,
-        // From its lowest intensity on, which is that of the runs, every run failed; of `None` none did.
+        // From its lowest intensity on, which is that of the runs, every run failed; of `None` none
+        // did.
         CurveKind::Lognormal { .. } | CurveKind::Step { .. } | CurveKind::All { .. } | CurveKind::None { .. } => false,
     }
 }
@@ -409,8 +415,8 @@ mod tests {
         assert!((found.independent[0].annual_rate / STRIPS[2] - 1.0).abs() < 1e-12, "{:?}", found.independent);
     }
 
-    /// A run that could not be calculated takes its world from all objects, and the other motion at that
-    /// intensity counts twice as much.
+    /// A run that could not be calculated takes its world from all objects, and the other motion at
+    /// that intensity counts twice as much.
     #[test]
     fn a_world_with_a_run_that_is_not_known_is_left_out() {
         let mut unknown = MIXED;

@@ -77,7 +77,7 @@ impl CurveKind {
             Self::Lognormal { median, .. } => Some(median),
             Self::Step { lower, upper } => {
                 let product = lower * upper;
-                // Of huge or tiny ends the product is not a number that has its root.
+                // The product of huge or tiny ends overflows or underflows.
                 Some(if product.is_normal() { product.sqrt() } else { lower.sqrt() * upper.sqrt() })
             }
             Self::Bounds { .. } | Self::None { .. } | Self::All { .. } | Self::NotIncreasing { .. } => None,
@@ -115,8 +115,8 @@ impl CurveKind {
 
     /// The probability at an intensity, also where no curve is known: then the least that the runs
     /// allow, 1 from the intensity on from which every run reached it, and 0 below. A step jumps at
-    /// its median, between its ends. Of a state that is not reached more often at higher intensities
-    /// nothing is known at any of them, so that 0 says nothing either: tell the user.
+    /// its median, between its ends. Of a state that is not reached more often at higher
+    /// intensities nothing is known at any of them, so that 0 says nothing either: tell the user.
     ///
     /// # Example
     /// ```

@@ -59,38 +59,38 @@ pub fn loss_at_return_period(curve: &[LossPoint], years: f64) -> f64 {
 /// The losses of one object at one level, with their probabilities.
 pub type LossShares = Vec<(f64, f64)>;
 
-/// The most steps between no loss and that of all objects.
+/// The largest number of steps between no loss and the loss of all objects.
 const MAX_STEPS: f64 = 131_072.0;
-/// The fewest of them, however many objects there are.
+/// The smallest number of these steps, however many objects there are.
 const MIN_STEPS: f64 = 4096.0;
-/// How many terms are added for all levels and objects together, about a second's work.
+/// How many terms are added for all levels and objects together: about a second of work.
 const MAX_TERMS: f64 = 1e9;
-/// Losses are counted in hundredths: cents.
+/// Losses are counted in hundredths, such as cents.
 const HUNDREDTHS: f64 = 100.0;
 
 /// How much finer the next lattice is.
 const FINER: f64 = 64.0;
 /// The most lattices: losses of one part in 64⁶, 7·10¹⁰, are resolved.
 const MAX_LATTICES: usize = 6;
-/// On a lattice that is not exact a loss counts as reached from so many steps below it. A sum of m losses
-/// between steps is shared among m + 1 of them, with a standard deviation of √m/2 steps at most: three
-/// steps hold nearly all of it for a few objects, whose sums are what is asked for.
+/// On a lattice that is not exact a loss counts as reached from so many steps below it. A sum of m
+/// losses between steps is shared among m + 1 of them, with a standard deviation of √m/2 steps at
+/// most: three steps hold nearly all of it for a few objects, whose sums are what is asked for.
 const SHARED: f64 = 3.0;
 
 /// How often the loss is at least as large as each of `losses` if, given the level, objects fail
 /// independently of each other: for each level its annual rate and the losses of every object.
 ///
-/// The sums are taken on lattices from 0 upwards, the coarsest to the loss of all objects, each other one
-/// 64 times finer, up to as many steps; its last step stands for everything above. Every loss is taken
-/// from the finest lattice that it is on.
+/// The sums are taken on lattices from 0 upwards, the coarsest to the loss of all objects, each
+/// other one 64 times finer, up to as many steps; its last step stands for everything above. Every
+/// loss is taken from the finest lattice that it is on.
 ///
 /// # Accuracy
 /// Exact if all losses are multiples of an amount that divides the loss of all objects into at most
-/// 131,072 steps (fewer if levels times objects exceed about 2,500, at least 4,096), and below so many of
-/// this amount in any case. Otherwise a loss between two steps is shared between both, which keeps the
-/// expected loss, each object adds up to half a step of uncertainty to the losses that are asked for, and
-/// losses up to three steps below count as reached. A loss has 64 steps or more. How often any loss
-/// happens, which is the rate of the smallest one, is exact.
+/// 131,072 steps (fewer if levels times objects exceed about 2,500, at least 4,096), and below so
+/// many of this amount in any case. Otherwise a loss between two steps is divided between both,
+/// which keeps the expected loss, each object adds up to half a step of uncertainty to the losses
+/// that are asked for, and losses up to three steps below count as reached. A loss has 64 steps or
+/// more. How often any loss happens, which is the rate of the smallest one, is exact.
 pub fn independent_loss_exceedance(levels: &[(f64, Vec<LossShares>)], losses: &[f64]) -> Vec<LossPoint> {
     let terms: usize = levels.iter().flat_map(|(_, objects)| objects).map(Vec::len).sum();
     on_lattices(levels, losses, (MAX_TERMS / terms.max(1) as f64).clamp(MIN_STEPS, MAX_STEPS).floor())
@@ -129,14 +129,14 @@ fn on_lattices(levels: &[(f64, Vec<LossShares>)], losses: &[f64], steps: f64) ->
     losses.iter().zip(rates).map(|(&loss, annual_rate)| LossPoint { loss, annual_rate }).collect()
 }
 
-/// The steps of lattices, from coarse to fine, until the least loss that is asked for has enough of them
-/// or a lattice is exact, and how far below itself a loss counts as reached \[steps\].
+/// The steps of lattices, from coarse to fine, until the least loss that is asked for has enough of
+/// them or a lattice is exact, and how far below itself a loss counts as reached \[steps\].
 fn lattices(total: f64, amount: Option<f64>, least: f64, steps: f64) -> Vec<(f64, f64)> {
     let mut step = if total > 0.0 { total / steps } else { 1.0 };
     let mut found = Vec::new();
     loop {
         if let Some(amount) = amount.filter(|amount| step <= *amount) {
-            // Rounding must not put a loss below itself.
+            // Rounding must not lower a loss.
             found.push((amount, 1e-6));
             return found;
         }
@@ -158,13 +158,13 @@ fn any_loss(objects: &[LossShares]) -> (f64, f64) {
     (-none.exp_m1(), possible.map(|share| share.0).fold(f64::INFINITY, f64::min))
 }
 
-/// The largest amount of which all losses are multiples; `None` where one is no whole number of
-/// hundredths.
+/// The largest amount of which all losses are multiples; `None` if one of them is not a whole
+/// number of hundredths.
 fn common_amount(losses: impl Iterator<Item = f64>) -> Option<f64> {
     let mut common = 0;
     for loss in losses {
         let hundredths = (HUNDREDTHS * loss).round();
-        // Above 2⁵³ hundredths a loss has none that could be told apart.
+        // Above 2⁵³ hundredths an f64 no longer distinguishes single hundredths.
         let is_whole = hundredths < 9e15 && (HUNDREDTHS * loss - hundredths).abs() <= 1e-9 * hundredths.max(1.0);
         let (mut a, mut b) = (is_whole.then_some(hundredths as u64)?, common);
         while b > 0 {
@@ -175,12 +175,12 @@ fn common_amount(losses: impl Iterator<Item = f64>) -> Option<f64> {
     (common > 0).then_some(common as f64 / HUNDREDTHS)
 }
 
-/// The probability of each number of steps that the losses of all objects add up to; the last number,
-/// `most`, stands for all above it too.
+/// The probability of each number of steps that the losses of all objects add up to; the last
+/// number, `most`, stands for all above it too.
 fn sum_of(objects: &[LossShares], step: f64, most: usize) -> Vec<f64> {
     let mut sum = vec![1.0];
     for object in objects {
-        // Whole steps, and what is left of another one.
+        // The whole steps of a loss, the rest as a share of a step, and the probability.
         let places: Vec<(usize, f64, f64)> = object
             .iter()
             .map(|&(loss, p)| {
@@ -214,7 +214,7 @@ fn sum_of(objects: &[LossShares], step: f64, most: usize) -> Vec<f64> {
     sum
 }
 
-/// The probability of each number of steps or more.
+/// For each number of steps, the probability of at least that number.
 fn rising_sums(probabilities: &[f64]) -> Vec<f64> {
     let mut sum = 0.0;
     let mut at_least: Vec<f64> = probabilities
@@ -277,8 +277,9 @@ mod tests {
         assert!((curve[1].annual_rate / (0.02 * 0.3_f64.powi(10)) - 1.0).abs() < 1e-12);
     }
 
-    /// Fourteen objects of three states have 4.8 million sums: with costs in tens every one of them is exact,
-    /// no loss at all and the loss of all objects included. By the sums themselves for seven of them.
+    /// Fourteen objects with three states have 4.8 million sums. With costs that are multiples of
+    /// ten all of them are exact, from the smallest loss to that of all objects. For seven of the
+    /// objects the sums are listed and compared one by one.
     #[test]
     fn sums_of_many_objects_are_exact() {
         let object = |i: usize| -> LossShares {
@@ -311,15 +312,16 @@ mod tests {
         let unit = 2.0_f64.sqrt();
         let objects: Vec<LossShares> = (0..20).map(|i| vec![(0.0, 0.5), (unit * f64::from(1 << i), 0.5)]).collect();
         let losses: Vec<f64> = (1..=1024).map(|i| unit * f64::from(i * 1024)).collect();
-        // Uniform from 0 to (2²⁰ − 1)√2 with 131,072 steps; twenty objects are off by ten steps at most.
+        // The sums are uniform from 0 to (2²⁰ − 1)√2; with 131,072 steps, twenty objects are off by
+        // at most ten of them.
         for point in independent_loss_exceedance(&[(1.0, objects)], &losses) {
             let expected = 1.0 - point.loss / unit / f64::from(1 << 20);
             assert!((point.annual_rate - expected).abs() < 10.0 / MAX_STEPS, "{point:?} {expected}");
         }
     }
 
-    /// A small loss beside a total of 10⁷√2 is far below a step of the lattice: worlds without any loss
-    /// do not count, and the small one is as frequent as it is.
+    /// A small loss beside a total of 10⁷√2 is far below a step of the lattice: worlds without any
+    /// loss do not count, and the small one is as frequent as it is.
     #[test]
     fn a_loss_below_a_step_is_as_frequent_as_it_is() {
         let large = 1e7 * 2.0_f64.sqrt();
@@ -333,9 +335,9 @@ mod tests {
         assert!((rates[3] - 0.02).abs() < 1e-14, "{rates:?}");
     }
 
-    /// Many objects whose repair costs 1 % of their replacement, with a repair of a fifth of a step of the
-    /// coarsest lattice, and not a whole number of cents: the rates of one repair, of up to six, and of a
-    /// replacement.
+    /// Many objects whose repair costs 1 % of their replacement, with a repair of a fifth of a step
+    /// of the coarsest lattice, and not a whole number of cents: the rates of one repair, of up to
+    /// six, and of a replacement.
     #[test]
     fn repairs_of_many_objects_are_counted() {
         let repair = 3.0_f64.sqrt();
@@ -362,7 +364,8 @@ mod tests {
                 0.3_f64.powi(level) * (1.0 - (1..repairs).fold((none, none), next).1)
             };
             let expected: f64 = (1..=3).map(at).sum();
-            // A repair is 838.86 steps of the finest lattice: 0.14⁴ = 4e-4 of four of them is four steps below.
+            // A repair is 838.86 steps of the finest lattice: 0.14⁴ = 4e-4 of four of them is four
+            // steps below.
             assert!((point.annual_rate / expected - 1.0).abs() < 1e-3, "{repairs}: {point:?} {expected}");
         }
         assert!(curve.windows(2).all(|pair| pair[1].annual_rate < pair[0].annual_rate));
