@@ -63,7 +63,8 @@ pub type LossShares = Vec<(f64, f64)>;
 const MAX_STEPS: f64 = 131_072.0;
 /// The smallest number of these steps, however many objects there are.
 const MIN_STEPS: f64 = 4096.0;
-/// How many terms are added for all levels and objects together: about a second of work.
+/// How many terms are added for all levels and objects together on one lattice: about a second of
+/// work.
 const MAX_TERMS: f64 = 1e9;
 /// Losses are counted in hundredths, such as cents.
 const HUNDREDTHS: f64 = 100.0;
@@ -76,6 +77,8 @@ const MAX_LATTICES: usize = 6;
 /// losses between steps is shared among m + 1 of them, with a standard deviation of √m/2 steps at
 /// most: three steps hold nearly all of it for a few objects, whose sums are what is asked for.
 const SHARED: f64 = 3.0;
+/// The same on an exact lattice: rounding must not lower a loss.
+const ROUNDING: f64 = 1e-6;
 
 /// How often the loss is at least as large as each of `losses` if, given the level, objects fail
 /// independently of each other: for each level its annual rate and the losses of every object.
@@ -86,7 +89,7 @@ const SHARED: f64 = 3.0;
 ///
 /// # Accuracy
 /// Exact if all losses are multiples of an amount that divides the loss of all objects into at most
-/// 131,072 steps (fewer if levels times objects exceed about 2,500, at least 4,096), and below so
+/// 131,072 steps (fewer if levels times objects exceed about 2,500, at least 4,096), and up to so
 /// many of this amount in any case. Otherwise a loss between two steps is divided between both,
 /// which keeps the expected loss, each object adds up to half a step of uncertainty to the losses
 /// that are asked for, and losses up to three steps below count as reached. A loss has 64 steps or
@@ -136,12 +139,13 @@ fn lattices(total: f64, amount: Option<f64>, least: f64, steps: f64) -> Vec<(f64
     let mut found = Vec::new();
     loop {
         if let Some(amount) = amount.filter(|amount| step <= *amount) {
-            // Rounding must not lower a loss.
-            found.push((amount, 1e-6));
+            found.push((amount, ROUNDING));
             return found;
         }
         found.push((step, SHARED));
         if FINER * least >= steps * step || found.len() == MAX_LATTICES {
+            let exact = amount.filter(|amount| least <= steps * amount);
+            found.extend(exact.map(|amount| (amount, ROUNDING)));
             return found;
         }
         step /= FINER;
