@@ -146,11 +146,9 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
                 money(saved, currency)
             ),
         ));
-        let (word, left) = bounded(report.objects.iter().filter_map(|object| left(object, plan)));
-        boxes.push((
-            format!("{word}{} a year", money(left, currency)),
-            "Expected loss that remains with the plan.".to_owned(),
-        ));
+        let left = bounded(report.objects.iter().filter_map(|object| left(object, plan)));
+        let value = left.map_or_else(not_known, |(word, left)| format!("{word}{} a year", money(left, currency)));
+        boxes.push((value, "Expected loss that remains with the plan.".to_owned()));
     }
     boxes.extend(casualties(report));
     boxes
@@ -202,7 +200,7 @@ fn casualties(report: &RiskReport) -> Option<(String, String)> {
         .collect();
     counted.first()?;
     let value = match (open.is_empty(), sum > 0.0) {
-        (false, false) => "not known".to_owned(),
+        (false, false) => not_known(),
         (is_all, _) => format!("{}{} a year", least(!is_all), number(sum, 2)),
     };
     let why = if open.is_empty() {
@@ -218,16 +216,20 @@ fn left(object: &ObjectRisk, plan: &Chosen) -> Option<LossBounds> {
     plan.of(&object.id).map(|worth| worth.after).or(object.loss)
 }
 
-/// A sum of losses with the word before it: the most that it can be where that is known, and else the
-/// least.
-fn bounded(losses: impl Iterator<Item = LossBounds>) -> (&'static str, f64) {
-    let (least, most) = losses
+/// A sum of losses with the words before it: the most that it can be where that is known, or else the
+/// least; `None` if that is 0, which says nothing.
+fn bounded(losses: impl Iterator<Item = LossBounds>) -> Option<(&'static str, f64)> {
+    let (sum, most) = losses
         .fold((0.0, Some(0.0)), |(least, most), loss| (least + loss.least, most.zip(loss.most).map(|(a, b)| a + b)));
     match most {
-        Some(most) if most > least => ("at most ", most),
-        Some(most) => ("", most),
-        None => ("at least ", least),
+        Some(most) if most > sum => Some(("at most ", most)),
+        Some(most) => Some(("", most)),
+        None => (sum > 0.0).then(|| (least(true), sum)),
     }
+}
+
+fn not_known() -> String {
+    "not known".to_owned()
 }
 
 fn plan(report: &RiskReport) -> String {
@@ -236,9 +238,14 @@ fn plan(report: &RiskReport) -> String {
         return String::new();
     };
     let mut html = heading("The plan");
+    let unknown = match measures.unknown().len() {
+        0 => String::new(),
+        1 => " What one option saves is not known, so that it is not in the plan.".to_owned(),
+        many => format!(" What {many} options save is not known, so that they are not in the plan."),
+    };
     if plan.chosen.is_empty() {
         let known = if measures.is_at_least() { ", as far as is known" } else { "" };
-        html.push_str(&paragraph(&format!("Within the budget, no option saves more than it costs{known}.")));
+        html.push_str(&paragraph(&format!("Within the budget, no option saves more than it costs{known}.{unknown}")));
         return html;
     }
     let proven = match (plan.plan.is_optimal, measures.is_at_least()) {
@@ -250,7 +257,8 @@ fn plan(report: &RiskReport) -> String {
         (false, _) => "The best plan that was found in the time allowed; there may be a better one",
     };
     html.push_str(&paragraph(&format!(
-        "{proven}. Over {} years at a discount rate of {} a year, the plan saves {}{} more than it costs.",
+        "{proven}. Over {} years at a discount rate of {} a year, the plan saves {}{} more than it \
+         costs.{unknown}",
         number(measures.horizon_years, 4),
         percent_significant(measures.discount_ratio, 2),
         least(plan.is_at_least()),
@@ -336,7 +344,8 @@ fn objects(report: &RiskReport, years: &str) -> String {
         }
         if has_plan {
             let left = chosen.and_then(|plan| left(object, plan)).map(|left| bounded(std::iter::once(left)));
-            cells.push(figure(left.map_or("–".to_owned(), |(word, left)| format!("{word}{}", grouped(left)))));
+            let words = |(word, left): (&str, f64)| format!("{word}{}", grouped(left));
+            cells.push(figure(left.map_or("–".to_owned(), |left| left.map_or_else(not_known, words))));
         }
         if has_verdicts {
             cells.push(words(&compared(object)));

@@ -215,14 +215,20 @@ impl Measures {
         self.ranking.iter().any(|worth| worth.is_at_least)
     }
 
+    /// The options without a known benefit.
+    pub(super) fn unknown(&self) -> Vec<&Worth> {
+        self.ranking.iter().filter(|worth| worth.benefit_present_value.is_none()).collect()
+    }
+
     /// What to know about options without a known benefit.
     pub(crate) fn warning(&self) -> Option<String> {
-        let unknown: Vec<&Worth> = self.ranking.iter().filter(|worth| worth.benefit_present_value.is_none()).collect();
+        let unknown = self.unknown();
         let first = unknown.first()?;
         let rest = if unknown.len() > 1 { format!(" and {} more", unknown.len() - 1) } else { String::new() };
         Some(format!(
             "the worth of the option \"{}\" for {}{rest} is not known: a rate with the option has no upper bound, so \
-             the option is ranked last and is not chosen; add weaker motions to the runs, or to the hazard curve",
+             the option is ranked last and is not chosen; run it under more and weaker motions, or give a hazard curve \
+             that begins at a lower intensity",
             shorten(&first.option),
             shorten(&first.id)
         ))
