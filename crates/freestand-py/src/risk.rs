@@ -1,16 +1,19 @@
 //! Fragilities, and how often objects fail.
 
+use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand::fragility::{CurveKind, FitKind};
 use freestand_assess::fragility::{
-    At, FITS, FRAGILITY_SCHEMA, FragilityRequest, Measure, ShockLimits, fragility as fitted,
+    At, FITS, FRAGILITY_SCHEMA, FragilityRequest, Measure, ShockLimits, fragility_watched as fitted,
 };
 use freestand_assess::risk::{
     HAZARD_CODES, HazardGiven, RISK_SCHEMA, RiskCurves, RiskRequest, amount, risk as calculated,
 };
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::Choices;
+use freestand_study::run::Step;
 use freestand_study::study::DEFAULT_SEED;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -37,6 +40,11 @@ const ARGUMENTS: &[(&str, &str)] = &[
     ("horizon", "horizon_years"),
     ("discount", "discount_ratio"),
 ];
+
+/// Progress of work that goes on until the flag is set.
+fn until(stop: &AtomicBool) -> impl Fn(Step) -> ControlFlow<()> + Sync {
+    |_| if stop.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}
 
 /// The fit of outcomes, as far as it is given.
 struct Fitting {
@@ -91,7 +99,8 @@ pub(crate) fn fragility(
         return Err(raised(Problem::value("there are no outcomes", "give a path or a table")));
     };
     let request = fitting.request(outcomes);
-    let report = watched(py, threads, |_| fitted(request))?.map_err(|problems| raised_by(ARGUMENTS, problems))?;
+    let report = watched(py, threads, |stop| fitted(request, &until(stop)))?
+        .map_err(|problems| raised_by(ARGUMENTS, problems))?;
     let seen = report.empirical_table().map_err(raised)?.to_string();
     Ok((told(FRAGILITY_SCHEMA, &report.facts(), &report.warnings)?, seen))
 }
@@ -146,6 +155,7 @@ pub(crate) fn risk(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<u
         accepted_rate,
         years,
     };
-    let report = watched(py, threads, |_| calculated(&request))?.map_err(|problems| raised_by(ARGUMENTS, problems))?;
+    let report = watched(py, threads, |stop| calculated(&request, &until(stop)))?
+        .map_err(|problems| raised_by(ARGUMENTS, problems))?;
     told(RISK_SCHEMA, &report.facts(), &report.warnings)
 }

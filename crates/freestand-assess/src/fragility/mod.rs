@@ -27,6 +27,7 @@ use rayon::prelude::*;
 pub use curves::{ObjectCurves, load_curves};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
+pub(crate) use outcomes::measure_of;
 pub use runs::{
     Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject, KeepRuns, Limits,
     METHODS, Method, Quality, RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
@@ -185,7 +186,7 @@ fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
 ///
 /// # Errors
 /// The caller stopped the work.
-fn go_on(progress: Progress) -> Result<(), Problem> {
+pub(crate) fn go_on(progress: Progress) -> Result<(), Problem> {
     match progress(Step { stage: None, done: 0, total: 0 }) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped()),

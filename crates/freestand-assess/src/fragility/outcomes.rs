@@ -86,11 +86,7 @@ impl OutcomeTable {
                 "its worlds have no intensity measure and cannot be fitted: give a table with the measure of every run";
             return Err(problem.hint(hint).into());
         }
-        let (column, measure) = measure_of(&table)?;
-        let unit = table.headings.get(column).and_then(|heading| heading.unit.as_deref());
-        let factor = measure
-            .factor_from(unit)
-            .map_err(|problem| table.header_problem(problem.message).hint(problem.hint.unwrap_or_default()))?;
+        let (column, measure, factor) = measure_of(&table)?;
         let mut reading = Reading { objects: Names::default(), motions: Names::default(), problems };
         let mut read = Self {
             file: InputFile::new(path, bytes),
@@ -326,17 +322,22 @@ fn class_of(table: &Table, row: &Row, outcome: usize) -> Result<Option<OutcomeCl
     })
 }
 
-/// The only column whose name is a measure.
-fn measure_of(table: &Table) -> Result<(usize, Measure), Problem> {
-    let measured = |(i, heading): (usize, &super::table::Heading)| Some((i, Measure::parse(&heading.name)?));
-    let mut found = table.headings.iter().enumerate().filter_map(measured);
+/// The only column whose name is a measure, and the factor from its unit to the unit of the measure.
+pub(crate) fn measure_of(table: &Table) -> Result<(usize, Measure, f64), Problem> {
+    let headings = table.headings.iter().enumerate();
+    let mut found = headings.filter_map(|(i, heading)| Some((i, heading, Measure::parse(&heading.name)?)));
     match (found.next(), found.next()) {
-        (Some(only), None) => Ok(only),
+        (Some((column, heading, measure)), None) => {
+            let factor = measure
+                .factor_from(heading.unit.as_deref())
+                .map_err(|problem| table.header_problem(problem.message).hint(problem.hint.unwrap_or_default()))?;
+            Ok((column, measure, factor))
+        }
         (None, _) => {
             let message = "there is no column with an intensity measure".to_owned();
             Err(table.header_problem(message).hint(format!("name one column as {MEASURES}")))
         }
-        (Some((_, one)), Some((_, other))) => {
+        (Some((_, _, one)), Some((_, _, other))) => {
             let message = format!("there are two intensity measures, {} and {}", one.name(), other.name());
             Err(table.header_problem(message).hint("keep one of them in the file"))
         }

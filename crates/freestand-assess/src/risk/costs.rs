@@ -288,6 +288,8 @@ pub(crate) struct OptionRow {
 pub(crate) struct Options {
     pub(crate) file: InputFile,
     pub(crate) rows: Vec<OptionRow>,
+    /// The curves that options name, with their files.
+    pub(crate) curves: Vec<(InputFile, ObjectCurves)>,
     pub(crate) warnings: Vec<String>,
 }
 
@@ -299,8 +301,9 @@ pub(crate) struct Options {
 /// or with a changed object without curves.
 pub(crate) fn load_options(path: &Path, currency: Option<&str>, curves: &[ObjectCurves]) -> Result<Options, Problems> {
     let bytes = load(path)?;
-    let (rows, warnings) = read_options(&bytes, path, currency, |object| {
-        let found = curves.iter().find(|one| one.id == object.curve_id).ok_or_else(|| {
+    let known: HashMap<&str, &ObjectCurves> = curves.iter().map(|one| (one.id.as_str(), one)).collect();
+    let read = read_options(&bytes, path, currency, |object| {
+        let found = known.get(object.curve_id.as_str()).copied().ok_or_else(|| {
             let wanted = shorten(&object.curve_id);
             let message = format!("the option changes the object itself, but no curves have the id \"{wanted}\"");
             let hint = "run freestand fragility with the inventory and these options, and give its fragility.csv or \
@@ -309,7 +312,8 @@ pub(crate) fn load_options(path: &Path, currency: Option<&str>, curves: &[Object
         })?;
         Ok(Some(Effect::Curves(found.clone())))
     })?;
-    Ok(Options { file: InputFile::new(path, &bytes), rows, warnings })
+    let ReadOptions { rows, curves, warnings } = read;
+    Ok(Options { file: InputFile::new(path, &bytes), rows, curves, warnings })
 }
 
 /// The objects that options change, of a file of options.
@@ -331,6 +335,13 @@ pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Prob
     Ok((InputFile::new(path, &bytes), objects))
 }
 
+/// The rows of a file of options.
+struct ReadOptions {
+    rows: Vec<OptionRow>,
+    curves: Vec<(InputFile, ObjectCurves)>,
+    warnings: Vec<String>,
+}
+
 /// The options, and warnings about the file. `changed` returns the effect of an option that changes
 /// its object, or `None` to leave the option out.
 fn read_options(
@@ -338,7 +349,7 @@ fn read_options(
     path: &Path,
     currency: Option<&str>,
     mut changed: impl FnMut(ChangedObject) -> Result<Option<Effect>, Problem>,
-) -> Result<(Vec<OptionRow>, Vec<String>), Problems> {
+) -> Result<ReadOptions, Problems> {
     let mut rows = RowProblems::default();
     let table = Table::read(bytes, path, OPTIONS_HINT, &mut rows)?;
     let mut problems = Problems::default();
@@ -346,7 +357,7 @@ fn read_options(
     problems.keep(currency_of(&table, &[("cost", "")], currency));
     problems.keep(check_unit(&table, "life", &["yr", "year", "years"]));
     let ((id, option), cost) = problems.finish(id.zip(option).zip(cost))?;
-    let (mut known, mut files) = (HashMap::new(), CurveFiles::new());
+    let (mut known, mut files, mut named) = (HashMap::new(), CurveFiles::new(), Vec::new());
     let rows = table.each_row(rows, |row, problems| {
         let names = problems.keep(names_of(&table, row, (id, option), &mut known));
         let cost = problems.keep(table.non_negative(row, cost));
@@ -356,7 +367,10 @@ fn read_options(
         let effect = match (table.given(row, "median_factor"), table.given(row, "curves"), change?) {
             (Some(column), None, None) => table.positive(row, column).map(Effect::MedianFactor).map(Some),
             (None, Some(column), None) => {
-                curves_of(&table, row, column, &curve_id(&name, &choice), &mut files).map(Effect::Curves).map(Some)
+                curves_of(&table, row, column, &curve_id(&name, &choice), &mut files).map(|found| {
+                    named.push(found.clone());
+                    Some(Effect::Curves(found.1))
+                })
             }
             (None, None, Some(change)) => {
                 let curve_id = curve_id(&name, &choice);
@@ -377,7 +391,8 @@ fn read_options(
         let (cost, life_years) = (cost?, life_years?);
         Some(effect.map(|effect| OptionRow { id: name, line: row.line, option: choice, cost, life_years, effect }))
     })?;
-    Ok((rows.into_iter().flatten().collect(), table.unused(&OPTION_COLUMNS).into_iter().collect()))
+    let warnings = table.unused(&OPTION_COLUMNS).into_iter().collect();
+    Ok(ReadOptions { rows: rows.into_iter().flatten().collect(), curves: named, warnings })
 }
 
 /// The object and the option of a row; `known` has the lines of the pairs above.
@@ -417,8 +432,10 @@ fn change_of(table: &Table, row: &Row) -> Result<Option<Change>, Problem> {
     Ok(Some(change).filter(|change| *change != Change::default()))
 }
 
+/// A file of curves, by their ids.
+type CurveFile = (InputFile, HashMap<String, ObjectCurves>);
 /// The files of curves that options name; each is read once.
-type CurveFiles = HashMap<PathBuf, Result<Vec<ObjectCurves>, Problems>>;
+type CurveFiles = HashMap<PathBuf, Result<CurveFile, Problems>>;
 
 /// The curves `ID/option` of a file that an option names, relative to its own.
 fn curves_of(
@@ -427,19 +444,23 @@ fn curves_of(
     column: usize,
     wanted: &str,
     files: &mut CurveFiles,
-) -> Result<ObjectCurves, Problem> {
+) -> Result<(InputFile, ObjectCurves), Problem> {
     let folder = table.path.parent().unwrap_or_else(|| Path::new(""));
     let path = folder.join(table.text(row, column));
-    let read = files.entry(path).or_insert_with_key(|path| load_curves(path).map(|(_, objects)| objects));
-    let objects = read.as_ref().map_err(|problems| {
+    let read = files.entry(path).or_insert_with_key(|path| {
+        let (file, objects) = load_curves(path)?;
+        Ok((file, objects.into_iter().map(|object| (object.id.clone(), object)).collect()))
+    });
+    let (file, objects) = read.as_ref().map_err(|problems| {
         let first = problems.problems.first().map_or(String::new(), Problem::to_string);
         let message = format!("the curves cannot be read: {first}");
         table.cell_problem(row, column, &message).hint("correct that file, or name another one")
     })?;
-    objects.iter().find(|object| object.id == wanted).cloned().ok_or_else(|| {
+    let found = objects.get(wanted).ok_or_else(|| {
         let message = format!("the file has no curves with the id \"{}\"", shorten(wanted));
         table.cell_problem(row, column, &message).hint("name the curves of an option ID/option")
-    })
+    })?;
+    Ok((file.clone(), found.clone()))
 }
 
 #[cfg(test)]
@@ -508,7 +529,7 @@ mod tests {
         }
         let options = |text: &str| read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| Ok(None));
         let fine =
-            options("id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n").unwrap().0;
+            options("id,option,cost [AUD],median_factor,life [yr]\na,strap,100,3,15\na,pad,50,1.2,\n").unwrap().rows;
         assert_eq!((fine.len(), fine[0].life_years, fine[1].life_years), (2, Some(15.0), None));
         let cases = [
             ("id,option,cost [USD],median_factor\na,strap,100,3\n", "is in USD"),
@@ -549,7 +570,7 @@ mod tests {
         assert_eq!(costs(text).unwrap_err().len(), 2, "both headings");
         let text = "id,option,cost [AUD],median_factor,life [yr]\na,strap,-1,2,0\na,pad,1,0,\nb,,1,2,\n";
         let read = read_options(text.as_bytes(), Path::new("o.csv"), Some("AUD"), |_| Ok(None));
-        assert_eq!(lines(read.unwrap_err()), [Some(2), Some(2), Some(3), Some(4)]);
+        assert_eq!(lines(read.err().unwrap()), [Some(2), Some(2), Some(3), Some(4)]);
     }
 
     #[test]
@@ -563,6 +584,6 @@ mod tests {
         let change = Change { stiffness_n_m: Some(3e5), base_thickness_m: Some(0.6), mass_kg: None };
         let (id, curve_id, file) = ("a".to_owned(), "a/pad".to_owned(), PathBuf::from("o.csv"));
         assert_eq!(seen, [ChangedObject { id, curve_id, change, file, line: 2 }]);
-        assert_eq!(rows.unwrap().0.len(), 1);
+        assert_eq!(rows.unwrap().rows.len(), 1);
     }
 }

@@ -48,7 +48,11 @@ pub(super) fn risk_figure(report: &RiskReport) -> Result<Option<Figure>, FigureE
         legend.push(entry(curve_style(2), "best plan within a budget"));
         let sign = Sign::Dot { colour: curve_style(3).colour };
         legend.push(Entry { sign, words: "the plan".to_owned() });
-        sentences.push("What the best plan within each budget saves beyond its cost, in present value.");
+        sentences.push(if plan.is_at_least() {
+            "What the best plan within each budget saves at least beyond its cost, in present value."
+        } else {
+            "What the best plan within each budget saves beyond its cost, in present value."
+        });
     }
     if panels.is_empty() {
         return Ok(None);

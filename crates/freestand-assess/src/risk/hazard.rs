@@ -11,9 +11,8 @@ use freestand_input::words::{Choices, counted, shortest};
 use freestand_output::facts::Facts;
 
 use super::number_and_unit;
-use crate::fragility::measure::MEASURES;
 use crate::fragility::table::{Row, RowProblems, Table};
-use crate::fragility::{At, Measure};
+use crate::fragility::{At, Measure, measure_of};
 
 /// Where the hazard comes from.
 #[derive(Debug, Clone, PartialEq)]
@@ -209,14 +208,7 @@ fn from_file(
         return Ok(MeasuredHazard { file, ..openquake(&table, problems, at, site_deg)? });
     }
     let rates = table.needed("annual_rate")?;
-    let found = table.headings.iter().enumerate().find_map(|(i, heading)| Some((i, Measure::parse(&heading.name)?)));
-    let (column, measure) = found.ok_or_else(|| {
-        table
-            .header_problem("there is no column with an intensity measure".to_owned())
-            .hint(format!("write {MEASURES}"))
-    })?;
-    let unit = table.headings.get(column).and_then(|heading| heading.unit.as_deref());
-    let factor = measure.factor_from(unit).map_err(|problem| table.header_problem(problem.message))?;
+    let (column, measure, factor) = measure_of(&table)?;
     let mut before: Option<(&Row, HazardPoint)> = None;
     let points = table.each_row(problems, |row, problems| {
         let intensity = problems.keep(table.positive(row, column));
@@ -530,11 +522,18 @@ mod tests {
             ("pgv [m/s],annual_rate\n0.1,0.02\n", "at least two points"),
             ("pgv [m/s],rate\n0.1,0.02\n", "there is no column \"annual_rate\""),
             ("pgv,annual_rate\n0.1,0.02\n", "pgv has no unit"),
+            ("rate,annual_rate\n0.1,0.02\n", "there is no column with an intensity measure"),
+            (
+                "pgv [m/s],pga [g],annual_rate\n0.1,0.1,0.02\n0.2,0.2,0.01\n",
+                "h.csv:1: there are two intensity measures, pgv and pga",
+            ),
         ];
         for (text, said) in cases {
             let problem = only(file(text));
             assert!(problem.to_string().contains(said) && problem.hint.is_some(), "{said}: {problem}");
         }
+        // The hint is that of the unit, not that of the whole table.
+        assert!(only(file("pgv,annual_rate\n0.1,0.02\n")).hint.is_some_and(|hint| hint.contains("pgv [m/s]")));
         let ugly = "pgv [m/s],annual_rate\n0.05,3\n0.1,0.02\n0.1,0.01\n0.3,0\nx,\n0.4,0.05\n";
         let lines: Vec<Option<usize>> = file(ugly).unwrap_err().problems.iter().map(|one| one.line).collect();
         assert_eq!(lines, [Some(4), Some(5), Some(6), Some(6), Some(7)], "all bad rows at once");

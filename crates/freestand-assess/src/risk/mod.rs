@@ -10,7 +10,8 @@ mod portfolio;
 #[cfg(test)]
 mod tests;
 
-use std::path::PathBuf;
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
 
 use freestand::fragility::LimitState;
 use freestand::risk::Hazard;
@@ -21,8 +22,11 @@ use freestand_input::words::{counted, number, percent_significant, shortest};
 use freestand_output::facts::{Facts, table};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
+use freestand_study::run::Progress;
 
-use crate::fragility::{At, FragilityReport, FragilityRequest, ObjectCurves, fragility, load_curves};
+use crate::fragility::{
+    At, FragilityReport, FragilityRequest, ObjectCurves, ObjectFragility, fragility_watched, go_on, load_curves,
+};
 
 use costs::{Options, curve_id, load_options};
 use objects::ObjectRisk;
@@ -173,12 +177,13 @@ pub struct RiskReport {
 
 /// Calculates how often the objects fail, and with costs what that costs.
 ///
-/// A plan that is not proven to be the best after ten seconds is reported with its bound.
+/// A plan that is not proven to be the best after ten seconds is reported with its bound. `progress` can
+/// stop the work at every bootstrap sample, between objects, and while a plan is searched.
 ///
 /// # Errors
 /// Files that cannot be read, a hazard of another measure than that of the fragilities, two
-/// currencies, options without a horizon and a discount rate.
-pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
+/// currencies, options without a horizon and a discount rate; or that it was stopped.
+pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Problems> {
     if let Some(discount) = request.discount_ratio.filter(|discount| *discount > 1.0) {
         let (percent, written) = (number(100.0 * discount, 4), number(discount, 4));
         let message = format!("a discount rate of {written} is {percent} % a year");
@@ -197,7 +202,7 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
             curves
         }
         RiskCurves::Outcomes(outcomes) => {
-            let report = fragility(outcomes.clone())?;
+            let report = fragility_watched(outcomes.clone(), progress)?;
             warnings.extend(report.warnings.iter().cloned());
             inputs.push(report.table.file.clone());
             let curves = report.objects.iter().map(|object| object.curves(report.table.measure, report.at)).collect();
@@ -205,34 +210,55 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
             curves
         }
     };
-    check_measures(request, &hazard, &curves)?;
+    let path = match &request.curves {
+        RiskCurves::File(path) => path,
+        RiskCurves::Outcomes(outcomes) => &outcomes.outcomes,
+    };
+    for one in &curves {
+        let of_file = matches!(request.curves, RiskCurves::File(_));
+        check_measure(&hazard, one, path, of_file.then_some(one.line))?;
+    }
     let costs = request.inventory.as_deref().map(load_costs).transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
     warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let options = match &request.options {
         Some(path) => {
-            let Options { file, rows: options, warnings: said } = load_options(path, currency.as_deref(), &curves)?;
+            let Options { file, rows: options, curves: named, warnings: said } =
+                load_options(path, currency.as_deref(), &curves)?;
             inputs.push(file);
             warnings.extend(said);
+            for (file, one) in named {
+                check_measure(&hazard, &one, &file.path, Some(one.line))?;
+                warnings.extend(one.contradiction());
+                if inputs.iter().all(|known| known.path != file.path) {
+                    inputs.push(file);
+                }
+            }
             // Changed objects are not there beside those that they replace.
-            curves.retain(|one| options.iter().all(|option| curve_id(&option.id, &option.option) != one.id));
+            let changed: HashSet<String> = options.iter().map(|option| curve_id(&option.id, &option.option)).collect();
+            curves.retain(|one| !changed.contains(&one.id));
             Some(options)
         }
         None => None,
     };
     let years = request.years.unwrap_or(DEFAULT_YEARS);
+    let rows = costs.iter().flat_map(|costs| &costs.rows);
+    let rows: HashMap<&str, &CostRow> = rows.map(|row| (row.id.as_str(), row)).collect();
+    let fits = fitted.iter().flat_map(|report| &report.objects);
+    let fits: HashMap<&str, &ObjectFragility> = fits.map(|object| (object.id.as_str(), object)).collect();
     let mut objects = Vec::new();
     for one in &curves {
-        let cost = costs.as_ref().and_then(|costs| costs.rows.iter().find(|row| row.id == one.id));
-        let fit = fitted.as_ref().and_then(|report| report.objects.iter().find(|object| object.id == one.id));
+        go_on(progress)?;
+        let (cost, fit) = (rows.get(one.id.as_str()).copied(), fits.get(one.id.as_str()).copied());
         objects.push(ObjectRisk::new(one, fit, cost, &hazard.hazard, years, request.accepted_rate));
     }
     check_finite(request, &hazard, &objects)?;
     warnings.extend(begins_too_high(&hazard, &objects));
     warnings.extend(unmatched(costs.as_ref(), &curves));
+    warnings.extend(unjudged(&objects));
     let measures = match &options {
-        Some(options) => Some(plan::measures(request, options, &objects, &hazard, currency.as_deref())?),
+        Some(options) => Some(plan::measures(request, options, &objects, &hazard, currency.as_deref(), progress)?),
         None => {
             if request.budget.is_some() {
                 let hint = "give the options with `options = \"options.csv\"`";
@@ -241,6 +267,7 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
             None
         }
     };
+    warnings.extend(measures.as_ref().and_then(Measures::warning));
     let portfolio = match (&fitted, &costs) {
         (Some(report), Some(costs)) => portfolio::portfolio(report, costs, &objects, &hazard, &mut warnings)?,
         _ => None,
@@ -248,27 +275,27 @@ pub fn risk(request: &RiskRequest) -> Result<RiskReport, Problems> {
     Ok(RiskReport { years, currency, hazard, objects, portfolio, measures, inputs, warnings })
 }
 
-/// A hazard says how often motions of its own measure happen, and nothing about another one.
-fn check_measures(request: &RiskRequest, hazard: &MeasuredHazard, curves: &[ObjectCurves]) -> Result<(), Problem> {
-    let named = |measure: crate::fragility::Measure, at: At| format!("{} of the {}", measure.name(), at.name());
-    for object in curves {
-        if object.measure != hazard.measure || object.at != hazard.at {
-            let message = format!(
-                "the hazard is that of {}, and the fragility of {} is against {}",
-                named(hazard.measure, hazard.at),
-                object.id,
-                named(object.measure, object.at)
-            );
-            let hint = "give the hazard of that measure at that place, or fit the outcomes against the measure of the \
-                        hazard";
-            let problem = Problem::value(message, hint);
-            return Err(match &request.curves {
-                RiskCurves::File(path) => problem.in_file(path).at_line(object.line),
-                RiskCurves::Outcomes(outcomes) => problem.in_file(&outcomes.outcomes),
-            });
-        }
+/// A hazard says how often motions of its own measure happen, and nothing about another one. `line` is
+/// that of the curves in their file.
+fn check_measure(
+    hazard: &MeasuredHazard,
+    curves: &ObjectCurves,
+    path: &Path,
+    line: Option<usize>,
+) -> Result<(), Problem> {
+    if curves.measure == hazard.measure && curves.at == hazard.at {
+        return Ok(());
     }
-    Ok(())
+    let named = |measure: crate::fragility::Measure, at: At| format!("{} of the {}", measure.name(), at.name());
+    let message = format!(
+        "the hazard is that of {}, and the fragility of {} is against {}",
+        named(hazard.measure, hazard.at),
+        shorten(&curves.id),
+        named(curves.measure, curves.at)
+    );
+    let hint = "give the hazard of that measure at that place, or fit the outcomes against the measure of the hazard";
+    let problem = Problem::value(message, hint).in_file(path);
+    Err(line.map_or(problem.clone(), |line| problem.at_line(line)))
 }
 
 /// No motion is more frequent than this: a larger rate is a mistake, and the loss that follows from it
@@ -330,8 +357,10 @@ fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<String> {
         let rest = if ids.len() > 1 { format!(" and {} more", ids.len() - 1) } else { String::new() };
         Some(format!("{} {what}: {first}{rest}", counted(ids.len(), "object")))
     };
-    let without_costs = curves.iter().filter(|one| costs.rows.iter().all(|row| row.id != one.id));
-    let without_curves = costs.rows.iter().filter(|row| curves.iter().all(|one| one.id != row.id));
+    let priced: HashSet<&str> = costs.rows.iter().map(|row| row.id.as_str()).collect();
+    let curved: HashSet<&str> = curves.iter().map(|one| one.id.as_str()).collect();
+    let without_costs = curves.iter().filter(|one| !priced.contains(one.id.as_str()));
+    let without_curves = costs.rows.iter().filter(|row| !curved.contains(row.id.as_str()));
     [
         listed(without_costs.map(|one| one.id.as_str()).collect(), "without a row in the inventory"),
         listed(without_curves.map(|row| row.id.as_str()).collect(), "of the inventory without a fragility"),
@@ -339,6 +368,14 @@ fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<String> {
     .into_iter()
     .flatten()
     .collect()
+}
+
+/// Objects whose accepted rates could not all be compared, with the first reason.
+fn unjudged(objects: &[ObjectRisk]) -> Option<String> {
+    let open: Vec<(&str, &str)> = objects.iter().filter_map(|one| Some((one.id.as_str(), one.why?))).collect();
+    let (id, why) = open.first()?;
+    let rest = if open.len() > 1 { format!(" and {} more", open.len() - 1) } else { String::new() };
+    Some(format!("{}{rest}: an accepted rate was not compared with anything: {why}", shorten(id)))
 }
 
 impl RiskReport {
@@ -421,6 +458,8 @@ impl RiskReport {
                 let accepted = format!(" ({})", limits.collect::<Vec<_>>().join("; "));
                 let sure = object.uncertainty_words();
                 text += &format!("  verdict     {}{sure}{accepted}\n", verdict.words());
+            } else if let Some(why) = object.why {
+                text += &format!("  verdict     not known: {why}\n");
             }
             if let (Some(loss), Some(currency)) = (object.expected_annual_loss, &self.currency) {
                 text += &format!("  loss        {}{} {currency} a year\n", least(object.is_at_least), number(loss, 4));

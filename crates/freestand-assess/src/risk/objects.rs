@@ -89,12 +89,12 @@ impl StateRisk {
     }
 
     /// The rate, or its lower bound if only that is known.
-    fn known(&self) -> Option<f64> {
+    pub(crate) fn known(&self) -> Option<f64> {
         self.rates.annual_rate.or((self.rates.annual_rate_lower > 0.0).then_some(self.rates.annual_rate_lower))
     }
 
     /// Whether the limit state may be reached more often than is counted.
-    fn is_at_least(&self) -> bool {
+    pub(crate) fn is_at_least(&self) -> bool {
         self.rates.annual_rate.is_none() || self.rates.begins_too_high()
     }
 }
@@ -131,12 +131,18 @@ pub(crate) struct ObjectRisk {
     pub(crate) accepted_exceed_rate: Option<f64>,
     pub(crate) verdict: Option<RiskVerdict>,
     pub(crate) is_certain: Option<bool>,
+    /// Why an accepted rate has no verdict.
+    pub(crate) why: Option<&'static str>,
     pub(crate) cost: Option<CostRow>,
     pub(crate) expected_annual_loss: Option<f64>,
+    /// The ends of that loss.
+    pub(crate) loss: Option<LossBounds>,
     /// Whether the rates, and with them the loss, may be larger than those that are counted.
     pub(crate) is_at_least: bool,
     /// Casualties per year; `None` where their probability or the rate of overturning is not known.
     pub(crate) expected_annual_casualties: Option<f64>,
+    /// The least that they can be; `None` where their probability is not known.
+    pub(crate) least_casualties: Option<f64>,
     pub(crate) not_counted: Vec<&'static str>,
 }
 
@@ -174,7 +180,7 @@ impl ObjectRisk {
             .collect();
         let accepted_rate = cost.and_then(|cost| cost.accepted_rate).or(accepted);
         let accepted_exceed_rate = cost.and_then(|cost| cost.accepted_exceed_rate);
-        let (verdict, is_certain) = judged(&states, accepted_rate, accepted_exceed_rate);
+        let Judged { verdict, is_certain, why } = judged(&states, accepted_rate, accepted_exceed_rate);
         let mut not_counted = cost.map_or(Vec::new(), CostRow::not_counted);
         let has_exceeds = curves.curve(LimitState::Exceeds).is_some();
         if cost.is_some_and(|cost| cost.repair.is_some()) && !has_exceeds {
@@ -182,7 +188,9 @@ impl ObjectRisk {
         }
         let unknown =
             |state: LimitState| states.iter().any(|one| one.limit_state == state && one.rates.annual_rate.is_none());
-        let is_at_least = states.iter().any(|one| LOSS_STATES.contains(&one.limit_state) && one.is_at_least());
+        let loss = cost.filter(|cost| cost.has_costs()).map(|cost| loss_of(curves, cost, hazard));
+        let is_at_least = states.iter().any(|one| LOSS_STATES.contains(&one.limit_state) && one.is_at_least())
+            || loss.is_some_and(|loss| !loss.is_exact());
         for (state, words) in [
             (LimitState::Exceeds, "exceeding (its rate is not known)"),
             (LimitState::Overturns, "overturning (its rate is not known)"),
@@ -191,12 +199,14 @@ impl ObjectRisk {
                 not_counted.push(words);
             }
         }
-        let expected_annual_loss =
-            cost.filter(|cost| cost.has_costs()).map(|cost| loss_of(curves, &Effect::MedianFactor(1.0), cost, hazard));
+        if cost.is_some_and(|cost| cost.overturned() > 0.0) && curves.curve(LimitState::Overturns).is_none() {
+            not_counted.push("overturning (there is no curve of it)");
+        }
+        let expected_annual_loss = loss.map(|loss| loss.least);
         let overturns = states.iter().find(|one| one.limit_state == LimitState::Overturns);
-        let expected_annual_casualties = cost.and_then(|cost| {
-            Some(cost.quantity * cost.casualty_probability? * overturns.and_then(|one| one.rates.annual_rate)?)
-        });
+        let casualties = |rate: f64| cost.and_then(|cost| Some(cost.quantity * cost.casualty_probability? * rate));
+        let expected_annual_casualties = overturns.and_then(|one| casualties(one.rates.annual_rate?));
+        let least_casualties = casualties(overturns.and_then(StateRisk::known).unwrap_or(0.0));
         let deaggregation = curves.curves.last().map_or(Vec::new(), |curve| deaggregation(hazard, curve.kind));
         Self {
             id: curves.id.clone(),
@@ -207,12 +217,25 @@ impl ObjectRisk {
             accepted_exceed_rate,
             verdict,
             is_certain,
+            why,
             cost: cost.cloned(),
             expected_annual_loss,
+            loss,
             is_at_least,
             expected_annual_casualties,
+            least_casualties,
             not_counted,
         }
+    }
+
+    /// A limit state; `None` without its curve.
+    pub(crate) fn state(&self, limit_state: LimitState) -> Option<&StateRisk> {
+        self.states.iter().find(|one| one.limit_state == limit_state)
+    }
+
+    /// Whether it may overturn more often than is counted, or nothing tells how often.
+    pub(crate) fn may_overturn_more(&self) -> bool {
+        self.state(LimitState::Overturns).is_none_or(StateRisk::is_at_least)
     }
 
     pub(crate) fn facts(&self) -> Facts<'static> {
@@ -250,6 +273,7 @@ impl ObjectRisk {
             .key("accepted_exceed_annual_rate", self.accepted_exceed_rate)
             .key("verdict", self.verdict.map(RiskVerdict::name))
             .key("certain", self.is_certain)
+            .key("why", self.why)
             .key("expected_annual_loss", self.expected_annual_loss)
             .key("is_at_least", self.is_at_least)
             .key("expected_annual_casualties", self.expected_annual_casualties)
@@ -295,36 +319,84 @@ impl ObjectRisk {
     }
 }
 
-/// The verdict, and whether it is certain; `None` without an accepted rate, or where a rate is not
-/// known.
-fn judged(
-    states: &[StateRisk],
-    accepted: Option<f64>,
-    accepted_exceed: Option<f64>,
-) -> (Option<RiskVerdict>, Option<bool>) {
-    let mut verdict = None;
-    let mut is_certain = Some(true);
-    for (state, accepted) in LOSS_STATES.into_iter().zip([accepted_exceed, accepted]) {
-        let Some(accepted) = accepted else { continue };
-        let found = states.iter().find(|one| one.limit_state == state);
-        let Some((one, here)) = found.and_then(|one| Some((one, one.verdict(accepted)?))) else { return (None, None) };
-        is_certain = match (is_certain, one.is_certain(accepted)) {
-            (Some(false), _) | (_, Some(false)) => Some(false),
-            (Some(true), Some(true)) => Some(true),
-            _ => None,
-        };
-        verdict = match (verdict, here) {
-            (Some(RiskVerdict::Exceeds), _) => verdict,
-            _ => Some(here),
-        };
-    }
-    (verdict, verdict.and(is_certain))
+/// What is known about the accepted rates of an object.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Judged {
+    /// `None` without an accepted rate, or where a rate is not known and no other exceeds its own.
+    verdict: Option<RiskVerdict>,
+    is_certain: Option<bool>,
+    /// Why there is no verdict on an accepted rate.
+    why: Option<&'static str>,
 }
 
-/// Expected annual loss of an object whose curves an option changes. For a rate that is not known,
-/// its lower bound is used.
-pub(crate) fn loss_of(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> f64 {
-    let changed = |kind: CurveKind, factor: f64| match kind {
+fn judged(states: &[StateRisk], accepted: Option<f64>, accepted_exceed: Option<f64>) -> Judged {
+    let mut found: Vec<(RiskVerdict, Option<bool>)> = Vec::new();
+    let mut why = None;
+    for (state, accepted) in LOSS_STATES.into_iter().zip([accepted_exceed, accepted]) {
+        let Some(accepted) = accepted else { continue };
+        let one = states.iter().find(|one| one.limit_state == state);
+        match one.and_then(|one| Some((one.verdict(accepted)?, one.is_certain(accepted)))) {
+            Some(here) => found.push(here),
+            None => {
+                why = why.or(Some(match (state == LimitState::Overturns, one.is_some()) {
+                    (false, false) => "there is no curve of exceeding",
+                    (false, true) => "the rate of exceeding is not known",
+                    (true, false) => "there is no curve of overturning",
+                    (true, true) => "the rate of overturning is not known",
+                }));
+            }
+        }
+    }
+    let exceeds = found.iter().any(|(verdict, _)| *verdict == RiskVerdict::Exceeds);
+    let verdict = match (exceeds, why) {
+        (true, _) => Some(RiskVerdict::Exceeds),
+        (false, None) if !found.is_empty() => Some(RiskVerdict::Accepted),
+        _ => None,
+    };
+    let both = |a: Option<bool>, b: Option<bool>| match (a, b) {
+        (Some(false), _) | (_, Some(false)) => Some(false),
+        (Some(true), Some(true)) => Some(true),
+        _ => None,
+    };
+    let is_certain = verdict.and(found.iter().map(|one| one.1).reduce(both).flatten());
+    Judged { verdict, is_certain, why }
+}
+
+/// How often a limit state is reached: the least that it can be, and the most; `None` where nothing
+/// bounds it \[1/year\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Interval {
+    least: f64,
+    most: Option<f64>,
+}
+
+/// An expected annual loss: the least that it can be, and the most; `None` where nothing bounds it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LossBounds {
+    pub(crate) least: f64,
+    pub(crate) most: Option<f64>,
+}
+
+impl LossBounds {
+    pub(crate) fn is_exact(&self) -> bool {
+        self.most == Some(self.least)
+    }
+}
+
+/// What an option leaves of the loss of an object, and what it avoids.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Avoided {
+    /// Expected annual loss with the option.
+    pub(crate) after: LossBounds,
+    /// The least annual loss that the option avoids; `None` where nothing bounds the loss with it.
+    pub(crate) least: Option<f64>,
+    /// Whether it may avoid more.
+    pub(crate) is_at_least: bool,
+}
+
+/// How often an object reaches a limit state; `None` without its curve.
+fn rates_of(curves: &ObjectCurves, state: LimitState, factor: f64, hazard: &Hazard) -> Option<AnnualRates> {
+    let changed = match curves.curve(state)? {
         CurveKind::Lognormal { median, beta } => CurveKind::Lognormal { median: factor * median, beta },
         CurveKind::Step { lower, upper } => CurveKind::Step { lower: factor * lower, upper: factor * upper },
         CurveKind::Bounds { lower, upper } => {
@@ -336,24 +408,105 @@ pub(crate) fn loss_of(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
             CurveKind::NotIncreasing { lower: factor * lower, upper: factor * upper }
         }
     };
-    let rate = |state: LimitState| {
-        let curve = match effect {
-            Effect::MedianFactor(factor) => curves.curve(state).map(|kind| changed(kind, *factor)),
-            Effect::Curves(other) => other.curve(state),
-        };
-        curve.map(|kind| {
-            let rates = annual_rate(hazard, kind);
-            rates.annual_rate.unwrap_or(rates.annual_rate_lower)
-        })
+    Some(annual_rate(hazard, changed))
+}
+
+/// The rates of both states of losses, [`LOSS_STATES`].
+fn loss_rates(curves: &ObjectCurves, factor: f64, hazard: &Hazard) -> [Option<AnnualRates>; 2] {
+    LOSS_STATES.map(|state| rates_of(curves, state, factor, hazard))
+}
+
+/// The ends of a rate. Motions below the first point of the hazard count for nothing, and bound nothing.
+fn ends_of(rates: AnnualRates) -> Interval {
+    match rates.annual_rate {
+        Some(rate) => Interval { least: rate, most: (!rates.begins_too_high()).then_some(rate) },
+        None => Interval { least: rates.annual_rate_lower, most: rates.annual_rate_upper },
+    }
+}
+
+/// Expected annual loss between the ends of the rates of exceeding and of overturning. An object
+/// overturns at most as often as its tolerance is exceeded, if it has a tolerance.
+///
+/// The loss q \[(λ_e − λ_o)⁺ C_e + λ_o C_o\] rises with λ_e, and as a function of λ_o it is convex with
+/// one corner, at λ_o = λ_e: it is largest at an end of λ_o, and least at an end or at the corner.
+fn loss_between([exceeds, overturns]: [Option<Interval>; 2], has_exceeds: bool, cost: &CostRow) -> LossBounds {
+    let unknown = Interval { least: 0.0, most: None };
+    let exceeds = has_exceeds.then(|| exceeds.unwrap_or(unknown));
+    let mut overturns = overturns.unwrap_or(unknown);
+    // What is known may contradict itself where curves were fitted separately; what is not, cannot.
+    if overturns.most != Some(overturns.least) {
+        let bound = exceeds.and_then(|exceeds| exceeds.most).map(|most| most.max(overturns.least));
+        overturns.most = [overturns.most, bound].into_iter().flatten().reduce(f64::min);
+    }
+    let repair = if has_exceeds { cost.repair.unwrap_or(0.0) } else { 0.0 };
+    let of = |exceeds: f64, overturns: f64| {
+        expected_annual_loss(cost.quantity, exceeds, overturns, repair, cost.overturned())
     };
-    let overturns = rate(LimitState::Overturns).unwrap_or(0.0);
-    let exceeds = rate(LimitState::Exceeds).unwrap_or(overturns);
-    expected_annual_loss(cost.quantity, exceeds, overturns, cost.repair.unwrap_or(0.0), cost.overturned())
+    let exceeds = exceeds.filter(|_| repair > 0.0).unwrap_or(Interval { least: 0.0, most: Some(0.0) });
+    let corner = exceeds.least.min(overturns.most.unwrap_or(f64::INFINITY)).max(overturns.least);
+    let least = of(exceeds.least, overturns.least).min(of(exceeds.least, corner));
+    let most = match (exceeds.most, overturns.most) {
+        (Some(exceeds), Some(most)) => Some(of(exceeds, overturns.least).max(of(exceeds, most))),
+        // Nothing overturns for nothing.
+        (Some(exceeds), None) if cost.overturned() == 0.0 => Some(of(exceeds, overturns.least)),
+        _ => None,
+    };
+    LossBounds { least, most }
+}
+
+/// Expected annual loss of an object. A rate that is not known counts with the least and with the most
+/// that it can be.
+pub(crate) fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBounds {
+    let rates = loss_rates(curves, 1.0, hazard);
+    loss_between(rates.map(|rates| rates.map(ends_of)), curves.curve(LimitState::Exceeds).is_some(), cost)
+}
+
+/// The loss that an option avoids: the least one, which is the least loss of the object without the
+/// option less the largest one with it.
+///
+/// Either part alone would prove nothing. A rate that is not known counts with its lower bound
+/// without the option and with its upper bound with it, so that the difference is the least that the
+/// option can avoid, whichever of the rates is not known. Where no bound of the loss with the option
+/// is known, nothing is known about what it avoids. Where an option multiplies medians by 1 or more,
+/// the object fails no more often with it, whatever its curve: a difference below 0 then counts as 0
+/// (if overturning costs no less than a repair).
+///
+/// Motions below the first point of the hazard count neither without the option nor with it, unless
+/// they would add more to the rate with it: the difference is then a loss that it causes. A step
+/// counts in the middle of its ends, as everywhere.
+pub(crate) fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> Avoided {
+    let before = loss_of(curves, cost, hazard);
+    let without = loss_rates(curves, 1.0, hazard);
+    let (changed, factor) = match effect {
+        Effect::MedianFactor(factor) => (curves, *factor),
+        Effect::Curves(other) => (other, 1.0),
+    };
+    let with = loss_rates(changed, factor, hazard);
+    let has_exceeds = [curves, changed].iter().any(|curves| curves.curve(LimitState::Exceeds).is_some());
+    let after = loss_between(with.map(|rates| rates.map(ends_of)), has_exceeds, cost);
+    let mut charged = with.map(|rates| rates.map(ends_of));
+    for ((end, with), without) in charged.iter_mut().zip(with).zip(without) {
+        let (Some(end), Some(with)) = (end, with) else { continue };
+        if with.begins_too_high() {
+            let excess = with.below_first - without.map_or(0.0, |rates| rates.below_first);
+            end.most = Some(end.least + excess.max(0.0));
+        }
+    }
+    let charged = loss_between(charged, has_exceeds, cost);
+    let least = charged.most.map(|most| before.least - most);
+    let never_worse = matches!(effect, Effect::MedianFactor(factor) if *factor >= 1.0)
+        && cost.overturned() >= cost.repair.unwrap_or(0.0);
+    let least = least.map(|least| if never_worse { least.max(0.0) } else { least });
+    Avoided { after, least, is_at_least: !before.is_exact() || !charged.is_exact() }
 }
 
 #[cfg(test)]
 mod tests {
+    use freestand::fragility::Curve;
+    use freestand::risk::HazardPoint;
+
     use super::*;
+    use crate::fragility::{At, Measure};
 
     fn state(
         limit_state: LimitState,
@@ -379,7 +532,11 @@ mod tests {
     #[test]
     fn verdicts_follow_the_accepted_rates() {
         let overturns = |rate, ends, ci95| [state(LimitState::Overturns, rate, ends, ci95)];
-        let judged = |states: &[StateRisk], accepted| super::judged(states, accepted, None);
+        let of = |states: &[StateRisk], accepted, exceed| {
+            let found = super::judged(states, accepted, exceed);
+            (found.verdict, found.is_certain)
+        };
+        let judged = |states: &[StateRisk], accepted| of(states, accepted, None);
         let (accepted, exceeds) = (Some(RiskVerdict::Accepted), Some(RiskVerdict::Exceeds));
         let (same, narrow) = ((1e-4, 1e-4), Some((5e-5, 2e-4)));
         assert_eq!(judged(&overturns(Some(1e-4), same, narrow), None), (None, None));
@@ -405,7 +562,128 @@ mod tests {
             state(LimitState::Exceeds, Some(0.1), (0.1, 0.1), Some((0.05, 0.2))),
             state(LimitState::Overturns, Some(1e-4), same, narrow),
         ];
-        assert_eq!(super::judged(&both, Some(1e-3), Some(1e-2)), (exceeds, Some(true)));
-        assert_eq!(super::judged(&both[1..], Some(1e-3), Some(1e-2)), (None, None));
+        assert_eq!(of(&both, Some(1e-3), Some(1e-2)), (exceeds, Some(true)));
+        let without = super::judged(&both[1..], Some(1e-3), Some(1e-2));
+        assert_eq!((without.verdict, without.why), (None, Some("there is no curve of exceeding")));
+        // One rate that is surely too large is enough.
+        assert_eq!(of(&both[1..], Some(1e-5), Some(1e-2)), (exceeds, Some(true)));
+    }
+
+    fn cost(repair: f64, replacement: f64) -> CostRow {
+        CostRow {
+            id: "a".to_owned(),
+            line: 2,
+            quantity: 2.0,
+            repair: Some(repair),
+            replacement: Some(replacement),
+            downtime_days: None,
+            downtime_cost: None,
+            casualty_probability: None,
+            casualty_cost: None,
+            accepted_rate: None,
+            accepted_exceed_rate: None,
+            floor: None,
+            site_deg: None,
+        }
+    }
+
+    /// Every pair of rates within the ends, with overturning never above exceeding, has a loss between
+    /// the bounds, and some pairs of a fine grid come close to both.
+    #[test]
+    fn losses_between_the_ends_of_rates_are_within_the_bounds() {
+        for (repair, replacement) in [(100.0, 900.0), (900.0, 100.0), (0.0, 900.0), (900.0, 0.0)] {
+            let cost = cost(repair, replacement);
+            for (e, o) in [((2.0, 6.0), (1.0, 3.0)), ((2.0, 2.0), (0.0, 4.0)), ((2.0, 6.0), (3.0, 3.0))] {
+                let of = |(least, most)| Some(Interval { least, most: Some(most) });
+                let bounds = loss_between([of(e), of(o)], true, &cost);
+                let steps =
+                    |(least, most): (f64, f64)| (0..=60).map(move |i| least + (most - least) * f64::from(i) / 60.0);
+                let pairs = steps(e).flat_map(|e| steps(o).map(move |o| (e, o))).filter(|(e, o)| o <= e);
+                let losses: Vec<f64> =
+                    pairs.map(|(e, o)| expected_annual_loss(2.0, e, o, repair, replacement)).collect();
+                let (least, most) =
+                    (losses.iter().copied().fold(f64::INFINITY, f64::min), losses.iter().copied().fold(0.0, f64::max));
+                let stated = bounds.most.unwrap();
+                // Rounding; the ends are of the order of 1000.
+                assert!(bounds.least <= least + 1e-9 && stated >= most - 1e-9, "{bounds:?} {least} {most}");
+                // One step of the grid, 4/60 of a rate that costs at most 900 for each of two.
+                let tight = 4.0 / 60.0 * 900.0 * 2.0;
+                let known_above = o.0 == o.1 && o.0 > e.0;
+                assert!(
+                    known_above || (least - bounds.least < tight && stated - most < tight),
+                    "{bounds:?} {least} {most}"
+                );
+            }
+        }
+    }
+
+    /// What has no bound has none, unless it costs nothing or the milder state bounds it.
+    #[test]
+    fn a_loss_without_a_bound_is_told_so() {
+        let open = Some(Interval { least: 1.0, most: None });
+        let known = |rate| Some(Interval { least: rate, most: Some(rate) });
+        let most = |e, o, cost: &CostRow| loss_between([e, o], true, cost).most;
+        assert_eq!(most(known(2.0), open, &cost(100.0, 900.0)), Some(2.0 * 2.0 * 900.0));
+        assert_eq!(most(known(2.0), None, &cost(100.0, 900.0)), Some(2.0 * 2.0 * 900.0));
+        assert_eq!(most(open, known(1.0), &cost(100.0, 900.0)), None);
+        assert_eq!(most(open, known(1.0), &cost(0.0, 900.0)), Some(2.0 * 900.0));
+        assert_eq!(most(open, open, &cost(0.0, 900.0)), None);
+        let without = loss_between([None, open], false, &cost(100.0, 900.0));
+        assert_eq!(without, LossBounds { least: 2.0 * 900.0, most: None });
+    }
+
+    fn curves(rows: &[(LimitState, CurveKind)]) -> ObjectCurves {
+        let curves = rows.iter().map(|&(limit_state, kind)| Curve { limit_state, kind }).collect();
+        ObjectCurves { id: "a".to_owned(), measure: Measure::Pgv, at: At::Ground, curves, line: 2 }
+    }
+
+    /// k = 1 and steps: the rate of an intensity x is 1/x.
+    #[test]
+    fn an_option_avoids_at_least_what_the_bounds_leave() {
+        let hazard = Hazard::power_law(1.0, 1.0, 1.0).unwrap();
+        let (exceeds, overturns) = (LimitState::Exceeds, LimitState::Overturns);
+        let step = |x| CurveKind::Step { lower: x, upper: x };
+        let (none, all) = (|lower| CurveKind::None { lower }, |upper| CurveKind::All { upper });
+        let cost = cost(0.0, 1.0);
+        let of = |before, after| {
+            let changed = Effect::Curves(curves(&[(overturns, after)]));
+            let found = avoided(&curves(&[(overturns, before)]), &changed, &cost, &hazard);
+            (found.least, found.is_at_least)
+        };
+        // Of two objects: 2/x before, less 2/x after. Rounding is none with powers of 2.
+        assert_eq!(of(step(0.5), step(2.0)), (Some(3.0), false));
+        assert_eq!(of(step(0.5), none(2.0)), (Some(3.0), true));
+        assert_eq!(of(all(0.5), step(2.0)), (Some(3.0), true));
+        assert_eq!(of(all(0.5), none(2.0)), (Some(3.0), true));
+        assert_eq!(of(none(0.5), step(2.0)), (Some(-1.0), true));
+        assert_eq!(of(step(0.5), all(2.0)), (None, true));
+        // Curves without one of overturning, of an object that overturns: exceeding bounds it.
+        let with = |rows: &[(LimitState, CurveKind)]| {
+            avoided(&curves(&[(overturns, step(0.5))]), &Effect::Curves(curves(rows)), &cost, &hazard)
+        };
+        assert_eq!(with(&[]).least, None);
+        assert_eq!(with(&[(exceeds, step(2.0))]).least, Some(3.0));
+        // Twice the median never makes anything worse, and half of it may.
+        let factor =
+            |factor| avoided(&curves(&[(overturns, none(0.5))]), &Effect::MedianFactor(factor), &cost, &hazard).least;
+        assert_eq!((factor(2.0), factor(0.5)), (Some(0.0), Some(-8.0)));
+    }
+
+    /// Nothing that is known about motions below the hazard may make an option look better.
+    #[test]
+    fn an_option_is_charged_with_weak_motions_that_it_adds() {
+        let points = [(1.0, 1.0), (2.0, 0.5), (4.0, 0.25)];
+        let points = points.map(|(intensity, annual_rate)| HazardPoint { intensity, annual_rate });
+        let hazard = Hazard::points(points.to_vec()).unwrap();
+        let step = |x| CurveKind::Step { lower: x, upper: x };
+        let of = |after| {
+            let changed = Effect::Curves(curves(&[(LimitState::Overturns, step(after))]));
+            avoided(&curves(&[(LimitState::Overturns, step(2.0))]), &changed, &cost(0.0, 1.0), &hazard)
+        };
+        // λ(x) = 1/x goes on below 1: at 1/2 the rate is 2, of which 1 is below the first point.
+        let worse = of(0.5);
+        assert!((worse.least.unwrap() + 2.0 * (2.0 - 0.5)).abs() < 1e-12, "{worse:?}");
+        assert_eq!((worse.after.most, worse.is_at_least), (None, true));
+        assert!((of(4.0).least.unwrap() - 0.5).abs() < 1e-12);
     }
 }

@@ -11,7 +11,8 @@ use freestand_output::html::{
 
 use crate::fragility::{At, Measure};
 
-use super::objects::{Limit, ObjectRisk, RiskVerdict};
+use super::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict};
+use super::plan::Chosen;
 use super::{RiskReport, least, once_in, rounded};
 
 /// The style of this report, added to that of a one-page report.
@@ -131,46 +132,104 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
                 format!("Chance that an earthquake causes a loss within {years} years."),
             ));
         }
-        None => {
-            let likely = report
-                .objects
-                .iter()
-                .filter_map(|object| Some((object, state(object, LimitState::Overturns)?.1)))
-                .reduce(|a, b| if b.1 > a.1 { b } else { a });
-            if let Some((object, chance)) = likely {
-                let what = format!(
-                    "Chance that an earthquake overturns the object {} within {years} years. No other object is \
-                     more likely to overturn.",
-                    shorten(&object.id)
-                );
-                boxes.push((percent_significant(chance, 2), what));
-            }
-        }
+        None => boxes.extend(likeliest(report, years)),
     }
     if let Some((measures, plan)) = report.measures.as_ref().and_then(|all| Some((all, all.plan.as_ref()?))) {
-        let saved: f64 = plan.chosen.iter().map(|worth| worth.benefit_present_value).sum::<f64>() / measures.years;
-        let left = report.expected_annual_loss().unwrap_or(0.0) - saved;
+        let saved: f64 =
+            plan.chosen.iter().filter_map(|worth| worth.benefit_present_value).sum::<f64>() / measures.years;
         boxes.push((
             money(plan.plan.cost, currency),
             format!(
-                "Cost of the plan below, within a budget of {}. It avoids a loss of {} a year.",
+                "Cost of the plan below, within a budget of {}. It avoids a loss of {}{} a year.",
                 money(plan.budget, currency),
+                least(plan.is_at_least()),
                 money(saved, currency)
             ),
         ));
-        boxes.push((
-            format!("{}{} a year", least(report.is_at_least()), money(left.max(0.0), currency)),
-            "Expected loss that remains with the plan.".to_owned(),
-        ));
+        let left = bounded(report.objects.iter().filter_map(|object| left(object, plan)));
+        let value = left.map_or_else(not_known, |(word, left)| format!("{word}{} a year", money(left, currency)));
+        boxes.push((value, "Expected loss that remains with the plan.".to_owned()));
     }
-    let casualties: Vec<f64> = report.objects.iter().filter_map(|object| object.expected_annual_casualties).collect();
-    if !casualties.is_empty() {
-        boxes.push((
-            format!("{} a year", number(casualties.iter().sum(), 2)),
-            "Expected casualties: the mean over very many years, without the plan.".to_owned(),
-        ));
-    }
+    boxes.extend(casualties(report));
     boxes
+}
+
+/// The largest chance of overturning that is known, and which objects may have a larger one: those
+/// whose rate is not known, or only the least that it can be.
+fn likeliest(report: &RiskReport, years: &str) -> Option<(String, String)> {
+    let known = |object: &ObjectRisk| object.state(LimitState::Overturns)?.known();
+    let rates = report.objects.iter().filter_map(|object| Some((object, known(object)?)));
+    let (object, rate) = rates.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
+    let most = |other: &ObjectRisk| {
+        let rates = other.state(LimitState::Overturns)?.rates;
+        rates.annual_rate.map_or(rates.annual_rate_upper, |rate| Some(rate + rates.below_first))
+    };
+    let is_open = |other: &&ObjectRisk| {
+        other.id != object.id && other.may_overturn_more() && most(other).is_none_or(|most| most > rate)
+    };
+    let open: Vec<&str> = report.objects.iter().filter(is_open).map(|other| other.id.as_str()).collect();
+    let others = match open.len() {
+        0 => "No other object is more likely to overturn.".to_owned(),
+        1 => format!("The object {} may be more likely to overturn: only bounds of its rate are known.", named(&open)),
+        _ => {
+            format!("These may be more likely to overturn, as only bounds of their rates are known: {}.", named(&open))
+        }
+    };
+    let chance = probability_in_years(rate, report.years);
+    Some((
+        format!("{}{}", least(object.may_overturn_more()), percent_significant(chance, 2)),
+        format!(
+            "Chance that an earthquake overturns the object {} within {years} years. {others}",
+            shorten(&object.id)
+        ),
+    ))
+}
+
+/// Expected casualties of the objects whose probability of casualties is known.
+fn casualties(report: &RiskReport) -> Option<(String, String)> {
+    let counted: Vec<&ObjectRisk> = report.objects.iter().filter(|object| object.least_casualties.is_some()).collect();
+    let sum: f64 = counted.iter().filter_map(|object| object.least_casualties).sum();
+    let has_some = |object: &&&ObjectRisk| {
+        object.cost.as_ref().is_some_and(|cost| cost.quantity * cost.casualty_probability.unwrap_or(0.0) > 0.0)
+    };
+    let open: Vec<&str> = counted
+        .iter()
+        .filter(has_some)
+        .filter(|object| object.may_overturn_more())
+        .map(|object| object.id.as_str())
+        .collect();
+    counted.first()?;
+    let value = match (open.is_empty(), sum > 0.0) {
+        (false, false) => not_known(),
+        (is_all, _) => format!("{}{} a year", least(!is_all), number(sum, 2)),
+    };
+    let why = if open.is_empty() {
+        String::new()
+    } else {
+        format!(" These may overturn more often than is counted: {}.", named(&open))
+    };
+    Some((value, format!("Expected casualties: the mean over very many years, without the plan.{why}")))
+}
+
+/// The annual loss of an object that remains with a plan.
+fn left(object: &ObjectRisk, plan: &Chosen) -> Option<LossBounds> {
+    plan.of(&object.id).map(|worth| worth.after).or(object.loss)
+}
+
+/// A sum of losses with the words before it: the most that it can be where that is known, or else the
+/// least; `None` if that is 0, which says nothing.
+fn bounded(losses: impl Iterator<Item = LossBounds>) -> Option<(&'static str, f64)> {
+    let (sum, most) = losses
+        .fold((0.0, Some(0.0)), |(least, most), loss| (least + loss.least, most.zip(loss.most).map(|(a, b)| a + b)));
+    match most {
+        Some(most) if most > sum => Some(("at most ", most)),
+        Some(most) => Some(("", most)),
+        None => (sum > 0.0).then(|| (least(true), sum)),
+    }
+}
+
+fn not_known() -> String {
+    "not known".to_owned()
 }
 
 fn plan(report: &RiskReport) -> String {
@@ -179,35 +238,52 @@ fn plan(report: &RiskReport) -> String {
         return String::new();
     };
     let mut html = heading("The plan");
+    let unknown = match measures.unknown().len() {
+        0 => String::new(),
+        1 => " What one option saves is not known, so that it is not in the plan.".to_owned(),
+        many => format!(" What {many} options save is not known, so that they are not in the plan."),
+    };
     if plan.chosen.is_empty() {
-        html.push_str(&paragraph("Within the budget, no option saves more than it costs."));
+        let known = if measures.is_at_least() { ", as far as is known" } else { "" };
+        html.push_str(&paragraph(&format!("Within the budget, no option saves more than it costs{known}.{unknown}")));
         return html;
     }
-    let proven = if plan.plan.is_optimal {
-        "No other choice within the budget is worth more"
-    } else {
-        "The best plan that was found in the time allowed; there may be a better one"
+    let proven = match (plan.plan.is_optimal, measures.is_at_least()) {
+        (true, false) => "No other choice within the budget is worth more",
+        (true, true) => {
+            "Some options may save more than is known. Judged by the least that each saves, no other choice within \
+             the budget is worth more"
+        }
+        (false, _) => "The best plan that was found in the time allowed; there may be a better one",
     };
     html.push_str(&paragraph(&format!(
-        "{proven}. Over {} years at a discount rate of {} a year, the plan saves {} more than it costs.",
+        "{proven}. Over {} years at a discount rate of {} a year, the plan saves {}{} more than it \
+         costs.{unknown}",
         number(measures.horizon_years, 4),
         percent_significant(measures.discount_ratio, 2),
+        least(plan.is_at_least()),
         money(plan.plan.value, currency)
     )));
-    let rows: Vec<Vec<Cell>> = plan
-        .chosen
-        .iter()
-        .take(MAX_ROWS)
-        .map(|worth| {
-            vec![
-                words(&shorten(&worth.id)),
-                words(&shorten(&worth.option)),
-                figure(grouped(worth.cost)),
-                figure(grouped(worth.benefit_present_value)),
-                figure(worth.ratio().map_or("–".to_owned(), |ratio| number(ratio, 2))),
-            ]
-        })
-        .collect();
+    let rows: Vec<Vec<Cell>> =
+        plan.chosen
+            .iter()
+            .take(MAX_ROWS)
+            .map(|worth| {
+                vec![
+                    words(&shorten(&worth.id)),
+                    words(&shorten(&worth.option)),
+                    figure(grouped(worth.cost)),
+                    figure(worth.benefit_present_value.map_or("–".to_owned(), |benefit| {
+                        format!("{}{}", least(worth.is_at_least), grouped(benefit))
+                    })),
+                    figure(
+                        worth.ratio().map_or("–".to_owned(), |ratio| {
+                            format!("{}{}", least(worth.is_at_least), number(ratio, 2))
+                        }),
+                    ),
+                ]
+            })
+            .collect();
     let heads = ["object", "option"].map(words).into_iter();
     let heads = heads.chain(
         [format!("cost ({currency})"), format!("saves, present value ({currency})"), "benefit/cost".to_owned()]
@@ -249,12 +325,6 @@ fn objects(report: &RiskReport, years: &str) -> String {
     if has_verdicts {
         heads.push(words("compared with the accepted rate"));
     }
-    let left = |object: &ObjectRisk| {
-        let loss = object.expected_annual_loss?;
-        let measures = report.measures.as_ref()?;
-        let saved = measures.plan.as_ref()?.chosen.iter().find(|worth| worth.id == object.id);
-        Some((loss - saved.map_or(0.0, |worth| worth.benefit_present_value / measures.years)).max(0.0))
-    };
     let row = |object: &&ObjectRisk| {
         let overturns = state(object, LimitState::Overturns);
         let chance = |one: Option<(f64, f64)>| figure(one.map_or("–".to_owned(), |one| percent_significant(one.1, 2)));
@@ -273,7 +343,9 @@ fn objects(report: &RiskReport, years: &str) -> String {
             cells.push(loss(object.expected_annual_loss));
         }
         if has_plan {
-            cells.push(loss(left(object)));
+            let left = chosen.and_then(|plan| left(object, plan)).map(|left| bounded(std::iter::once(left)));
+            let words = |(word, left): (&str, f64)| format!("{word}{}", grouped(left));
+            cells.push(figure(left.map_or("–".to_owned(), |left| left.map_or_else(not_known, words))));
         }
         if has_verdicts {
             cells.push(words(&compared(object)));
@@ -380,6 +452,11 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
         .collect();
     if !unpriced.is_empty() {
         lines.push(format!("Any loss of these objects, for which no cost was given: {}.", named(&unpriced)));
+    }
+    let unjudged: Vec<&str> =
+        report.objects.iter().filter(|object| object.why.is_some()).map(|object| object.id.as_str()).collect();
+    if !unjudged.is_empty() {
+        lines.push(format!("An accepted rate of these objects, whose own rate is not known: {}.", named(&unjudged)));
     }
     if report.portfolio.as_ref().is_some_and(|portfolio| portfolio.is_at_least) {
         lines.push(

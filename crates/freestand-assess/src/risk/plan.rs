@@ -8,11 +8,13 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number};
 use freestand_output::facts::Facts;
+use freestand_study::run::Progress;
 
-use super::RiskRequest;
 use super::costs::OptionRow;
 use super::hazard::MeasuredHazard;
-use super::objects::{ObjectRisk, loss_of};
+use super::objects::{Avoided, LossBounds, ObjectRisk, avoided};
+use super::{RiskRequest, least};
+use crate::fragility::go_on;
 
 /// Budgets of the frontier.
 const FRONTIER: u32 = 20;
@@ -28,17 +30,40 @@ pub(super) struct Worth {
     pub(super) cost: f64,
     /// With renewals.
     cost_present_value: f64,
-    pub(super) benefit_present_value: f64,
+    /// The least that it can be; `None` where nothing bounds the rates with the option.
+    pub(super) benefit_present_value: Option<f64>,
+    /// Whether the benefit may be larger.
+    pub(super) is_at_least: bool,
+    /// Annual loss that the option leaves.
+    pub(super) after: LossBounds,
 }
 
 impl Worth {
-    /// `None` for what costs nothing.
+    /// `None` for what costs nothing, or has no known benefit.
     pub(super) fn ratio(&self) -> Option<f64> {
-        (self.cost_present_value > 0.0).then(|| self.benefit_present_value / self.cost_present_value)
+        self.benefit_present_value
+            .filter(|_| self.cost_present_value > 0.0)
+            .map(|benefit| benefit / self.cost_present_value)
     }
 
-    fn net(&self) -> f64 {
-        self.benefit_present_value - self.cost_present_value
+    fn net(&self) -> Option<f64> {
+        Some(self.benefit_present_value? - self.cost_present_value)
+    }
+
+    /// By what options are ranked: their ratio. What costs nothing comes first if it is worth anything,
+    /// and what has no known benefit last.
+    fn rank(&self) -> f64 {
+        match (self.ratio(), self.net()) {
+            (_, None) => f64::NEG_INFINITY,
+            (Some(ratio), _) => ratio,
+            (None, Some(net)) => {
+                if net > 0.0 {
+                    f64::INFINITY
+                } else {
+                    0.0
+                }
+            }
+        }
     }
 
     fn facts(&self) -> Facts<'static> {
@@ -50,6 +75,7 @@ impl Worth {
             .key("benefit_present_value", self.benefit_present_value)
             .key("benefit_cost_ratio", self.ratio())
             .key("net_present_value", self.net())
+            .key("is_at_least", self.is_at_least)
     }
 }
 
@@ -79,6 +105,7 @@ pub(crate) fn measures(
     objects: &[ObjectRisk],
     hazard: &MeasuredHazard,
     currency: Option<&str>,
+    progress: Progress,
 ) -> Result<Measures, Problems> {
     let (Some(horizon), Some(discount)) = (request.horizon_years, request.discount_ratio) else {
         let message = "options pay off over years, but the horizon or the discount rate is not given";
@@ -114,7 +141,7 @@ pub(crate) fn measures(
             problems.push(wrong(format!("{named}, which has no fragility"), hint));
             continue;
         };
-        let Some((cost, loss)) = object.cost.as_ref().zip(object.expected_annual_loss) else {
+        let Some(cost) = object.cost.as_ref().filter(|_| object.expected_annual_loss.is_some()) else {
             let hint = "give the costs of its failures in the inventory, or leave out the row";
             problems.push(wrong(format!("{named}, which has no costs"), hint));
             continue;
@@ -122,58 +149,98 @@ pub(crate) fn measures(
         let renewed = renewed_cost(option.cost, option.life_years, discount, horizon)
             .map_err(|error| wrong(error.to_string(), "correct the life, or the horizon"));
         let Some(cost_present_value) = problems.keep(renewed) else { continue };
-        let after = loss_of(&object.curves, &option.effect, cost, &hazard.hazard);
+        let Avoided { after, least, is_at_least } = avoided(&object.curves, &option.effect, cost, &hazard.hazard);
         ranking.push(Worth {
             id: option.id.clone(),
             option: option.option.clone(),
             object: place,
             cost: option.cost,
             cost_present_value,
-            benefit_present_value: years * (loss - after),
+            benefit_present_value: least.map(|least| years * least),
+            is_at_least,
+            after,
         });
     }
     let mut ranking = problems.finish(Some(ranking))?;
-    // Stable, so that equal ratios stay in the order of the file; what costs nothing comes first if
-    // it is worth anything.
-    let key = |worth: &Worth| worth.ratio().unwrap_or(if worth.net() > 0.0 { f64::INFINITY } else { 0.0 });
-    ranking.sort_by(|a, b| key(b).total_cmp(&key(a)));
-    let plan = request.budget.as_ref().map(|(budget, _)| chosen(&ranking, objects.len(), *budget));
+    // Stable, so that equal ratios stay in the order of the file.
+    ranking.sort_by(|a, b| b.rank().total_cmp(&a.rank()));
+    let plan = request.budget.as_ref().map(|(budget, _)| chosen(&ranking, objects.len(), *budget, progress));
+    go_on(progress)?;
     Ok(Measures { ranking, plan, horizon_years: horizon, discount_ratio: discount, years })
 }
 
 /// Whether a search that begins now may go on.
-fn within(time: Duration) -> impl FnMut() -> bool {
+fn within(time: Duration, progress: Progress) -> impl FnMut() -> bool {
     let start = Instant::now();
-    move || start.elapsed() < time
+    move || start.elapsed() < time && go_on(progress).is_ok()
 }
 
-fn chosen(ranking: &[Worth], objects: usize, budget: f64) -> Chosen {
+fn chosen(ranking: &[Worth], objects: usize, budget: f64, progress: Progress) -> Chosen {
     let mut choices: Vec<Vec<Choice>> = vec![Vec::new(); objects];
     let mut worths: Vec<Vec<&Worth>> = vec![Vec::new(); objects];
     for worth in ranking {
-        choices[worth.object].push(Choice { cost: worth.cost, value: worth.net() });
+        // What has no known worth is not bought.
+        let Some(value) = worth.net() else { continue };
+        choices[worth.object].push(Choice { cost: worth.cost, value });
         worths[worth.object].push(worth);
     }
-    let plan = best_plan(&choices, budget, within(PLAN_TIME));
+    let plan = best_plan(&choices, budget, within(PLAN_TIME, progress));
     let chosen =
         plan.chosen.iter().zip(&worths).filter_map(|(number, worths)| worths.get((*number)?).copied().cloned());
     let chosen = chosen.collect();
     let frontier = (1..=FRONTIER).map(|i| {
         let part = budget * f64::from(i) / f64::from(FRONTIER);
-        let plan = best_plan(&choices, part, within(PLAN_TIME / FRONTIER));
+        let plan = best_plan(&choices, part, within(PLAN_TIME / FRONTIER, progress));
         (part, plan.cost, plan.value)
     });
     let frontier = frontier.collect();
     Chosen { budget, plan, chosen, frontier }
 }
 
+impl Chosen {
+    /// Whether the plan may be worth more.
+    pub(super) fn is_at_least(&self) -> bool {
+        self.chosen.iter().any(|worth| worth.is_at_least)
+    }
+
+    /// The option of the plan for an object.
+    pub(super) fn of(&self, id: &str) -> Option<&Worth> {
+        self.chosen.iter().find(|worth| worth.id == id)
+    }
+}
+
 impl Measures {
+    /// The options whose benefit may be larger than stated, so that another plan may be the best.
+    pub(super) fn is_at_least(&self) -> bool {
+        self.ranking.iter().any(|worth| worth.is_at_least)
+    }
+
+    /// The options without a known benefit.
+    pub(super) fn unknown(&self) -> Vec<&Worth> {
+        self.ranking.iter().filter(|worth| worth.benefit_present_value.is_none()).collect()
+    }
+
+    /// What to know about options without a known benefit.
+    pub(crate) fn warning(&self) -> Option<String> {
+        let unknown = self.unknown();
+        let first = unknown.first()?;
+        let rest = if unknown.len() > 1 { format!(" and {} more", unknown.len() - 1) } else { String::new() };
+        Some(format!(
+            "the worth of the option \"{}\" for {}{rest} is not known: a rate with the option has no upper bound, so \
+             the option is ranked last and is not chosen; run it under more and weaker motions, or give a hazard curve \
+             that begins at a lower intensity",
+            shorten(&first.option),
+            shorten(&first.id)
+        ))
+    }
+
     pub(crate) fn ranking_facts(&self) -> Vec<Facts<'static>> {
         self.ranking.iter().map(Worth::facts).collect()
     }
 
     pub(crate) fn plan_facts(&self) -> Option<Facts<'static>> {
-        let Chosen { budget, plan, chosen, frontier } = self.plan.as_ref()?;
+        let found = self.plan.as_ref()?;
+        let Chosen { budget, plan, chosen, frontier } = found;
         let frontier: Vec<Facts> = frontier
             .iter()
             .map(|&(budget, cost, value)| {
@@ -185,6 +252,7 @@ impl Measures {
                 .key("budget", *budget)
                 .key("cost", plan.cost)
                 .key("net_present_value", plan.value)
+                .key("is_at_least", found.is_at_least())
                 .key("chosen", chosen.iter().map(Worth::facts).collect::<Vec<_>>())
                 .key("method", "dynamic programming with bounds")
                 .key("bound", plan.bound)
@@ -195,24 +263,29 @@ impl Measures {
 
     pub(crate) fn text(&self, currency: &str) -> String {
         let line = |worth: &Worth| {
-            let ratio = worth.ratio().map_or("-".to_owned(), |ratio| number(ratio, 3));
-            format!(
-                "  {}: {}, cost {} {currency}, worth {} {currency}, benefit/cost {ratio}\n",
-                worth.id,
-                worth.option,
-                number(worth.cost, 4),
-                number(worth.benefit_present_value, 4)
-            )
+            let least = least(worth.is_at_least);
+            let ratio = worth.ratio().map_or("-".to_owned(), |ratio| format!("{least}{}", number(ratio, 3)));
+            let benefit = match worth.benefit_present_value {
+                Some(benefit) => format!("worth {least}{} {currency}, benefit/cost {ratio}", number(benefit, 4)),
+                None => "worth not known: a rate with it has no upper bound".to_owned(),
+            };
+            format!("  {}: {}, cost {} {currency}, {benefit}\n", worth.id, worth.option, number(worth.cost, 4))
         };
         let mut text = "Options by benefit over cost:\n".to_owned();
         text.extend(self.ranking.iter().map(line));
-        if let Some(Chosen { budget, plan, chosen, .. }) = &self.plan {
-            let proven = if plan.is_optimal { "the best" } else { "the best found so far" };
+        if let Some(found) = &self.plan {
+            let Chosen { budget, plan, chosen, .. } = found;
+            let proven = match (plan.is_optimal, self.is_at_least()) {
+                (true, false) => "the best",
+                (true, true) => "the best by the least that options are worth",
+                (false, _) => "the best found so far",
+            };
             text += &format!(
-                "Plan within {} {currency}, {proven}: {}, cost {} {currency}, net present value {} {currency}\n",
+                "Plan within {} {currency}, {proven}: {}, cost {} {currency}, net present value {}{} {currency}\n",
                 number(*budget, 4),
                 counted(chosen.len(), "option"),
                 number(plan.cost, 4),
+                least(found.is_at_least()),
                 number(plan.value, 4)
             );
             text.extend(chosen.iter().map(line));

@@ -14,7 +14,8 @@ use freestand_input::quantity::{Dimension, shorten};
 use freestand_output::json::document;
 
 use super::Done;
-use super::fragility::PLACES;
+use super::assess::watched;
+use super::fragility::{PLACES, stopped};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
@@ -133,16 +134,21 @@ pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Re
         .cloned()
         .collect();
     let files = Files::with_tables(global, &inputs, &args.tables, RISK_SCHEMA, Some(global.seed()))?;
-    let report = risk(&request)?;
+    // Before the fits, so that no signal is missed between them and the files.
+    let stop = printer.stop();
+    let go_on = || if stop.wanted() { Err(Failure::Stopped { printed: false }) } else { Ok(()) };
+    let report = watched(printer, |progress| risk(&request, progress)).map_err(stopped)?;
     let facts = report.facts();
     if files.wanted() {
         files.table("risk", || report.table())?;
+        go_on()?;
         let json = document(RISK_SCHEMA, &facts, &report.warnings)?;
         files.write("risk.json", || json)?;
         let figure = report.figure()?;
         if let Some(figure) = &figure {
             files.drawn("risk", figure)?;
         }
+        go_on()?;
         files.write("report.html", || report.html(figure.as_ref()))?;
     }
     files.finish_result(RISK_SCHEMA, &report.warnings)?;

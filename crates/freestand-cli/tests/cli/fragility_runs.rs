@@ -294,7 +294,7 @@ fn what_memory_cannot_hold_is_refused_with_its_bound() {
 
 /// Runs a command up to the moment at which it listens to signals, stops it, and returns its status.
 #[cfg(target_os = "linux")]
-fn stopped(folder: &Path, args: &[&str]) -> Option<i32> {
+pub(crate) fn stopped(folder: &Path, args: &[&str]) -> Option<i32> {
     let mut child = command(folder).args(args).spawn().unwrap();
     let status = format!("/proc/{}/status", child.id());
     // Bit n − 1 of the mask of caught signals is signal n; 15 is SIGTERM.
@@ -313,7 +313,7 @@ fn stopped(folder: &Path, args: &[&str]) -> Option<i32> {
 }
 
 #[cfg(target_os = "linux")]
-fn names(folder: &Path) -> Vec<String> {
+pub(crate) fn names(folder: &Path) -> Vec<String> {
     let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name().into_string().unwrap();
     let mut names: Vec<String> = fs::read_dir(folder).unwrap().map(name).collect();
     names.sort();

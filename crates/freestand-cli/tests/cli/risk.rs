@@ -459,7 +459,7 @@ fn the_owner_gets_one_page() {
         "Net present value (thousand AUD)",
         "Of 2 kinds of object with an accepted rate, 2 fail more often than that. The object cabinet overturns 1.6 times \
          as often as accepted: once in 626 years instead of once in 1000 years.",
-        "<td>3 % more often</td>",
+        "<td>3 % more often, uncertainty not known</td>",
     ];
     for text in said {
         assert!(page.contains(text), "{text}");
@@ -597,4 +597,166 @@ fn a_budget_of_nothing_has_an_empty_plan() {
     let money = ["--horizon", "40yr", "--discount", "3%", "--budget", "0 AUD", "--out", "o"];
     let found = json(folder.path(), &[&args[..], &money[..]].concat());
     assert_eq!((&found["plan"]["chosen"], &found["plan"]["cost"]), (&serde_json::json!([]), &Value::from(0.0)));
+}
+
+const HEAD: &str = "id,im,im_unit,at,limit_state,kind,median,beta,lower,upper\n";
+const LAW: [&str; 4] = ["--hazard-im", "pgv", "--hazard-power", "k0=1e-4 /yr, k=2.5, reference=1 m/s"];
+const MONEY: [&str; 4] = ["--horizon", "40 yr", "--discount", "3 %"];
+/// Present value of 1 a year over 40 years at 3 %, (1 − e^(−rH))/r.
+fn present_value() -> f64 {
+    (1.0 - (-0.03 * 40.0_f64).exp()) / 0.03
+}
+
+/// Curves that an option names belong to the hazard, are checked, and are an input of the result.
+#[test]
+fn curves_of_an_option_are_checked_as_those_of_objects() {
+    let folder = tempfile::tempdir().unwrap();
+    let row = |id: &str, im: &str, curve: &str| format!("{id},{im},{curve},,\n");
+    write(folder.path(), "c.csv", &format!("{HEAD}{}", row("a", "pgv,m/s,ground", "overturns,lognormal,0.3,0.4")));
+    write(folder.path(), "costs.csv", "id,replacement_cost [AUD]\na,9000\n");
+    write(folder.path(), "o.csv", "id,option,cost [AUD],curves\na,strap,100,strap.csv\na,pad,100,strap.csv\n");
+    let args = ["risk", "--fragility", "c.csv", "--inventory", "costs.csv", "--options", "o.csv"];
+    let args = [&args[..], &LAW, &MONEY].concat();
+    let pad = row("a/pad", "pgv,m/s,ground", "overturns,lognormal,0.6,0.4");
+    for (im, at) in [("pfa,g,floor", "pfa of the floor"), ("pga,g,ground", "pga of the ground")] {
+        let strap = row("a/strap", im, "overturns,lognormal,0.6,0.4");
+        write(folder.path(), "strap.csv", &format!("{HEAD}{pad}{strap}"));
+        let told = refused(folder.path(), &args);
+        let said = format!(
+            "strap.csv:3: the hazard is that of pgv of the ground, and the fragility of a/strap is against {at}"
+        );
+        assert!(told.contains(&said), "{told}");
+    }
+    let crossing = ["exceeds,lognormal,0.5,0.1", "overturns,lognormal,0.6,1.5"];
+    let strap = crossing.map(|curve| row("a/strap", "pgv,m/s,ground", curve)).concat();
+    write(folder.path(), "strap.csv", &format!("{HEAD}{pad}{strap}"));
+    let found = json(folder.path(), &args);
+    let warned =
+        |text: &str| found["warnings"].as_array().unwrap().iter().any(|one| one.as_str().unwrap().contains(text));
+    assert!(warned("a/strap: ") && warned("contradict each other"), "{}", found["warnings"]);
+    let inputs: Vec<&str> =
+        found["inputs"].as_array().unwrap().iter().map(|one| one["path"].as_str().unwrap()).collect();
+    assert_eq!(inputs, ["c.csv", "costs.csv", "o.csv", "strap.csv"], "each once");
+}
+
+/// An option after which the object never overturned in the runs counts with the largest rate that it
+/// may have; one whose rate has no bound has no known worth.
+#[test]
+fn an_option_with_an_unknown_rate_is_worth_at_least() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = "a,pgv,m/s,ground,overturns,lognormal,0.2,0.4,,\n\
+                a/strap,pgv,m/s,ground,overturns,none,,,0.3,\n\
+                a/net,pgv,m/s,ground,overturns,not-increasing,,,0.1,0.5\n\
+                b,pgv,m/s,ground,overturns,none,,,0.3,\n";
+    write(folder.path(), "c.csv", &format!("{HEAD}{rows}"));
+    write(folder.path(), "costs.csv", "id,replacement_cost [AUD]\na,9000\nb,9000\n");
+    let options = "id,option,cost [AUD],curves,median_factor\na,net,1,c.csv,\na,strap,100,c.csv,\nb,pad,50,,2\n";
+    write(folder.path(), "o.csv", options);
+    let args =
+        ["risk", "--fragility", "c.csv", "--inventory", "costs.csv", "--options", "o.csv", "--budget", "500 AUD"];
+    let args = [&args[..], &LAW, &MONEY].concat();
+    let found = json(folder.path(), &args);
+    let ranking = found["ranking"].as_array().unwrap();
+    let options: Vec<&str> = ranking.iter().map(|one| one["option"].as_str().unwrap()).collect();
+    assert_eq!(options, ["strap", "pad", "net"], "what has no known worth is last");
+    let before = 1e-4 * 0.2_f64.powf(-2.5) * (0.5 * (2.5 * 0.4_f64).powi(2)).exp();
+    let worth = present_value() * 9000.0 * (before - 1e-4 * 0.3_f64.powf(-2.5));
+    let stated = ranking[0]["benefit_present_value"].as_f64().unwrap();
+    // Rounding alone differs.
+    assert!((stated / worth - 1.0).abs() < 1e-10, "{stated} {worth}");
+    assert_eq!((&ranking[0]["is_at_least"], &found["plan"]["is_at_least"]), (&Value::from(true), &Value::from(true)));
+    // Whatever the rate of b is, a factor of 2 does not raise it.
+    assert_eq!(
+        (&ranking[1]["benefit_present_value"], &ranking[1]["is_at_least"]),
+        (&Value::from(0.0), &Value::from(true))
+    );
+    let unknown = ["benefit_present_value", "benefit_cost_ratio", "net_present_value"].map(|key| &ranking[2][key]);
+    assert_eq!(unknown, [&Value::Null; 3]);
+    let chosen = found["plan"]["chosen"].as_array().unwrap();
+    assert_eq!((chosen.len(), &chosen[0]["option"]), (1, &Value::from("strap")));
+    let warnings = found["warnings"].to_string();
+    assert!(warnings.contains("the worth of the option \\\"net\\\" for a is not known"), "{warnings}");
+    let output = execute(folder.path(), &[&args[..], &["--out", "o"]].concat());
+    let text = String::from_utf8(output.stdout).unwrap();
+    for said in
+        ["strap, cost 100 AUD, worth at least ", "net, cost 1 AUD, worth not known", "net present value at least "]
+    {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    let page = fs::read_to_string(folder.path().join("o/report.html")).unwrap();
+    for said in [
+        "the plan saves at least ",
+        "It avoids a loss of at least ",
+        "Judged by the least that each saves",
+        "What one option saves is not known",
+    ] {
+        assert!(page.contains(said), "{said}: {page}");
+    }
+    // The strap leaves at most λ(0.3), and nothing bounds less than λ(0.3) of b either.
+    let left = 2.0 * 9000.0 * 1e-4 * 0.3_f64.powf(-2.5);
+    assert!((left - 36.5).abs() < 0.05 && page.contains("<strong>at most 36.5 AUD a year</strong>"), "{left}: {page}");
+}
+
+/// The page ranks by what is known, and says what is not.
+#[test]
+fn the_page_says_whose_rates_are_not_known() {
+    let folder = tempfile::tempdir().unwrap();
+    let hazard = example("hazard.csv");
+    let page = |rows: &str| {
+        write(folder.path(), "c.csv", &format!("{HEAD}{rows}"));
+        write(folder.path(), "costs.csv", "id,casualty_probability\na,0.1\nb,0.1\n");
+        let args =
+            ["risk", "--fragility", "c.csv", "--hazard", &hazard, "--inventory", "costs.csv", "--force", "--out", "o"];
+        assert!(execute(folder.path(), &args).status.success());
+        fs::read_to_string(folder.path().join("o/report.html")).unwrap()
+    };
+    let a = "a,pgv,m/s,ground,overturns,lognormal,0.5,0.3,,\n";
+    let known = page(&format!("{a}b,pgv,m/s,ground,overturns,lognormal,0.6,0.3,,\n"));
+    assert!(known.contains("No other object is more likely to overturn.") && !known.contains("at least"), "{known}");
+    let seldom = page(&format!("{a}b,pgv,m/s,ground,overturns,none,,,0.9,\n"));
+    assert!(
+        seldom.contains("No other object is more likely") && seldom.contains("at least"),
+        "the casualties: {seldom}"
+    );
+    let always = page(&format!("{a}b,pgv,m/s,ground,overturns,all,,,,0.1\n"));
+    let boxes = always.split("<h2").next().unwrap();
+    assert!(
+        boxes.contains("overturns the object b within 50 years") && boxes.matches("<strong>at least ").count() == 2
+    );
+    let between = page(&format!("{a}b,pgv,m/s,ground,overturns,not-increasing,,,0.1,0.9\n"));
+    assert!(between.contains("The object b may be more likely to overturn"), "{between}");
+    let nothing = page("b,pgv,m/s,ground,overturns,not-increasing,,,0.1,0.9\n");
+    assert!(nothing.contains("<strong>not known</strong>"), "{nothing}");
+}
+
+/// An accepted rate that nothing is compared with is told, with the reason.
+#[test]
+fn an_accepted_rate_without_a_curve_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let curves = "id,im,im_unit,at,limit_state,kind,median,beta\na,pgv,m/s,ground,overturns,lognormal,0.5,0.25\n";
+    write(folder.path(), "c.csv", curves);
+    let costs = "id,accepted_exceed_annual_rate [1/yr],accepted_annual_rate [1/yr]\na,1e-2,1e-2\n";
+    write(folder.path(), "costs.csv", costs);
+    let args = [&["risk", "--fragility", "c.csv", "--inventory", "costs.csv"], &LAW[..]].concat();
+    let found = json(folder.path(), &args);
+    let object = &found["objects"][0];
+    assert_eq!((&object["verdict"], &object["why"]), (&Value::Null, &Value::from("there is no curve of exceeding")));
+    let warned = found["warnings"].to_string();
+    assert!(warned.contains("a: an accepted rate was not compared with anything: there is no curve"), "{warned}");
+    let text = String::from_utf8(execute(folder.path(), &args).stdout).unwrap();
+    assert!(text.contains("  verdict     not known: there is no curve of exceeding"), "{text}");
+    // Overturning alone is more frequent than accepted.
+    write(folder.path(), "costs.csv", &costs.replace("1e-2\n", "1e-9\n"));
+    assert_eq!(execute(folder.path(), &args).status.code(), Some(1));
+}
+
+/// A signal in the bootstrap ends the command, and nothing is written.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_signal_stops_the_fits() {
+    let folder = tempfile::tempdir().unwrap();
+    let (outcomes, hazard) = (example("outcomes.csv"), example("hazard.csv"));
+    let args = ["risk", "--outcomes", &outcomes, "--bootstrap", "100000", "--hazard", &hazard, "--quiet", "--out", "o"];
+    assert_eq!(crate::fragility_runs::stopped(folder.path(), &args), Some(130));
+    assert_eq!(crate::fragility_runs::names(folder.path()), [""; 0]);
 }
