@@ -22,7 +22,7 @@ pub(super) const PART: usize = 16;
 
 /// Version of the text that is hashed; raise it with every change of that text, of the content of a
 /// part, or of what scales are chosen.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// Where finished runs of a list are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -43,8 +43,8 @@ struct KeptObject {
     motions: Vec<Vec<KeptRun>>,
 }
 
-/// The scale, and unless it could not be followed the class, the rotation and the shock.
-type KeptRun = (f64, Option<(usize, f64, Option<f64>)>);
+/// The scale, and the class, the rotation and the shock, or why it could not be followed.
+type KeptRun = (f64, Result<(usize, f64, Option<f64>), String>);
 
 /// Opens the store of finished runs; `None` where none are kept.
 ///
@@ -100,15 +100,16 @@ pub(super) fn read(store: &Store, part: &Part, objects: &mut [ObjectRuns], motio
 
 /// `None`: a class that does not exist.
 fn followed(kept: &KeptObject) -> Option<Vec<Vec<Followed>>> {
-    let run = |&(scale_ratio, run): &KeptRun| -> Option<Followed> {
-        let run = match run {
-            None => None,
-            Some((class, rotation_ratio, edge_acceleration_g)) => {
-                let class = *OutcomeClass::ALL.get(class)?;
-                Some(NominalRun { class, rotation_ratio, edge_acceleration_g })
+    let run = |(scale_ratio, run): &KeptRun| -> Option<Followed> {
+        let found = match run {
+            Err(why) => Err(why.clone()),
+            Ok((class, rotation_ratio, edge_acceleration_g)) => {
+                let class = *OutcomeClass::ALL.get(*class)?;
+                let (rotation_ratio, edge_acceleration_g) = (*rotation_ratio, *edge_acceleration_g);
+                Ok(NominalRun { class, rotation_ratio, edge_acceleration_g })
             }
         };
-        Some(Followed { scale_ratio, run })
+        Some(Followed { scale_ratio: *scale_ratio, found })
     };
     kept.motions.iter().map(|runs| runs.iter().map(run).collect()).collect()
 }
@@ -119,7 +120,8 @@ fn followed(kept: &KeptObject) -> Option<Vec<Vec<Followed>>> {
 /// A disk that is full.
 pub(super) fn write(store: &Store, part: &Part, objects: &[ObjectRuns]) -> Result<(), Problem> {
     let run = |run: &Followed| -> KeptRun {
-        (run.scale_ratio, run.run.map(|run| (run.class.index(), run.rotation_ratio, run.edge_acceleration_g)))
+        let kept = |run: &NominalRun| (run.class.index(), run.rotation_ratio, run.edge_acceleration_g);
+        (run.scale_ratio, run.found.as_ref().map(kept).map_err(Clone::clone))
     };
     let kept = objects.iter().map(|one| KeptObject {
         id: one.id.clone(),
