@@ -250,7 +250,7 @@ mod tests {
             confidence: Confidence::Stated,
         };
         let linear = || Cushion::linear(4.38e6).unwrap();
-        let bottoms = || Cushion::new(ContactLaw::Tangent { stiffness_n_m: 4.38e6, bottoming_m: 0.8e-3 }).unwrap();
+        let bottoms = || Cushion::new(ContactLaw::Tangent { stiffness_n_m: 4.38e6, bottoming_m: 0.2e-3 }).unwrap();
         let run = |nominal: &Nominal, peak_g: f64| {
             let sine = |i: usize| peak_g * G0_M_S2 * (std::f64::consts::TAU * 0.01 * i as f64 / 0.8).sin();
             let motion = Motion::new(0.01, (0..=160).map(sine).collect()).unwrap();
@@ -260,7 +260,7 @@ mod tests {
         let (soft, hard) = (cabinet(linear(), &peak), cabinet(bottoms(), &peak));
         let mut bottomed = 0;
         for i in 0..60 {
-            let peak_g = 0.1 + 0.02 * f64::from(i);
+            let peak_g = 0.2 + 0.01 * f64::from(i);
             let (one, other) = (run(&soft, peak_g), run(&hard, peak_g));
             assert_eq!(one.rotation_ratio, other.rotation_ratio, "{peak_g} g");
             assert_eq!(one.class == OutcomeClass::Overturned, other.class == OutcomeClass::Overturned, "{peak_g} g");
