@@ -522,6 +522,7 @@ class RiskResult(Result):
     hazard: dict[str, Any]
     objects: list[dict[str, Any]]
     expected_annual_loss: float | None
+    is_at_least: bool
     portfolio: dict[str, Any] | None
     ranking: Any
     plan: Any

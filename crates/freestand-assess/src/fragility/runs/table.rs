@@ -47,7 +47,7 @@ pub(super) fn outcomes(
         "1" => measure.name(),
         unit => format!("{} [{unit}]", measure.name()),
     };
-    // Texts and numbers.
+    // Each column with whether it holds numbers.
     let columns = [
         ("object", false),
         ("motion", false),
@@ -109,7 +109,7 @@ pub(super) fn weights(one: &ObjectRuns, place: usize, units: &[Option<f64>]) -> 
     one.motions.iter().zip(units).map(of_motion).collect()
 }
 
-/// The intensities of stripes by the first measure, rising; none of other runs.
+/// The intensities of stripes by the first measure, rising; empty for other runs.
 struct Levels(Vec<f64>);
 
 impl Levels {
@@ -120,8 +120,8 @@ impl Levels {
         Self(levels)
     }
 
-    /// The intensity of a run: the level itself, which the division for the scale and the product with
-    /// it may miss by a last digit.
+    /// The intensity of a run: exactly that of its stripe. Calculated from the scale of the motion
+    /// it may differ in the last digit.
     fn exact(&self, product: f64) -> f64 {
         // Two roundings, 2.2e-16 each.
         const ROUNDING: f64 = 1e-15;

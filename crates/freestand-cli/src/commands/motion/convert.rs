@@ -74,7 +74,7 @@ struct Traces {
 }
 
 impl Traces {
-    /// By the trapezoid rule, as the peaks of `motion info`.
+    /// By the trapezoidal rule, like the peaks of `motion info`.
     fn new(motion: &Motion) -> Self {
         let velocity_m_s = cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
         Self { displacement_m: cumulative_trapezoid(motion.dt_s(), &velocity_m_s), velocity_m_s }

@@ -108,7 +108,7 @@ export async function follow(id: string, each: (name: string, data: never) => vo
         }
       }
     } catch (error) {
-      // A connection that breaks off is tried again.
+      // If the connection breaks, it is made again.
       if (error instanceof Refused && (error.status !== 0 || tries === MAX_TRIES - 1)) throw error;
     }
     await new Promise((resolve) => setTimeout(resolve, 300));
