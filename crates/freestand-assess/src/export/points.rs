@@ -1,6 +1,6 @@
 //! Curves as points, for programs that join them by straight lines.
 
-use freestand::fragility::{CurveKind, Empirical, LimitState, empirical};
+use freestand::fragility::{CurveKind, Empirical, LimitState, Sampling, empirical};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
@@ -56,7 +56,7 @@ impl Points {
             None => {
                 let seen = |state| {
                     let seen = empirical(&object.outcomes, state);
-                    if object.outcomes.has_own_levels() { stepped(&seen) } else { rising(&seen) }
+                    if object.outcomes.sampling() == Sampling::Own { stepped(&seen) } else { rising(&seen) }
                 };
                 let overturns = seen(LimitState::Overturns);
                 let exceeds = object.fit.curve(LimitState::Exceeds).map(|_| seen(LimitState::Exceeds));

@@ -117,6 +117,8 @@ pub struct ObjectFragility {
     pub outcomes: Outcomes,
     /// Runs that could not be followed.
     pub unresolved: usize,
+    /// Why, in words: each reason once.
+    pub reasons: Vec<String>,
     /// Its curves.
     pub fit: Fit,
     /// The probability of exceeding the tolerance, from the shocks.
@@ -238,6 +240,7 @@ fn fitted(
             id: id.clone(),
             outcomes,
             unresolved,
+            reasons: table.reasons.get(i).cloned().unwrap_or_default(),
             fit,
             two_stage,
             no_two_stage,
@@ -314,8 +317,13 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
     }
     if object.unresolved > 0 {
         let verb = if object.unresolved == 1 { "was" } else { "were" };
+        let mut why: Vec<&str> = object.reasons.iter().take(MAX_NAMED).map(String::as_str).collect();
+        if object.reasons.len() > MAX_NAMED {
+            why.push("and others: see the column reason of the table");
+        }
+        let why = if why.is_empty() { String::new() } else { format!(": {}", why.join("; ")) };
         warnings.push(format!(
-            "{} could not be calculated and {verb} left out of the fit",
+            "{} could not be calculated and {verb} left out of the fit{why}",
             counted(object.unresolved, "run")
         ));
     }
@@ -330,7 +338,7 @@ fn warnings(object: &ObjectFragility) -> Vec<String> {
             significant(x, 3)
         ));
     }
-    if object.goodness.is_some_and(|goodness| goodness.is_misfit()) {
+    if object.goodness.is_some_and(|goodness| goodness.is_misfit() == Some(true)) {
         warnings.push(format!(
             "the curves do not fit the runs (p = {}): compare them with empirical.csv",
             significant(object.goodness.and_then(|goodness| goodness.p_value).unwrap_or(0.0), 2)
@@ -602,7 +610,8 @@ impl FragilityReport {
         }))
     }
 
-    /// `empirical.csv`: what was seen at each level, or the capacities of the motions.
+    /// `empirical.csv`: what was seen at each level, the capacities of the motions, or of one run per
+    /// motion the shares in bins.
     ///
     /// # Errors
     /// None in practice: see [`table`].

@@ -48,6 +48,8 @@ pub struct OutcomeTable {
     pub(crate) runs: Vec<OutcomeRun>,
     /// Runs of each object that could not be followed.
     pub(crate) unresolved: Vec<usize>,
+    /// Why, in words: each reason once, for each object.
+    pub(super) reasons: Vec<Vec<String>>,
     /// The line of the first row of each object, from 1.
     first_lines: Vec<usize>,
 }
@@ -95,6 +97,7 @@ impl OutcomeTable {
             motions: Vec::new(),
             runs: Vec::new(),
             unresolved: Vec::new(),
+            reasons: Vec::new(),
             first_lines: Vec::new(),
         };
         let intensity = |row: &Row| Ok::<f64, Problem>(factor * table.positive(row, column)?);
@@ -115,7 +118,7 @@ impl OutcomeTable {
         reading: &mut Reading<'_>,
     ) -> Result<(), Problem> {
         let (object, motion, outcome) = (table.needed("object")?, table.needed("motion")?, table.needed("outcome")?);
-        let weight = table.column("weight");
+        let (weight, reason) = (table.column("weight"), table.column("reason"));
         let (shock, rotation) = (table.column("edge_acceleration"), table.column("rotation_ratio"));
         let unit = shock.and_then(|shock| table.headings.get(shock)).map(|heading| heading.unit.as_deref());
         // A shock is in g or m/s², as a peak acceleration is.
@@ -142,6 +145,12 @@ impl OutcomeTable {
             let motion = reading.motions.place(motion);
             let Some(class) = class else {
                 self.unresolved[object] += 1;
+                let why = reason.map(|reason| table.text(row, reason)).filter(|why| !why.is_empty());
+                if let (Some(why), Some(known)) = (why, self.reasons.get_mut(object))
+                    && known.iter().all(|one| one != why)
+                {
+                    known.push(why.to_owned());
+                }
                 continue;
             };
             let run = Run { motion: Some(motion), intensity, class, weight: weight.unwrap_or(1.0) };
@@ -215,6 +224,7 @@ impl OutcomeTable {
         let object = reading.objects.place(id);
         if object == self.unresolved.len() {
             self.unresolved.push(0);
+            self.reasons.push(Vec::new());
             self.first_lines.push(line);
         }
         object
@@ -363,6 +373,17 @@ mod tests {
             (vec!["b".to_owned(), "a".to_owned()], vec!["m1".into(), "m2".into()])
         );
         assert_eq!((table.runs[1].run.intensity, table.runs[1].run.weight, table.unresolved), (0.5, 2.0, vec![1, 0]));
+    }
+
+    #[test]
+    fn reasons_are_kept_once() {
+        let rows = "a,m,1,unresolved,\"it flies, for long\"\na,n,1,unresolved,\"it flies, for long\"\n\
+                    a,o,1,unresolved,\na,p,1,rocked,\nb,m,1,rocked,\n";
+        let table = read(&format!("object,motion,pga [g],outcome,reason\n{rows}")).unwrap();
+        assert_eq!(
+            (table.unresolved, table.reasons),
+            (vec![3, 0], vec![vec!["it flies, for long".to_owned()], vec![]])
+        );
     }
 
     #[test]

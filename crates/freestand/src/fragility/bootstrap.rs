@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::draws::draw_stream;
 use super::ordered::{Curve, CurveKind, Fit, FitKind, fit_counts};
-use super::outcomes::{Counts, LimitState, OutcomeClass, Outcomes};
+use super::outcomes::{Counts, LimitState, OutcomeClass, Outcomes, Sampling};
 
 /// Keys of the random numbers, beside those of objects.
 const RESAMPLED: u64 = u64::MAX;
@@ -159,15 +159,23 @@ pub struct Goodness {
     /// Share of simulated samples, made with the fitted curves, whose deviance is as large. `None`
     /// if none was simulated.
     pub p_value: Option<f64>,
+    /// How many samples were simulated and could be compared.
+    pub simulated: usize,
     /// Largest distance between the distribution of the capacities and its curve (Kolmogorov and
-    /// Smirnov); of counts between the share at a level and the curve.
-    pub ks: f64,
+    /// Smirnov), on both sides of each step; where motions share their levels, at these; of counts
+    /// between the share at a level and the curve.
+    /// `None` for one run per motion: these have neither capacities nor levels.
+    pub ks: Option<f64>,
 }
 
+/// Fewer simulated samples cannot give a p-value below 5 %: 1/(n + 1) is the smallest one.
+const FEWEST_SIMULATED: usize = 20;
+
 impl Goodness {
-    /// Whether the curves do not fit: less than 5 % of samples deviate as much.
-    pub fn is_misfit(&self) -> bool {
-        self.p_value.is_some_and(|p| p < 0.05)
+    /// Whether the curves do not fit: less than 5 % of samples deviate as much. `None`: it was not
+    /// tested, because fewer than 20 samples could be compared.
+    pub fn is_misfit(&self) -> Option<bool> {
+        self.p_value.filter(|_| self.simulated >= FEWEST_SIMULATED).map(|p| p < 0.05)
     }
 }
 
@@ -184,13 +192,13 @@ pub fn goodness(outcomes: &Outcomes, fit: &Fit, (replicates, seed): (u32, u64), 
         return None;
     }
     let (deviance, dof) = deviance(outcomes, fit, &states);
-    // The outer `None`: stopped. The inner one: a sample without β for a state, which has no
+    // The outer `None`: stopped. The inner one: a sample without runs or without β for a state, which has no
     // deviance.
     let simulate = |replicate: u32| -> Option<Option<f64>> {
         if !go_on() {
             return None;
         }
-        let simulated = simulated(outcomes, fit, &states, seed, replicate);
+        let Some(simulated) = simulated(outcomes, fit, &states, seed, replicate) else { return Some(None) };
         let counts = simulated.counts(None);
         let again = fit_counts(simulated.levels(), &counts, &states, fit.kind, &fit.curves);
         Some((again.fitted_states() == states).then(|| self::deviance(&simulated, &again, &states).0))
@@ -200,11 +208,12 @@ pub fn goodness(outcomes: &Outcomes, fit: &Fit, (replicates, seed): (u32, u64), 
     let larger = simulated.iter().filter(|other| **other >= deviance).count();
     // The sample itself is one of them.
     let p_value = (!simulated.is_empty()).then(|| (larger + 1) as f64 / (simulated.len() + 1) as f64);
-    Some(Goodness { deviance, dof, p_value, ks: distance(outcomes, fit, &states) })
+    Some(Goodness { deviance, dof, p_value, simulated: simulated.len(), ks: distance(outcomes, fit, &states) })
 }
 
-/// Runs with the outcomes that the curves give to drawn capacities.
-fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, replicate: u32) -> Outcomes {
+/// Runs with the outcomes that the curves give to drawn capacities. `None`: counts whose weights are
+/// so small that no whole run is drawn at any level.
+fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, replicate: u32) -> Option<Outcomes> {
     let mut random = draw_stream(seed, SIMULATED, u64::from(replicate), 0);
     let class = |level: usize, epsilon: f64| {
         let x = outcomes.levels()[level].ln();
@@ -217,7 +226,7 @@ fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, r
     match outcomes.motions() {
         Some(motions) => {
             let capacities: Vec<f64> = (0..motions).map(|_| StandardNormal.sample(&mut random)).collect();
-            outcomes.with_classes(|run| class(run.level, capacities[run.motion]))
+            Some(outcomes.with_classes(|run| class(run.level, capacities[run.motion])))
         }
         None => {
             let mut runs = Vec::new();
@@ -243,7 +252,7 @@ fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, r
                 };
                 runs.extend(OutcomeClass::ALL.iter().zip(&drawn).map(run));
             }
-            Outcomes::new(&runs).unwrap_or_else(|_| outcomes.clone())
+            Outcomes::new(&runs).ok()
         }
     }
 }
@@ -281,8 +290,12 @@ fn saturated(counts: &Counts, firsts: &[usize]) -> f64 {
     groups.iter().filter(|count| **count > 0.0).map(|count| count * (count / all).ln()).sum()
 }
 
-/// The largest distance between what was seen and the curves.
-fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> f64 {
+/// The largest distance between what was seen and the curves; `None` for one run per motion.
+fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> Option<f64> {
+    let sampling = outcomes.sampling();
+    if sampling == Sampling::Cloud {
+        return None;
+    }
     let mut largest: f64 = 0.0;
     for state in states {
         let Some(kind) = fit.curve(*state) else { continue };
@@ -290,11 +303,20 @@ fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> f64 {
         if let Some(motions) = outcomes.motions() {
             let mut capacities: Vec<f64> = outcomes.capacities(*state).into_iter().flatten().collect();
             capacities.sort_by(f64::total_cmp);
-            let share = |i: usize| (i + 1) as f64 / motions as f64;
-            seen.extend(capacities.iter().enumerate().map(|(i, x)| (*x, share(i))));
-            // Of equal capacities only the last counts: the others lie within the step.
-            seen.reverse();
-            seen.dedup_by(|next, kept| next.0 == kept.0);
+            let share = |reached: usize| reached as f64 / motions as f64;
+            if sampling == Sampling::Shared {
+                // Between two levels nothing was seen, so that a step may be anywhere between them.
+                let reached = |x: f64| capacities.partition_point(|capacity| *capacity <= x);
+                seen.extend(outcomes.levels().iter().map(|x| (*x, share(reached(*x)))));
+            } else {
+                // Both sides of every step; equal capacities are one step.
+                let mut reached = 0;
+                for equal in capacities.chunk_by(|one, next| one == next) {
+                    let before = share(reached);
+                    reached += equal.len();
+                    seen.extend(equal.first().into_iter().flat_map(|x| [(*x, before), (*x, share(reached))]));
+                }
+            }
         } else {
             for (level, counts) in outcomes.levels().iter().zip(outcomes.counts(None)) {
                 let reached: f64 = counts[state.first_class().index()..].iter().sum();
@@ -305,27 +327,45 @@ fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> f64 {
             largest = largest.max((share - kind.probability(x).unwrap_or(share)).abs());
         }
     }
-    largest
+    Some(largest)
 }
 
 /// The spread of the capacities of the motions, the *efficiency* of the intensity measure: the
 /// standard deviation of the logarithm of the lowest intensity at which each motion reaches the
-/// limit state. `None` for counts, for fewer than two motions, if a motion does not reach the limit
+/// limit state. `None` for counts, for fewer than two motions, if a motion has one run, if a motion does not reach the limit
 /// state, and if all motions reach it at the same intensity: then the levels are too far apart to
 /// show a spread.
 pub fn capacity_spread(outcomes: &Outcomes, state: LimitState) -> Option<f64> {
+    if !outcomes.tells_capacities() {
+        return None;
+    }
     let logs: Option<Vec<f64>> = outcomes.capacities(state).into_iter().map(|x| x.map(f64::ln)).collect();
-    let logs = logs.filter(|logs| logs.len() >= 2)?;
-    let mean = logs.iter().sum::<f64>() / logs.len() as f64;
-    let spread = (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (logs.len() - 1) as f64).sqrt();
+    let (_, spread) = mean_and_sd(&logs?)?;
     // Rounding alone gives equal numbers a tiny spread.
     (spread > 1e-12).then_some(spread)
+}
+
+/// The mean and the standard deviation of a sample, with one degree of freedom taken off; `None` for
+/// fewer than two values.
+///
+/// # Example
+/// ```
+/// assert_eq!(freestand::fragility::mean_and_sd(&[1.0, 2.0, 3.0]), Some((2.0, 1.0)));
+/// assert_eq!(freestand::fragility::mean_and_sd(&[1.0]), None);
+/// ```
+pub fn mean_and_sd(values: &[f64]) -> Option<(f64, f64)> {
+    if values.len() < 2 {
+        return None;
+    }
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let squares = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
+    Some((mean, (squares / (values.len() - 1) as f64).sqrt()))
 }
 
 /// What was seen of a limit state at one intensity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Empirical {
-    /// The intensity.
+    /// The intensity; of several levels together their geometric mean.
     pub intensity: f64,
     /// Runs, or motions where it is a distribution of capacities.
     pub trials: f64,
@@ -333,23 +373,57 @@ pub struct Empirical {
     pub reached: f64,
 }
 
-/// The share of runs that reached a limit state at each level; where every motion has levels of its
-/// own (fewer than two runs per level on average), the distribution of the capacities of the
-/// motions instead.
+/// The most bins of a cloud.
+const MAX_BINS: usize = 10;
+
+/// The fewest runs of a bin: below five a share says little.
+const RUNS_OF_BIN: usize = 5;
+
+/// The share of runs that reached a limit state at each level. Where every motion has several levels
+/// of its own ([`Sampling::Own`]), the distribution of the capacities of the motions instead; of one
+/// run per motion, the shares in up to ten bins of rising intensity with equally many runs.
 pub fn empirical(outcomes: &Outcomes, state: LimitState) -> Vec<Empirical> {
-    if outcomes.has_own_levels() {
-        let capacities = outcomes.capacities(state);
-        let trials = capacities.len() as f64;
-        let mut known: Vec<f64> = capacities.into_iter().flatten().collect();
-        known.sort_by(f64::total_cmp);
-        let seen = known.iter().enumerate().map(|(i, x)| Empirical { intensity: *x, trials, reached: (i + 1) as f64 });
-        return seen.collect();
-    }
     let first = state.first_class().index();
-    let seen = outcomes.levels().iter().zip(outcomes.counts(None)).map(|(level, counts)| Empirical {
-        intensity: *level,
-        trials: counts.iter().sum(),
-        reached: counts[first..].iter().sum(),
+    let shares = || {
+        outcomes.levels().iter().zip(outcomes.counts(None)).map(|(level, counts)| Empirical {
+            intensity: *level,
+            trials: counts.iter().sum(),
+            reached: counts[first..].iter().sum(),
+        })
+    };
+    match outcomes.sampling() {
+        Sampling::Shared => shares().collect(),
+        Sampling::Own => {
+            let capacities = outcomes.capacities(state);
+            let trials = capacities.len() as f64;
+            let mut known: Vec<f64> = capacities.into_iter().flatten().collect();
+            known.sort_by(f64::total_cmp);
+            let seen = known.iter().enumerate();
+            seen.map(|(i, x)| Empirical { intensity: *x, trials, reached: (i + 1) as f64 }).collect()
+        }
+        Sampling::Cloud => binned(&shares().collect::<Vec<_>>()),
+    }
+}
+
+/// Levels with few runs each, joined to bins with equally many.
+fn binned(levels: &[Empirical]) -> Vec<Empirical> {
+    let all: f64 = levels.iter().map(|level| level.trials).sum();
+    let bins = (levels.len() / RUNS_OF_BIN).clamp(1, MAX_BINS) as f64;
+    let mut below = 0.0;
+    let placed: Vec<(f64, &Empirical)> = levels
+        .iter()
+        .map(|level| {
+            // The bin of the middle of the level, so that rounding does not decide.
+            let place = (bins * (below + 0.5 * level.trials) / all).floor();
+            below += level.trials;
+            (place, level)
+        })
+        .collect();
+    let joined = placed.chunk_by(|one, next| one.0 == next.0).map(|bin| {
+        let sum = |of: fn(&Empirical) -> f64| bin.iter().map(|(_, level)| of(level)).sum::<f64>();
+        let trials = sum(|level| level.trials);
+        let intensity = (sum(|level| level.trials * level.intensity.ln()) / trials).exp();
+        Empirical { intensity, trials, reached: sum(|level| level.reached) }
     });
-    seen.collect()
+    joined.collect()
 }

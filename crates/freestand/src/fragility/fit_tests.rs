@@ -264,7 +264,10 @@ fn a_misfit_is_seen() {
     let good = Outcomes::new(&clustered(1, 60, &levels, [0.1, 0.2, 0.5], 0.4)).unwrap();
     let fit = fit_curves(&good, &states, FitKind::Ordered);
     let well = goodness(&good, &fit, (99, 1), &|| true).unwrap();
-    assert!(!well.is_misfit() && well.dof == 18 && well.ks < 0.15, "{well:?}");
+    assert!(well.is_misfit() == Some(false) && well.dof == 18 && well.ks.unwrap() < 0.15, "{well:?}");
+    // Below 20 samples p is 1/20 at least, whatever the fit: nothing was tested.
+    assert_eq!(goodness(&good, &fit, (19, 1), &|| true).unwrap().is_misfit(), None);
+    assert_eq!(goodness(&good, &fit, (0, 1), &|| true).unwrap().is_misfit(), None);
     let mut runs = clustered(2, 60, &levels, [0.1, 0.1, 0.12], 0.1);
     runs.extend(
         clustered(3, 60, &levels, [0.1, 0.1, 1.9], 0.1)
@@ -274,7 +277,7 @@ fn a_misfit_is_seen() {
     let mixed = Outcomes::new(&runs).unwrap();
     let fit = fit_curves(&mixed, &states, FitKind::Ordered);
     let badly = goodness(&mixed, &fit, (99, 1), &|| true).unwrap();
-    assert!(badly.is_misfit() && badly.ks > 0.2, "{badly:?}");
+    assert!(badly.is_misfit() == Some(true) && badly.ks.unwrap() > 0.2, "{badly:?}");
 }
 
 /// Capacities are the lowest levels, also where a motion spares the object at a higher one.
@@ -283,12 +286,103 @@ fn capacities_are_the_lowest_levels() {
     let run = |motion, intensity, class| Run { motion: Some(motion), intensity, class, weight: 1.0 };
     use OutcomeClass::{Overturned, Rocked};
     let runs = [run(3, 1.0, Rocked), run(3, 2.0, Overturned), run(3, 4.0, Rocked), run(7, 2.5, Rocked)];
+    // One run of a motion does not tell its capacity.
+    assert_eq!(capacity_spread(&Outcomes::new(&runs).unwrap(), LimitState::Rocks), None);
+    let runs = [&runs[..], &[run(7, 2.0, OutcomeClass::NoUplift)]].concat();
     let outcomes = Outcomes::new(&runs).unwrap();
     assert_eq!(outcomes.capacities(LimitState::Overturns), [Some(2.0), None]);
     assert_eq!(outcomes.capacities(LimitState::Rocks), [Some(1.0), Some(2.5)]);
     assert_eq!(capacity_spread(&outcomes, LimitState::Overturns), None);
     let spread = capacity_spread(&outcomes, LimitState::Rocks).unwrap();
     assert!((spread - 2.5_f64.ln() / 2.0_f64.sqrt()).abs() < 1e-15);
+}
+
+/// Four motions whose capacities are 1, 1, 2 and above all levels, and curves through none of them, by
+/// hand: both sides of each step where every motion has levels of its own, and all levels where they
+/// share them.
+#[test]
+fn the_distance_has_two_sides() {
+    let run = |motion, intensity, class| Run { motion: Some(motion), intensity, class, weight: 1.0 };
+    use OutcomeClass::{NoUplift, Overturned};
+    let capacities = [1.0, 1.0, 2.0, f64::INFINITY];
+    let class = |x: f64, capacity: f64| if x < capacity { NoUplift } else { Overturned };
+    let of = |levels: &dyn Fn(usize, f64) -> Vec<f64>| {
+        let runs = capacities
+            .iter()
+            .enumerate()
+            .flat_map(|(i, capacity)| levels(i, *capacity).into_iter().map(move |x| run(i, x, class(x, *capacity))));
+        Outcomes::new(&runs.collect::<Vec<Run>>()).unwrap()
+    };
+    let shared = of(&|_, _| vec![0.5, 1.0, 2.0, 3.0]);
+    let own = of(&|i, capacity| [0.9 + 0.001 * i as f64, 1.0].map(|ratio| ratio * capacity.min(3.0)).to_vec());
+    assert_eq!((shared.sampling(), own.sampling()), (Sampling::Shared, Sampling::Own));
+    let with = |outcomes: &Outcomes, median: f64| {
+        let kind = CurveKind::Lognormal { median, beta: 1.0 };
+        let curves = vec![Curve { limit_state: LimitState::Overturns, kind }];
+        let fit = Fit { kind: FitKind::Ordered, curves, log_likelihood: 0.0, score_per_run: 0.0 };
+        goodness(outcomes, &fit, (0, 1), &|| true).unwrap().ks.unwrap()
+    };
+    // Far above the steps: P(1) = Φ(2) = 0.977250, from the 0 before the step; one side says 0.477. At
+    // the levels P(0.5) = Φ(2 − ln 2) = 0.90437. Six and five digits by hand.
+    assert!((with(&own, (-2.0_f64).exp()) - 0.977_250).abs() < 1e-6);
+    assert!((with(&shared, (-2.0_f64).exp()) - 0.904_37).abs() < 1e-5);
+    // Far below them: P(2) = Φ(−2), from the 3/4 after the step.
+    for outcomes in [&own, &shared] {
+        assert!((with(outcomes, 2.0 * 2.0_f64.exp()) - (0.75 - 0.022_750)).abs() < 1e-6);
+    }
+}
+
+/// 50 motions with one run each: a run tells on which side of its intensity the capacity is. The
+/// shares of ten bins are near the probability, where a distribution of the intensities of those
+/// that overturned is not.
+#[test]
+fn one_run_per_motion_has_no_capacities() {
+    let mut random = draw_stream(11, 0, 0, 3);
+    let runs: Vec<Run> = (0..500)
+        .map(|i| {
+            let intensity = 0.1 * 100_f64.powf(random.random::<f64>());
+            let normal: f64 = StandardNormal.sample(&mut random);
+            let class =
+                if intensity < (0.4 * normal).exp() { OutcomeClass::NoUplift } else { OutcomeClass::Overturned };
+            Run { motion: Some(i), intensity, class, weight: 1.0 }
+        })
+        .collect();
+    let outcomes = Outcomes::new(&runs).unwrap();
+    assert_eq!(outcomes.sampling(), Sampling::Cloud);
+    let seen = empirical(&outcomes, LimitState::Overturns);
+    assert_eq!(seen.iter().map(|bin| bin.trials).collect::<Vec<_>>(), [50.0; 10]);
+    assert!(seen.windows(2).all(|pair| pair[0].intensity < pair[1].intensity));
+    // Where the curve hardly bends within a bin: four standard errors of 50 runs at most.
+    for bin in &seen {
+        let p = lognormal_probability(bin.intensity, 1.0, 0.4);
+        assert!((bin.reached / bin.trials - p).abs() < 4.0 * (0.25_f64 / 50.0).sqrt(), "{bin:?} {p}");
+    }
+    let ends = [seen[0].reached / seen[0].trials, seen[9].reached / seen[9].trials];
+    assert_eq!(ends, [0.0, 1.0]);
+    let fit = fit_curves(&outcomes, &[LimitState::Overturns], FitKind::Ordered);
+    assert_eq!(goodness(&outcomes, &fit, (0, 1), &|| true).unwrap().ks, None);
+    let above = runs.iter().filter(|run| run.class == OutcomeClass::Overturned).copied().collect::<Vec<_>>();
+    assert_eq!(capacity_spread(&Outcomes::new(&above).unwrap(), LimitState::Overturns), None);
+    // Few runs have few bins, and a second run of most motions makes levels of their own.
+    let few = Outcomes::new(&runs[..12]).unwrap();
+    assert_eq!(empirical(&few, LimitState::Overturns).iter().map(|bin| bin.trials).collect::<Vec<_>>(), [6.0; 2]);
+    let scaled = |run: &Run| Run { intensity: 20.0 * run.intensity, class: OutcomeClass::Overturned, ..*run };
+    let twice: Vec<Run> = runs.iter().flat_map(|run| [*run, scaled(run)]).collect();
+    assert_eq!(Outcomes::new(&twice).unwrap().sampling(), Sampling::Own);
+}
+
+/// Weights of a fifth of a run: none is drawn, nothing can be compared, and nothing is claimed.
+#[test]
+fn counts_of_less_than_a_run_are_not_simulated() {
+    let run = |intensity, class, weight| Run { motion: None, intensity, class, weight };
+    let runs: Vec<Run> = [(1.0, 0.15, 0.05), (2.0, 0.05, 0.15), (3.0, 0.1, 0.1)]
+        .iter()
+        .flat_map(|&(x, stays, falls)| [run(x, OutcomeClass::NoUplift, stays), run(x, OutcomeClass::Overturned, falls)])
+        .collect();
+    let outcomes = Outcomes::new(&runs).unwrap();
+    let fit = fit_curves(&outcomes, &[LimitState::Overturns], FitKind::Ordered);
+    let found = goodness(&outcomes, &fit, (40, 1), &|| true).unwrap();
+    assert_eq!((found.simulated, found.p_value, found.is_misfit()), (0, None, None));
 }
 
 /// Shocks of known a, b, σ below a ceiling, drawn by inversion.

@@ -20,7 +20,7 @@ use crate::block::Block;
 
 pub use bootstrap::{
     Bootstrap, CurveInterval, Empirical, GoOn, Goodness, NoInterval, bootstrap, capacity_spread, empirical, goodness,
-    percentiles,
+    mean_and_sd, percentiles,
 };
 pub use draws::{draw_stream, log_uniform_draw, lognormal_draw, uniform_draw};
 pub use incremental::{
@@ -28,8 +28,8 @@ pub use incremental::{
 };
 pub use interval::{clopper_pearson, probability_interval};
 pub use ordered::{Curve, CurveKind, Fit, FitKind, fit_curves};
-pub use outcomes::{LimitState, OutcomeClass, Outcomes, OutcomesError, Run};
-pub use quality::{Line, line_through, trend_p_value};
+pub use outcomes::{LimitState, OutcomeClass, Outcomes, OutcomesError, Run, Sampling};
+pub use quality::{Line, line_through, trend_p_value, weighted_line};
 pub use two_stage::{ShockDistribution, ShockFitError, ShockRun, TwoStage, fit_shock};
 
 /// Φ, the standard normal distribution.
@@ -129,6 +129,17 @@ pub enum FragilityError {
     /// Failures do not grow with intensity, or all levels have the same intensity.
     #[error("the failures do not grow with intensity, so no lognormal fragility fits them")]
     NotIncreasing,
+    /// The levels say too little about median or β for a standard error.
+    #[error(
+        "the standard errors of median {median} and β = {beta} cannot be calculated, because the levels are too far \
+         from the median: test at levels nearer to it"
+    )]
+    NoErrors {
+        /// The median.
+        median: f64,
+        /// β.
+        beta: f64,
+    },
 }
 
 /// The lognormal fragility with the largest likelihood: P(failure | x) = Φ(ln(x/θ)/β), with
@@ -163,7 +174,11 @@ pub enum FragilityError {
 /// # Ok::<(), freestand::fragility::FragilityError>(())
 /// ```
 pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, FragilityError> {
-    checked(levels)?;
+    for (i, &(intensity, failures, trials)) in levels.iter().enumerate() {
+        if !(intensity > 0.0 && intensity.is_finite() && trials > 0 && failures <= trials) {
+            return Err(FragilityError::Level { level: i + 1, intensity, failures, trials });
+        }
+    }
     let run = |intensity: f64, class: OutcomeClass, count: u32| Run {
         motion: None,
         intensity,
@@ -176,36 +191,29 @@ pub fn fit_lognormal(levels: &[(f64, u32, u32)]) -> Result<LognormalFragility, F
             [run(x, OutcomeClass::NoUplift, trials - failures), run(x, OutcomeClass::Overturned, failures)]
         })
         .collect();
-    let outcomes = Outcomes::new(&runs).map_err(|_| FragilityError::NotIncreasing)?;
-    let fit = fit_curves(&outcomes, &[LimitState::Overturns], FitKind::Separate);
-    let Some(CurveKind::Lognormal { median, beta }) = fit.curve(LimitState::Overturns) else {
-        return Err(FragilityError::NotIncreasing);
-    };
-    let (median_log_error, beta_error) = errors(levels, median, beta).ok_or(FragilityError::NotIncreasing)?;
-    Ok(LognormalFragility { median, beta, median_log_error, beta_error })
-}
-
-/// Refuses counts whose likelihood has no maximum at a finite, positive slope.
-fn checked(levels: &[(f64, u32, u32)]) -> Result<(), FragilityError> {
-    for (i, &(intensity, failures, trials)) in levels.iter().enumerate() {
-        if !(intensity > 0.0 && intensity.is_finite() && trials > 0 && failures <= trials) {
-            return Err(FragilityError::Level { level: i + 1, intensity, failures, trials });
-        }
-    }
     let trials = levels.iter().map(|&(_, _, trials)| u64::from(trials)).sum();
-    let failing = || levels.iter().filter(|(_, failures, _)| *failures > 0).map(|(x, ..)| *x);
-    let surviving = || levels.iter().filter(|(_, failures, trials)| failures < trials).map(|(x, ..)| *x);
-    let Some(fails_from) = failing().reduce(f64::min) else { return Err(FragilityError::NoneFailed { trials }) };
-    let Some(survives_to) = surviving().reduce(f64::max) else { return Err(FragilityError::AllFailed { trials }) };
-    let fails_to = failing().fold(0.0, f64::max);
-    let survives_from = surviving().fold(f64::INFINITY, f64::min);
-    if survives_from >= fails_to {
-        return Err(FragilityError::NotIncreasing);
-    }
-    if fails_from >= survives_to {
-        return Err(FragilityError::NoSpread { fails_from, survives_to });
-    }
-    Ok(())
+    // Every level was checked, so that only runs that do not exist can be refused.
+    let outcomes = Outcomes::new(&runs).map_err(|_| FragilityError::NoneFailed { trials })?;
+    let fit = fit_curves(&outcomes, &[LimitState::Overturns], FitKind::Separate);
+    let (median, beta) = match fit.curve(LimitState::Overturns) {
+        Some(CurveKind::Lognormal { median, beta }) => (median, beta),
+        Some(CurveKind::All { .. }) => return Err(FragilityError::AllFailed { trials }),
+        Some(CurveKind::Step { lower, upper }) => {
+            return Err(FragilityError::NoSpread { fails_from: upper, survives_to: lower });
+        }
+        Some(CurveKind::Bounds { .. }) => {
+            // The one level at which some failed and some did not is the lowest with a failure.
+            let failing = levels.iter().filter(|(_, failures, _)| *failures > 0).map(|(x, ..)| *x);
+            let mixed = failing.fold(f64::INFINITY, f64::min);
+            return Err(FragilityError::NoSpread { fails_from: mixed, survives_to: mixed });
+        }
+        Some(CurveKind::NotIncreasing { .. }) => return Err(FragilityError::NotIncreasing),
+        // A fit has a curve for each state that it was asked for.
+        Some(CurveKind::None { .. }) | None => return Err(FragilityError::NoneFailed { trials }),
+    };
+    let (median_log_error, beta_error) =
+        errors(levels, median, beta).ok_or(FragilityError::NoErrors { median, beta })?;
+    Ok(LognormalFragility { median, beta, median_log_error, beta_error })
 }
 
 /// Standard errors of ln median and of β, from the expected information by both.

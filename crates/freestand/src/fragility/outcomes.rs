@@ -117,6 +117,18 @@ pub enum OutcomesError {
     },
 }
 
+/// How runs are spread over intensities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Sampling {
+    /// Several runs at one level, or counts: each level has a share.
+    Shared,
+    /// Every motion has levels of its own, and at least half of the motions have several: there is a
+    /// distribution of capacities.
+    Own,
+    /// Most motions have one run, at an intensity of its own: neither levels nor capacities.
+    Cloud,
+}
+
 /// A run at a numbered level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Leveled {
@@ -190,9 +202,33 @@ impl Outcomes {
         (self.motions > 0).then_some(self.motions)
     }
 
-    /// Whether every motion has levels of its own: fewer than two runs per level on average.
-    pub fn has_own_levels(&self) -> bool {
-        self.motions > 0 && self.runs.len() < 2 * self.levels.len()
+    /// How the runs are spread over intensities.
+    pub fn sampling(&self) -> Sampling {
+        if self.motions == 0 || self.runs.len() >= 2 * self.levels.len() {
+            return Sampling::Shared;
+        }
+        let several = self.motions_with_levels();
+        if 2 * several >= self.motions { Sampling::Own } else { Sampling::Cloud }
+    }
+
+    /// How many motions were run at more than one level.
+    fn motions_with_levels(&self) -> usize {
+        // The lowest and the highest level of each motion.
+        let mut ends: Vec<Option<(usize, usize)>> = vec![None; self.motions];
+        for run in &self.runs {
+            if let Some(ends) = ends.get_mut(run.motion) {
+                let (low, high) = ends.unwrap_or((run.level, run.level));
+                *ends = Some((low.min(run.level), high.max(run.level)));
+            }
+        }
+        ends.into_iter().flatten().filter(|(low, high)| low < high).count()
+    }
+
+    /// Whether the lowest level at which a motion reached a limit state tells its capacity: every
+    /// motion was run at several levels. A single run tells that the capacity is below its intensity
+    /// or above it, and nothing more.
+    pub fn tells_capacities(&self) -> bool {
+        self.motions > 0 && self.motions_with_levels() == self.motions
     }
 
     /// Number of runs of each class, weighted.

@@ -43,19 +43,40 @@ impl Line {
 /// assert!((line.slope - 2.0).abs() < 1e-12 && (line.intercept - 7.0 / 6.0).abs() < 1e-12);
 /// ```
 pub fn line_through(points: &[(f64, f64)]) -> Option<Line> {
-    let count = points.len() as f64;
-    if points.len() < 3 {
+    weighted_line(&points.iter().map(|(x, y)| (*x, *y, 1.0)).collect::<Vec<_>>())
+}
+
+/// As [`line_through`], of points (x, y, weight), each of which counts as often as its weight says;
+/// the weights together count as many as there are points. `None` for fewer than three points with a
+/// weight, too.
+///
+/// # Example
+/// Twice the weight is the point twice:
+/// ```
+/// use freestand::fragility::{line_through, weighted_line};
+/// let twice = line_through(&[(0.0, 1.0), (1.0, 3.5), (2.0, 5.0), (2.0, 5.0)]).unwrap();
+/// let weighted = weighted_line(&[(0.0, 1.0, 0.5), (1.0, 3.5, 0.5), (2.0, 5.0, 1.0)]).unwrap();
+/// assert!((weighted.slope - twice.slope).abs() < 1e-12);
+/// assert!((weighted.intercept - twice.intercept).abs() < 1e-12);
+/// ```
+pub fn weighted_line(points: &[(f64, f64, f64)]) -> Option<Line> {
+    let count = points.iter().filter(|point| point.2 > 0.0).count();
+    if count < 3 {
         return None;
     }
-    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
-    let (middle, level) = (mean(|point| point.0), mean(|point| point.1));
-    let squares = squares(points);
-    if squares.partial_cmp(&(1e-24 * count * (1.0 + middle * middle))) != Some(std::cmp::Ordering::Greater) {
+    let all = points.iter().map(|point| point.2).sum::<f64>();
+    let mean =
+        |of: &dyn Fn(f64, f64) -> f64| points.iter().map(|(x, y, weight)| weight * of(*x, *y)).sum::<f64>() / all;
+    let (middle, level) = (mean(&|x, _| x), mean(&|_, y| y));
+    let square = mean(&|x, _| (x - middle).powi(2));
+    if square.partial_cmp(&(1e-24 * (1.0 + middle * middle))) != Some(std::cmp::Ordering::Greater) {
         return None;
     }
-    let slope = points.iter().map(|(x, y)| (x - middle) * (y - level)).sum::<f64>() / squares;
-    let residuals: Vec<f64> = points.iter().map(|(x, y)| y - level - slope * (x - middle)).collect();
-    let residual_sd = (residuals.iter().map(|e| e * e).sum::<f64>() / (count - 2.0)).sqrt();
+    let slope = mean(&|x, y| (x - middle) * (y - level)) / square;
+    let residual = |x: f64, y: f64| y - level - slope * (x - middle);
+    let residuals: Vec<f64> = points.iter().map(|(x, y, _)| residual(*x, *y)).collect();
+    let count = count as f64;
+    let residual_sd = (mean(&|x, y| residual(x, y).powi(2)) * count / (count - 2.0)).sqrt();
     Some(Line { intercept: level - slope * middle, slope, residual_sd, residuals })
 }
 

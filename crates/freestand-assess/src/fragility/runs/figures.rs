@@ -95,7 +95,7 @@ fn intensity_axis(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: A
 }
 
 fn class(run: &Followed) -> Option<OutcomeClass> {
-    run.run.map(|run| run.class)
+    run.run().map(|run| run.class)
 }
 
 fn rotations(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) -> Panel {
@@ -106,7 +106,7 @@ fn rotations(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) ->
     for runs in intensities(report, one, measure, at) {
         let mut points = Vec::new();
         for (x, run) in runs.iter().filter(|(x, _)| *x <= to) {
-            let Some(of_run) = run.run else { continue };
+            let Some(of_run) = run.run() else { continue };
             if of_run.class == OutcomeClass::Overturned {
                 points.push((*x, TOP));
                 firsts.push((*x, TOP));
@@ -132,7 +132,7 @@ fn shocks(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) -> Pa
     for runs in intensities(report, one, measure, at) {
         let upright = runs.iter().take_while(|(x, run)| *x <= to && class(run) != Some(OutcomeClass::Overturned));
         let points: Vec<(f64, f64)> =
-            upright.filter_map(|(x, run)| Some((*x, run.run?.edge_acceleration_g?))).collect();
+            upright.filter_map(|(x, run)| Some((*x, run.run()?.edge_acceleration_g?))).collect();
         most = points.iter().map(|point| point.1).fold(most, f64::max);
         plots.push(line(&points, curve_style(0).colour, 0.8, None));
     }
@@ -214,7 +214,7 @@ pub(super) fn residuals(report: &RunsReport) -> Result<Figure, FigureError> {
     let measure = first.map_or_else(String::new, |one| one.table.measure.name());
     let mut panels = Vec::new();
     for object in &shown {
-        // The most severe limit state that most motions reach.
+        // The most severe limit state that all motions reach, or of which a cloud has demands.
         let severe = object.qualities.iter().rfind(|quality| quality.residuals.len() > 2);
         for (i, label) in [(0, "Mean period (s)"), (1, "PGV/PGA (s)")] {
             let points: Vec<(f64, f64)> =
@@ -231,8 +231,8 @@ pub(super) fn residuals(report: &RunsReport) -> Result<Figure, FigureError> {
         title: format!("What {} does not explain", plain(&measure)),
         caption: format!(
             "ln of the capacity of each motion by {measure} minus the mean (for a cloud: ln of the demand minus the \
-             line), against the mean period and PGV/PGA of the motion. p below 0.05: the outcome depends on that \
-             property, too."
+             line), against the mean period and PGV/PGA of the motion, of the most severe limit state that all \
+             motions reach. p below 0.05: the outcome depends on that property, too."
         ),
         panels,
         columns: 2,

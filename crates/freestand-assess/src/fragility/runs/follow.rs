@@ -1,6 +1,6 @@
 //! The runs of an object.
 
-use freestand::fragility::{LimitState, ScaleRun, missing_levels, scales_of_motion};
+use freestand::fragility::{LimitState, ScaleRun, mean_and_sd, missing_levels, scales_of_motion};
 use freestand::rocking::Base;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
@@ -12,27 +12,34 @@ use super::{Method, ObjectRuns, RunsRequest};
 use crate::verdict::NominalRun;
 
 /// One run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Followed {
     /// Factor on the motion.
     pub(super) scale_ratio: f64,
-    /// `None`: it could not be followed.
-    pub(super) run: Option<NominalRun>,
+    /// Why it could not be followed, in words.
+    pub(super) found: Result<NominalRun, String>,
+}
+
+impl Followed {
+    /// What the object did; `None`: the run could not be followed.
+    pub(super) fn run(&self) -> Option<NominalRun> {
+        self.found.as_ref().ok().copied()
+    }
 }
 
 /// The classes of runs, as the search for scales sees them.
 pub(super) fn classes(runs: &[Followed]) -> Vec<ScaleRun> {
-    let class =
-        |run: &Followed| ScaleRun { scale_ratio: run.scale_ratio, class: run.run.as_ref().map(|run| run.class) };
+    let class = |run: &Followed| ScaleRun { scale_ratio: run.scale_ratio, class: run.run().map(|run| run.class) };
     runs.iter().map(class).collect()
 }
 
 fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ratio: f64) -> Followed {
-    let run = shaking.scaled(scale_ratio).and_then(|(horizontal, vertical)| {
+    let beyond = || "the scaled motion is beyond all numbers".to_owned();
+    let found = shaking.scaled(scale_ratio).ok_or_else(beyond).and_then(|(horizontal, vertical)| {
         let base = Base { horizontal: horizontal.as_ref(), vertical: vertical.as_ref() };
-        one.nominal.run(base, request.rotation_ratio).ok()
+        one.nominal.run(base, request.rotation_ratio).map_err(|error| error.to_string())
     });
-    Followed { scale_ratio, run }
+    Followed { scale_ratio, found }
 }
 
 /// Whether the work continues: an error if it was stopped.
@@ -88,7 +95,10 @@ fn stripes(
         let hint = format!("give the intensities by the first measure as `scales = \"{example}\"`");
         return Err(Problem::value("stripes need the intensities of their levels", hint).of(&["scales"]).into());
     };
-    let of_one = shaking.intensity(*measure, 0, *at, one.factors).unwrap_or(f64::NAN);
+    let of_one = shaking.intensity(*measure, 0, *at, one.factors).ok_or_else(|| {
+        let message = format!("the motion {} has no {}", shorten(&shaking.name), measure.name());
+        Problem::value(message, "give a measure that every motion has").of(&["im"])
+    })?;
     Ok(levels.iter().map(|level| level / of_one).collect())
 }
 
@@ -110,8 +120,9 @@ fn adaptive(
             return None;
         }
         let run = followed(request, one, shaking, scale_ratio);
+        let class = run.run().map(|run| run.class);
         runs.push(run);
-        run.run.map(|run| run.class)
+        class
     });
     stopped?;
     sort(&mut runs);
@@ -133,21 +144,17 @@ fn span(one: &ObjectRuns, shakings: &[Shaking], measure: Measure, place: usize, 
         shakings.iter().map(|shaking| shaking.intensity(measure, place, at, one.factors)).collect();
     let each = || one.motions.iter().zip(&units).filter_map(|(runs, unit)| Some((runs, (*unit)?)));
     let lifts =
-        |runs: &[Followed]| runs.iter().any(|run| run.run.is_some_and(|run| LimitState::Rocks.is_reached(run.class)));
+        |runs: &[Followed]| runs.iter().any(|run| run.run().is_some_and(|run| LimitState::Rocks.is_reached(run.class)));
     let is_lifted = each().any(|(runs, _)| lifts(runs));
     let spread = || each().filter(|(runs, _)| !is_lifted || lifts(runs));
     let all = || spread().flat_map(|(runs, unit)| runs.iter().map(move |run| unit * run.scale_ratio));
     let (mut from, mut to) = (all().reduce(f64::min)?, all().reduce(f64::max)?);
     for state in one.states() {
         let reached = |runs: &[Followed]| {
-            runs.iter().find(|run| run.run.is_some_and(|run| state.is_reached(run.class))).map(|run| run.scale_ratio)
+            runs.iter().find(|run| run.run().is_some_and(|run| state.is_reached(run.class))).map(|run| run.scale_ratio)
         };
         let logs: Vec<f64> = each().filter_map(|(runs, unit)| Some((unit * reached(runs)?).ln())).collect();
-        if logs.len() < 2 {
-            continue;
-        }
-        let mean = logs.iter().sum::<f64>() / logs.len() as f64;
-        let sd = (logs.iter().map(|ln| (ln - mean).powi(2)).sum::<f64>() / (logs.len() - 1) as f64).sqrt();
+        let Some((mean, sd)) = mean_and_sd(&logs) else { continue };
         from = if state == LimitState::Rocks { from } else { from.min((mean - NORMAL_95 * sd).exp()) };
         to = to.max((mean + NORMAL_95 * sd).exp());
     }

@@ -23,7 +23,7 @@ pub(super) const PART: usize = 16;
 
 /// Version of the text that is hashed. Raise it whenever that text, the content of a part or the
 /// choice of scales changes.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// Where the finished runs of an inventory are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,8 +44,8 @@ struct KeptObject {
     motions: Vec<Vec<KeptRun>>,
 }
 
-/// The scale, and the class, the rotation and the shock if the run could be followed.
-type KeptRun = (f64, Option<(usize, f64, Option<f64>)>);
+/// The scale, and the class, the rotation and the shock, or why it could not be followed.
+type KeptRun = (f64, Result<(usize, f64, Option<f64>), String>);
 
 /// Opens the store of finished runs; `None` if runs are not kept.
 ///
@@ -101,15 +101,16 @@ pub(super) fn read(store: &Store, part: &Part, objects: &mut [ObjectRuns], motio
 
 /// The runs of an object, by motion; `None` if one has a class that does not exist.
 fn followed(kept: &KeptObject) -> Option<Vec<Vec<Followed>>> {
-    let run = |&(scale_ratio, run): &KeptRun| -> Option<Followed> {
-        let run = match run {
-            None => None,
-            Some((class, rotation_ratio, edge_acceleration_g)) => {
-                let class = *OutcomeClass::ALL.get(class)?;
-                Some(NominalRun { class, rotation_ratio, edge_acceleration_g })
+    let run = |(scale_ratio, run): &KeptRun| -> Option<Followed> {
+        let found = match run {
+            Err(why) => Err(why.clone()),
+            Ok((class, rotation_ratio, edge_acceleration_g)) => {
+                let class = *OutcomeClass::ALL.get(*class)?;
+                let (rotation_ratio, edge_acceleration_g) = (*rotation_ratio, *edge_acceleration_g);
+                Ok(NominalRun { class, rotation_ratio, edge_acceleration_g })
             }
         };
-        Some(Followed { scale_ratio, run })
+        Some(Followed { scale_ratio: *scale_ratio, found })
     };
     kept.motions.iter().map(|runs| runs.iter().map(run).collect()).collect()
 }
@@ -120,7 +121,8 @@ fn followed(kept: &KeptObject) -> Option<Vec<Vec<Followed>>> {
 /// A disk that is full.
 pub(super) fn write(store: &Store, part: &Part, objects: &[ObjectRuns]) -> Result<(), Problem> {
     let run = |run: &Followed| -> KeptRun {
-        (run.scale_ratio, run.run.map(|run| (run.class.index(), run.rotation_ratio, run.edge_acceleration_g)))
+        let kept = |run: &NominalRun| (run.class.index(), run.rotation_ratio, run.edge_acceleration_g);
+        (run.scale_ratio, run.found.as_ref().map(kept).map_err(Clone::clone))
     };
     let kept = objects.iter().map(|one| KeptObject {
         id: one.id.clone(),

@@ -1,12 +1,13 @@
 //! How well a measure tells what an object does.
 
-use freestand::fragility::{LimitState, OutcomeClass, capacity_spread, line_through, trend_p_value};
+use freestand::fragility::{LimitState, OutcomeClass, capacity_spread, mean_and_sd, trend_p_value, weighted_line};
 use freestand_output::facts::Facts;
 
 use super::super::measure::{At, Measure};
 use super::super::{LEAST_ROTATION_RATIO, ObjectFragility};
 use super::follow::Followed;
 use super::shaking::{Shaking, Strength};
+use super::table::weights;
 use super::{Method, ObjectRuns};
 
 /// A measure and a limit state of one object.
@@ -18,7 +19,8 @@ pub struct Quality {
     pub efficiency: Option<f64>,
     /// Slope of ln demand by ln intensity.
     pub practicality: Option<f64>,
-    /// p of the residuals against ln of the mean period.
+    /// p of the residuals against ln of the mean period; `None` unless all motions reach the limit
+    /// state, or of a cloud.
     pub p_mean_period: Option<f64>,
     /// p of the residuals against ln of PGV/PGA.
     pub p_velocity_over_acceleration: Option<f64>,
@@ -65,9 +67,8 @@ pub(super) fn qualities(
     let states = object.fit.curves.iter().map(|curve| curve.limit_state);
     states
         .map(|limit_state| {
-            // (motion, ln intensity, ln demand) of every run that rocked and stayed upright.
             let demands = demands(limit_state, runs, shakings, (measure, place, at));
-            let line = line_through(&demands.iter().map(|(_, x, y)| (*x, *y)).collect::<Vec<_>>());
+            let line = weighted_line(&demands.iter().map(|(_, point)| *point).collect::<Vec<_>>());
             let (efficiency, left) = match method {
                 Method::Cloud => {
                     let left = demands.iter().zip(line.iter().flat_map(|line| &line.residuals));
@@ -101,43 +102,51 @@ pub(super) fn qualities(
         .collect()
 }
 
-/// The demand of a limit state: the shock for a tolerance of shocks, otherwise the rotation.
+/// (motion, (ln intensity, ln demand, weight)) of every run that rocked and stayed upright. The demand
+/// of a limit state is the shock for a tolerance of shocks, otherwise the rotation. Runs of an
+/// adaptive analysis are weighted as in the fit: bisection puts many of them next to the capacities.
 fn demands(
     state: LimitState,
     runs: &ObjectRuns,
     shakings: &[Shaking],
     (measure, place, at): (Measure, usize, At),
-) -> Vec<(usize, f64, f64)> {
+) -> Vec<(usize, (f64, f64, f64))> {
+    let units: Vec<Option<f64>> =
+        shakings.iter().map(|shaking| shaking.intensity(measure, place, at, runs.factors)).collect();
+    let weights = weights(runs, place, &units);
     let by_shock = state == LimitState::Exceeds && runs.nominal.compares_shock();
     let mut demands = Vec::new();
-    for (motion, (runs_of_motion, shaking)) in runs.motions.iter().zip(shakings).enumerate() {
-        let Some(unit) = shaking.intensity(measure, place, at, runs.factors) else { continue };
-        for followed in runs_of_motion {
-            let upright = followed.run.filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
+    for (motion, ((of_motion, unit), weights)) in runs.motions.iter().zip(&units).zip(&weights).enumerate() {
+        let Some(unit) = unit else { continue };
+        for (followed, weight) in of_motion.iter().zip(weights) {
+            let upright =
+                followed.run().filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
             let Some(run) = upright.filter(|run| run.rotation_ratio >= LEAST_ROTATION_RATIO) else { continue };
             let demand = if by_shock { run.edge_acceleration_g } else { Some(run.rotation_ratio) };
             if let Some(demand) = demand.filter(|demand| *demand > 0.0) {
-                demands.push((motion, (unit * followed.scale_ratio).ln(), demand.ln()));
+                demands.push((motion, ((unit * followed.scale_ratio).ln(), demand.ln(), *weight)));
             }
         }
     }
     demands
 }
 
-/// ln of the capacity of each motion that reached a limit state, less their mean, with the number of
-/// the motion.
+/// ln of the capacity of each motion less their mean, with the number of the motion; empty unless all
+/// motions reached the limit state: those that did are not a sample of all.
 fn capacities(
     state: LimitState,
     runs: &ObjectRuns,
     shakings: &[Shaking],
     (measure, place, at): (Measure, usize, At),
 ) -> Vec<(usize, f64)> {
-    let known = runs.motions.iter().zip(shakings).enumerate().filter_map(|(motion, (runs_of_motion, shaking))| {
-        let reached = |run: &&Followed| run.run.is_some_and(|run| state.is_reached(run.class));
+    let known = runs.motions.iter().zip(shakings).map(|(runs_of_motion, shaking)| {
+        let reached = |run: &&Followed| run.run().is_some_and(|run| state.is_reached(run.class));
         let scale_ratio = runs_of_motion.iter().find(reached)?.scale_ratio;
-        Some((motion, (shaking.intensity(measure, place, at, runs.factors)? * scale_ratio).ln()))
+        Some((shaking.intensity(measure, place, at, runs.factors)? * scale_ratio).ln())
     });
-    let known: Vec<(usize, f64)> = known.collect();
-    let mean = known.iter().map(|(_, ln)| ln).sum::<f64>() / known.len().max(1) as f64;
-    known.into_iter().map(|(motion, ln)| (motion, ln - mean)).collect()
+    let known: Option<Vec<f64>> = known.collect();
+    let Some((known, (mean, _))) = known.and_then(|known| mean_and_sd(&known).map(|found| (known, found))) else {
+        return Vec::new();
+    };
+    known.into_iter().map(|ln| ln - mean).enumerate().collect()
 }

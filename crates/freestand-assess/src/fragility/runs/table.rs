@@ -12,7 +12,8 @@ use freestand_study::run::Progress;
 use super::super::go_on;
 use super::super::measure::{At, Measure};
 use super::super::outcomes::{OutcomeTable, UNRESOLVED};
-use super::{Method, RunsReport};
+use super::follow::Followed;
+use super::{Method, ObjectRuns, RunsReport};
 
 /// The name of a table by the measure at a place of the request: `outcomes.csv` by the first,
 /// `outcomes_sa_0.5.csv` by another one.
@@ -56,6 +57,7 @@ pub(super) fn outcomes(
         ("weight", true),
         ("scale", true),
         ("rotation_ratio", true),
+        ("reason", false),
     ];
     let levels = Levels::of(report, place);
     let mut writer = csv_writer();
@@ -64,21 +66,8 @@ pub(super) fn outcomes(
         let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
         let units: Vec<Option<f64>> =
             shakings.iter().map(|shaking| shaking.intensity(measure, place, at, one.factors)).collect();
-        let span = one.spans.get(place).copied().flatten().filter(|_| is_weighted);
-        // A run that could not be followed takes no share of the intensities.
-        let weights: Vec<Vec<f64>> = one
-            .motions
-            .iter()
-            .zip(&units)
-            .map(|(runs, unit)| {
-                let Some(((from, to), unit)) = span.zip(*unit) else { return vec![1.0; runs.len()] };
-                let known: Vec<f64> =
-                    runs.iter().filter(|run| run.run.is_some()).map(|run| unit * run.scale_ratio).collect();
-                let mut weights = level_weights(&known, from, to).into_iter();
-                runs.iter().map(|run| run.run.and_then(|_| weights.next()).unwrap_or(0.0)).collect()
-            })
-            .collect();
-        let known = one.motions.iter().flatten().filter(|run| run.run.is_some()).count() as f64;
+        let weights = weights(one, place, &units);
+        let known = one.motions.iter().flatten().filter(|run| run.found.is_ok()).count() as f64;
         let all: f64 = weights.iter().flatten().sum();
         // Together they count as many as there are runs.
         let factor = if all > 0.0 { known / all } else { 1.0 };
@@ -91,17 +80,33 @@ pub(super) fn outcomes(
                     one.id.clone(),
                     shaking.name.clone(),
                     shortest(levels.exact(unit * run.scale_ratio)),
-                    run.run.map_or(UNRESOLVED, |run| run.class.name()).to_owned(),
-                    text(run.run.and_then(|run| run.edge_acceleration_g)),
+                    run.run().map_or(UNRESOLVED, |run| run.class.name()).to_owned(),
+                    text(run.run().and_then(|run| run.edge_acceleration_g)),
                     if is_weighted { shortest(factor * weight) } else { "1".to_owned() },
                     shortest(run.scale_ratio),
-                    text(run.run.map(|run| run.rotation_ratio)),
+                    text(run.run().map(|run| run.rotation_ratio)),
+                    run.found.as_ref().err().cloned().unwrap_or_default(),
                 ];
                 writer.write_record(&record).map_err(|error| broken(&error))?;
             }
         }
     }
     Ok(table_of_csv(writer.into_inner().map_err(|error| broken(&error))?, &columns))
+}
+
+/// How much each run counts by the measure at a place of the request, for each motion with its
+/// intensity at a scale of 1. Runs of an adaptive analysis share the intensities over which they are
+/// spread; all others count as one. A run that could not be followed takes no share.
+pub(super) fn weights(one: &ObjectRuns, place: usize, units: &[Option<f64>]) -> Vec<Vec<f64>> {
+    // Only an adaptive analysis has such intensities.
+    let span = one.spans.get(place).copied().flatten();
+    let of_motion = |(runs, unit): (&Vec<Followed>, &Option<f64>)| {
+        let Some(((from, to), unit)) = span.zip(*unit) else { return vec![1.0; runs.len()] };
+        let known: Vec<f64> = runs.iter().filter(|run| run.found.is_ok()).map(|run| unit * run.scale_ratio).collect();
+        let mut weights = level_weights(&known, from, to).into_iter();
+        runs.iter().map(|run| run.run().and_then(|_| weights.next()).unwrap_or(0.0)).collect()
+    };
+    one.motions.iter().zip(units).map(of_motion).collect()
 }
 
 /// The intensities of stripes by the first measure, rising; empty for other runs.
