@@ -13,7 +13,10 @@ use freestand_assess::one_object::{Follow, Memory};
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::word_reader::WordReader;
-use freestand_page::{Cancel, Events, History, Kind, Program, Refusal, Reply, Request, Shape, Status, columns};
+use freestand_page::{
+    Cancel, Events, History, Kind, MAX_BODY_BYTES, MAX_FILE_BYTES, MAX_RUNNING, MAX_TOTAL_BYTES, Program, Refusal,
+    Reply, Request, Shape, Status, columns,
+};
 use freestand_study::places::places;
 use freestand_study::recorded::{MotionFiles, read_all};
 use freestand_study::resolve::{Overrides, load};
@@ -22,7 +25,7 @@ use serde_json::{Map, Value, json};
 use crate::commands::Cli;
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
-use crate::session::{Kept, RowsWanted, Session, Told};
+use crate::session::{Kept, MAX_HISTORIES, RowsWanted, Session, Told};
 use crate::stop::Stop;
 use crate::values::finished;
 
@@ -66,8 +69,8 @@ fn facts() -> Value {
         "sites": sites(),
         "pictures": PICTURES.iter().map(Picture::value).collect::<Vec<_>>(),
         "limits": {
-            "file_bytes": 64 << 20, "files_bytes": 256 << 20, "request_bytes": 1 << 20, "jobs": 4,
-            "histories": 1_000_000,
+            "file_bytes": MAX_FILE_BYTES, "files_bytes": MAX_TOTAL_BYTES, "request_bytes": MAX_BODY_BYTES,
+            "jobs": MAX_RUNNING, "histories": MAX_HISTORIES,
         },
         "examples": [
             {"command": "object", "options": {
