@@ -1,5 +1,5 @@
-//! Incremental analyses with their fits: one object, and a fiftieth of 1,000 objects without intervals,
-//! because criterion repeats every benchmark ten times.
+//! Incremental analyses with their fits: one object, and, without intervals, 20 objects instead of
+//! 1,000, because criterion repeats every benchmark ten times.
 
 #![expect(clippy::unwrap_used, reason = "a benchmark may stop")]
 

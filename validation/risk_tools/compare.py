@@ -238,14 +238,14 @@ def points(program, folder, scratch, random_, check):
         check(f"OpenQuake scenario, points, {ident}", scenario[ident], shares_seen)
 
 
-# As people write them: spaces, umlauts, slashes, quotation marks, commas, digits first, words that a table reader may
-# take for a missing value or a number, ids beyond 50 characters that differ at their end, and ids that are equal once
-# all that is replaced.
+# Ids as people write them: with spaces, umlauts, slashes, quotation marks, commas or digits at the
+# beginning, words that a table reader may take for a missing value or a number, ids of more than 50
+# characters that differ only at their end, and ids that become equal when characters are replaced.
 UGLY = ["2 racks/Ä", "2_racks__", 'it\'s "new", see #3', "x" * 60, "x" * 60 + "y", "007", "NA", "1e5", "-1", "a.b|c"]
 
 
 def ugly(program, folder, scratch, random_, check):
-    """Ids that one program or the other would refuse, cut off or mistake."""
+    """Ids that one of the programs would refuse, cut off or misread."""
     table = outcomes(random_, folder / "ugly.csv", "pgv [m/s]", 0.4, UGLY)
     case = Case(program, folder, "ugly", table, "0.45 m/s", ["--format", "pelicun", "--format", "openquake"])
     shares, _ = pelicun(case)

@@ -1,8 +1,8 @@
 //! `cargo xtask test`: all checks, and a table of what they found.
 //!
-//! Compilers fill the processor; a browser, Python and Node mostly wait, and use one core. So two rows of
-//! checks run at the same time. Every check is a program of its own, so that its output can be kept together:
-//! it is printed when the check ends.
+//! Compilers use the whole processor; a browser, Python and Node mostly wait, and use one core.
+//! Therefore two rows of checks run at the same time. Every check is a program of its own, whose
+//! output is collected and printed when the check ends.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufRead, BufReader};
@@ -16,8 +16,8 @@ use crate::{arrows, page, risk_tools, source, validate_shock};
 /// The exit status of a check that cannot run here. The last line of its output is the reason.
 const NOT_RUN: u8 = 3;
 
-/// All packages that have tests. The benchmarks have none, and would ask for other features of what all use, so
-/// that the Python package could not share it.
+/// All packages that have tests. The benchmarks have none, and would request other features of
+/// shared dependencies, so that the Python package could not share them.
 pub const TESTED: [&str; 4] = ["--workspace", "--exclude", "freestand-benches", "--locked"];
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,10 +38,11 @@ pub enum Check {
     RiskTools,
 }
 
-/// What takes seconds.
+/// The checks that take only seconds.
 const FIRST: [Check; 3] = [Check::Arrows, Check::Features, Check::Formatting];
 
-/// Two rows that run side by side, and then two more: these need the program that the tests compile.
+/// Two rows that run side by side, and then two more, which need the program that the first ones
+/// compile.
 const SIDE_BY_SIDE: [[&[Check]; 2]; 2] = [
     [&[Check::Lints, Check::Compiling], &[Check::PageBuilt, Check::PageTypes]],
     [
@@ -50,7 +51,7 @@ const SIDE_BY_SIDE: [[&[Check]; 2]; 2] = [
     ],
 ];
 
-/// What a check came to.
+/// The result of a check.
 #[derive(Debug, PartialEq)]
 enum Outcome {
     Passed,
@@ -115,23 +116,23 @@ impl Check {
     fn title(self) -> &'static str {
         match self {
             Self::Arrows => "arrows between crates and modules",
-            Self::Features => "tests and Python package share what they compile",
+            Self::Features => "tests and Python package share dependencies",
             Self::Formatting => "formatting",
             Self::Lints => "lints, benchmarks included",
             Self::Compiling => "the program and the tests compile",
             Self::Tests => "tests",
             Self::Examples => "examples in the documentation",
             Self::Documentation => "documentation",
-            Self::PageBuilt => "the page is the one that its sources give",
+            Self::PageBuilt => "the built page matches its sources",
             Self::PageTypes => "the page: types and units",
             Self::PageBrowsed => "the page in a browser",
             Self::Python => "Python package",
-            Self::Shock => "shock response spectra beside public packages",
+            Self::Shock => "shock response spectra compared with public packages",
             Self::RiskTools => "exported fragilities in pelicun and OpenQuake",
         }
     }
 
-    /// The program that does it: cargo, or this one.
+    /// The command that runs it: cargo or this program.
     fn command(self, root: &Path) -> Result<Command, String> {
         let cargo = |arguments: &[&str]| {
             let mut command = Command::new("cargo");
@@ -169,7 +170,7 @@ impl Check {
         })
     }
 
-    /// Does it, and prints what it finds: for `cargo xtask check NAME`. Gives the exit status.
+    /// Runs it and prints its findings, for `cargo xtask check NAME`. Returns the exit status.
     pub fn run(self, root: &Path) -> u8 {
         match self.done(root) {
             Ok(()) => 0,
@@ -254,7 +255,7 @@ pub fn all(root: &Path) -> bool {
     rows.iter().all(|row| !matches!(row.outcome, Outcome::Failed))
 }
 
-/// One check after the other. What each of them prints is printed when it ends.
+/// Runs one check after the other. The output of each is printed when it ends.
 fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
     let run = |check: &Check| {
         println!("== begun: {} ==", check.title());
@@ -282,21 +283,24 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
             }
         };
         let row = Row { title: check.title(), outcome, seconds: start.elapsed().as_secs_f64() };
-        // At once, so that a check beside it does not print between the lines.
+        // In one piece, so that a check that runs at the same time does not print between the
+        // lines.
         print!("\n== {}: {}, {:.0} s ==\n{text}", row.title, row.outcome.word(), row.seconds);
         row
     };
     checks.iter().map(run).collect()
 }
 
-/// Runs a command and hands on its lines, from standard output and standard error in the order in which they came.
+/// Runs a command and passes its lines on, those of standard output and standard error in the order
+/// in which they came.
 fn printed(mut command: Command, mut line: impl FnMut(&str)) -> Result<ExitStatus, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let cannot = |error: std::io::Error| format!("cannot run {program}: {error}");
     let (output, input) = std::io::pipe().map_err(cannot)?;
     let error = input.try_clone().map_err(cannot)?;
     let mut child = command.stdout(input).stderr(error).spawn().map_err(cannot)?;
-    // It holds ends of the pipe, which must be closed for the lines to end with the child.
+    // The command holds ends of the pipe. Unless they are closed, the lines do not end when the
+    // child ends.
     drop(command);
     let mut output = BufReader::new(output);
     let mut bytes = Vec::new();
@@ -314,8 +318,8 @@ pub fn arrows(root: &Path) -> Result<(), String> {
     if problems.is_empty() { Ok(()) } else { Err(problems.join("\n")) }
 }
 
-/// The Python package asks for the same features of every dependency as the tests do: else it shares nothing with
-/// them that depends on one of those, and most of the workspace is compiled twice.
+/// Checks that the Python package requests the same features of every dependency as the tests. If
+/// one differs, everything that depends on it is compiled twice, which is most of the workspace.
 fn features(root: &Path) -> Result<(), String> {
     let tested = packages(root, &[&TESTED[..], &["-e", "normal,build,dev"]].concat())?;
     let ours = packages(root, &["--locked", "--package", "freestand-py", "-e", "normal,build"])?;
@@ -323,12 +327,12 @@ fn features(root: &Path) -> Result<(), String> {
     if others.is_empty() {
         return Ok(());
     }
-    let hint = "the tests have them with other features: ask for the same in a manifest (`cargo tree -e features -i NAME` \
-                says who asks)";
-    Err(format!("of the Python package: {}\n{hint}", others.join(", ")))
+    let hint = "the tests use these packages with other features: request the same ones in a manifest (`cargo tree -e \
+                features -i NAME` says which package requests a feature)";
+    Err(format!("dependencies of the Python package that the tests do not share: {}\n{hint}", others.join(", ")))
 }
 
-/// Packages with versions and features.
+/// The packages that `cargo tree` lists, with versions and features.
 fn packages(root: &Path, selected: &[&str]) -> Result<BTreeSet<String>, String> {
     let output = Command::new("cargo")
         .args(["tree", "--prefix", "none", "--no-dedupe", "--format", "{p} {f}"])
@@ -395,14 +399,14 @@ impl Tests {
     }
 }
 
-/// What closes the run.
+/// The table at the end of a run.
 fn table(rows: &[Row], all_s: f64, tests: &Tests) -> String {
     let width = rows.iter().map(|row| row.title.len()).max().unwrap_or(0);
     let mut text = format!("{:<width$}  {:<7}  seconds\n", "check", "result");
     for Row { title, outcome, seconds } in rows {
         text.push_str(&format!("{title:<width$}  {:<7}  {seconds:>7.1}\n", outcome.word()));
     }
-    text.push_str(&format!("{:<width$}  {:<7}  {all_s:>7.1}\n", "all, two at a time", ""));
+    text.push_str(&format!("{:<width$}  {:<7}  {all_s:>7.1}\n", "total, two checks at a time", ""));
 
     let skipped_checks = rows.iter().filter_map(|row| match &row.outcome {
         Outcome::Skipped(why) => Some(format!("  {}: {why}\n", row.title)),
@@ -430,7 +434,7 @@ fn table(rows: &[Row], all_s: f64, tests: &Tests) -> String {
 mod tests {
     use super::*;
 
-    /// Both outputs of a command, to the last line without an end, and its status.
+    /// Both outputs of a command are read, up to a last line without a line end, and its status.
     #[cfg(unix)]
     #[test]
     fn a_command_is_read_to_its_end() {

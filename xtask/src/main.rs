@@ -1,12 +1,12 @@
-//! `cargo xtask test`: everything that has to hold, with all set-up; what the README names and what CI runs.
-//! `cargo xtask check NAME`: one of these checks, as it prints it.
-//! `cargo xtask arrows`: the first of these checks alone, which takes a second.
-//! `cargo xtask validate-shock`: shock response spectra beside public packages, which it fetches from PyPI.
-//! `cargo xtask risk-tools`: exported fragilities in pelicun and the OpenQuake engine, which it fetches from PyPI.
-//! `cargo xtask ui`: builds the page that `freestand serve` hands out; the result is committed.
-//! `cargo xtask wheel [--out DIR]`: the Python package with the program inside, as it is published.
-//! `cargo xtask python`: its tests alone, on a wheel of the dev profile.
-//! `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
+//! `cargo xtask test`: all checks, with everything that they need; the README names it, and CI runs
+//! it. `cargo xtask check NAME`: one of these checks, with its output as it comes. `cargo xtask
+//! arrows`: the first of these checks alone, which takes a second. `cargo xtask validate-shock`:
+//! shock response spectra compared with those of public packages, which it fetches from PyPI.
+//! `cargo xtask risk-tools`: exported fragilities in pelicun and the OpenQuake engine, which it
+//! fetches from PyPI. `cargo xtask ui`: builds the page that `freestand serve` hands out; the
+//! result is committed. `cargo xtask wheel [--out DIR]`: the Python package with the program
+//! inside, as it is published. `cargo xtask python`: its tests alone, on a wheel of the dev
+//! profile. `cargo xtask texts`: every text that a user or a newcomer reads, in one listing.
 
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a developer's tool talks to the terminal")]
 

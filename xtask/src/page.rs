@@ -89,12 +89,12 @@ pub fn browse(root: &Path) -> Result<(), String> {
     run(root, "npm", &["run", "browser"], &environment)
 }
 
-/// The packages of the lock file, where they are not those that were installed last.
+/// Installs the packages of the lock file, unless they are those that were installed last.
 fn install(root: &Path) -> Result<(), String> {
     let folder = root.join(UI);
     let lock = folder.join("package-lock.json");
     let wanted = std::fs::read(&lock).map_err(|error| format!("{}: {error}", lock.display()))?;
-    // `npm ci` removes the folder, and the mark with it.
+    // `npm ci` removes the folder, and with it this mark.
     let mark = folder.join("node_modules/.installed-lock");
     if std::fs::read(&mark).is_ok_and(|installed| installed == wanted) {
         return Ok(());

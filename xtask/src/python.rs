@@ -17,7 +17,8 @@ const BUILD: [&str; 1] = ["maturin>=1.16,<2"];
 const TEST: [&str; 7] =
     ["numpy>=1.26", "pytest>=8", "mypy>=1.15,<3", "pandas>=2.1", "pyarrow>=15", "xarray>=2024.1", "matplotlib>=3.8"];
 
-/// What the tests of Dask, polars and DuckDB and the notebooks use too. Where it cannot be installed, they are left out.
+/// Packages for the tests of Dask, polars and DuckDB and for the notebooks, which are left out if
+/// the packages cannot be installed.
 const MORE: [&str; 7] = [
     "distributed>=2026.8",
     "dask-jobqueue>=0.9",
@@ -48,7 +49,8 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
     install(root, &BUILD)?;
     let folder = match profile {
         Profile::Dev => {
-            // The program as the tests have it: alone it would have other features, and be compiled anew.
+            // The program as the tests build it: built alone it would have other features, and be
+            // compiled again.
             run(root, "cargo", &[&["test", "--no-run", "--test", "cli"], &checks::TESTED[..]].concat())?;
             "debug"
         }
@@ -112,7 +114,10 @@ pub fn test(root: &Path) -> Result<(), Trouble> {
             Err(Trouble::Wrong(problem) | Trouble::NotHere(problem)) => wrong.push(problem),
         },
         Err(Trouble::NotHere(why) | Trouble::Wrong(why)) => {
-            println!("skipped: Dask, polars, DuckDB and the notebooks, which need {}: {why}", MORE.join(", "));
+            println!(
+                "skipped: the tests of Dask, polars and DuckDB and the notebooks, which need {}: {why}",
+                MORE.join(", ")
+            );
         }
     }
     if wrong.is_empty() { Ok(()) } else { Err(Trouble::Wrong(wrong.join("\n"))) }

@@ -13,7 +13,7 @@ pub(crate) enum Failure {
     Stopped { printed: bool },
     /// The user stopped it after the finished part was written.
     StoppedAfterWriting,
-    /// The user stopped the runs of a list, of which the finished ones are kept.
+    /// The user stopped the runs of an inventory; the finished runs are kept.
     StoppedKeepingRuns,
     /// The user stopped a shard, of which the finished parts are kept.
     StoppedInShard,

@@ -20,15 +20,15 @@ pub(crate) const MAX_HISTORIES: usize = 1_000_000;
 /// the records.
 const MAX_OSCILLATOR_SAMPLES: usize = 1_000_000_000;
 
-/// Where the rows of a document are wanted.
+/// Where the caller wants the rows of a document.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum RowsWanted {
-    /// In the document, one object a row.
+    /// In the document, one JSON object for each row.
     #[default]
     InDocument,
-    /// In the document, one array for each column, where the command can write them so.
+    /// In the document, one array for each column, if the command can write them in this way.
     InColumns,
-    /// Not in the document, where the command tells them while it works.
+    /// Not in the document, if the command sends them while it works.
     Told,
 }
 
@@ -86,7 +86,7 @@ impl Session {
         Self { stop, follow, memory, rows: RowsWanted::default(), is_live, tell, kept: Mutex::default() }
     }
 
-    /// With rows where they are wanted.
+    /// The session with rows in this place.
     pub(crate) fn with_rows(self, rows: RowsWanted) -> Self {
         Self { rows, ..self }
     }
@@ -96,7 +96,7 @@ impl Session {
         self.rows == RowsWanted::InColumns
     }
 
-    /// Whether rows that were told are wanted in the document too.
+    /// Whether rows that were already sent are wanted in the document, too.
     pub(crate) fn wants_told_rows(&self) -> bool {
         self.rows != RowsWanted::Told
     }

@@ -7,8 +7,8 @@ const SCREEN_CSS: &str = include_str!("style.css");
 /// The style of every report on paper. A browser makes the PDF: freestand has no typesetter.
 pub const PRINT_CSS: &str = include_str!("print.css");
 
-/// The style of a report whose content fits on one sheet, A4 or Letter: small type and narrow margins on paper. It is
-/// the beginning of such a report's own `css`.
+/// The style of a report that fits on one sheet, A4 or Letter: small type and narrow margins on
+/// paper. The `css` of such a report begins with it.
 pub const ONE_PAGE_CSS: &str = include_str!("one_page.css");
 
 /// Everything before the content of a report: the shared styles, the report's own `css`, the title.

@@ -98,8 +98,8 @@ pub fn numbers_csv<R: AsRef<[f64]>>(head: &str, rows: impl IntoIterator<Item = R
     text
 }
 
-/// A finished CSV as a table; `columns` are the names of its first line, each with whether it holds
-/// numbers, and texts otherwise.
+/// A finished CSV as a table; `columns` are the names in its first line, each with whether the
+/// column holds numbers. Other columns hold text.
 pub fn table_of_csv(csv: Vec<u8>, columns: &[(&str, bool)]) -> Table {
     let holds = |is_number: bool| if is_number { Holds::Number } else { Holds::Text };
     Table::new(csv, columns.iter().map(|(name, is_number)| ((*name).to_owned(), holds(*is_number))).collect())

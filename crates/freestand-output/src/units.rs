@@ -31,8 +31,8 @@ pub(crate) fn unit_of(name: &str) -> Option<(&'static str, usize)> {
     UNITS.iter().find(|(ending, ..)| name.ends_with(ending)).map(|&(_, unit, digits)| (unit, digits))
 }
 
-/// The unit of the values called `name`, which may end in words after the unit: `uplift_m_median`, or
-/// have the unit in brackets: `pfv [m/s]`.
+/// The unit of the values called `name`, which may have words after the unit (`uplift_m_median`) or
+/// the unit in brackets (`pfv [m/s]`).
 pub(crate) fn unit_within(name: &str) -> Option<&str> {
     if let Some((_, unit)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) {
         return Some(unit);

@@ -108,8 +108,8 @@ pub enum Shape {
     Rows,
     /// One array a column.
     Columns,
-    /// Not in the document of a job that tells its rows as events: they would be sent and kept
-    /// twice.
+    /// Not in the document of a job that sends its rows as events, because they would then be sent
+    /// and kept twice.
     Events,
 }
 

@@ -98,8 +98,9 @@ impl Refusal {
     }
 }
 
-/// The rows of a document as one array for each column, `null` where a row lacks it: what
-/// [`Shape::Columns`](crate::Shape::Columns) asks for. What is not a list of rows is left as it is.
+/// The rows of a document as one array for each column, with `null` where a row lacks the column,
+/// as [`Shape::Columns`](crate::Shape::Columns) asks. A value that is not a list of rows is left as
+/// it is.
 pub fn columns(rows: &Value) -> Value {
     let Some(list) = rows.as_array() else { return rows.clone() };
     let mut columns: Map<String, Value> = Map::new();

@@ -26,7 +26,8 @@ pub const MAX_FILE_BYTES: u64 = 64 << 20;
 /// All files together: 256 MiB.
 pub const MAX_TOTAL_BYTES: u64 = 256 << 20;
 
-/// How long the next piece of an upload may take to arrive: a slow line is no hanging client.
+/// How long the next piece of an upload may take to arrive: long enough for a slow connection,
+/// short enough to drop a client that has stopped sending.
 const PIECE_TIME: Duration = Duration::from_secs(10);
 
 /// The files; each is in a folder of its own, under the name that the user gave it.
@@ -205,10 +206,10 @@ fn refused(error: &multer::Error) -> Refusal {
     }
 }
 
-/// A piece of a form, unless it takes too long.
+/// A piece of a form, or a refusal if it takes too long to arrive.
 async fn arrived<T>(piece: impl Future<Output = Result<T, multer::Error>>) -> Result<T, Refusal> {
     let late = || {
-        let message = format!("nothing of the form arrived for {} s", PIECE_TIME.as_secs());
+        let message = format!("no data of the upload arrived for {} s", PIECE_TIME.as_secs());
         Refusal::new(Status::BadInput, "value", message, "upload the files again")
     };
     timeout(PIECE_TIME, piece).await.map_err(|_| late())?.map_err(|error| refused(&error))

@@ -397,7 +397,7 @@ fn clients_that_hang_are_cut_off() {
     assert_eq!(site.get("/api/v1/facts").status, 200);
     // At once: nothing is waited for. The time is for a machine that is busy with other things.
     assert!(asked.elapsed() < Duration::from_secs(3));
-    // A head has 10 s, and so has a piece of an upload; reads here give up after 20 s.
+    // A header may take 10 s, and so may a piece of an upload; reads here give up after 20 s.
     for mut stream in hanging.into_iter().chain(in_upload) {
         let mut rest = Vec::new();
         assert!(stream.read_to_end(&mut rest).is_ok(), "it is still open");

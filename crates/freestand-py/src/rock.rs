@@ -68,7 +68,7 @@ fn answer<'py>(
     Ok((known, warnings, impacts, walls, history.map(|(head, history)| (head, PyBytes::new(py, &history)))))
 }
 
-/// The restitution, checked with the objects, which are made where one is given.
+/// The restitution, checked against the objects, which are made only if a restitution is given.
 pub(crate) fn restitution(given: &mut Given<'_, '_>, blocks: impl FnOnce() -> Vec<Block>) -> Restitution {
     let (value, factor) = (given.number("restitution"), given.number("restitution_factor"));
     if value.is_some() && factor.is_some() {

@@ -20,8 +20,8 @@ use crate::motion::Record;
 use crate::rock::{restitution, surface, walls};
 use crate::work::watched;
 
-/// Block-steps of a chunk for each thread: 10 to 50 ms of work, after which Ctrl-C is noticed. Smaller chunks
-/// leave the vectors of the kernel partly empty.
+/// Block-steps of a chunk for each thread: 10 to 50 ms of work, after which Ctrl-C is noticed.
+/// Smaller chunks would leave the vectors of the kernel partly empty.
 const CHUNK_STEPS: usize = 25_000_000;
 /// The fewest objects of a chunk for each thread, which fill its lanes.
 const LEAST_OBJECTS: usize = 512;
@@ -95,7 +95,7 @@ impl Column {
     }
 }
 
-/// Values as bytes that Python owns, written where they stay.
+/// Values as bytes that Python owns, written in place.
 fn bytes_of<'py, T: Copy, const N: usize>(
     py: Python<'py>,
     values: &[T],

@@ -45,7 +45,7 @@ def test_calls_from_many_threads_are_the_same(cabinet, floor_motion):
             assert found == expected
 
 
-#: What an interrupted call raises, and a status of its own.
+#: An interrupted call raises `Interrupted`, and the script then ends with a status of its own.
 INTERRUPTED = """
 except KeyboardInterrupt as error:
     assert isinstance(error, fs.Interrupted), type(error)
@@ -84,7 +84,8 @@ def test_ctrl_c_stops(script, works_for_s):
     assert child.stdout.readline() == "ready\n"
     time.sleep(works_for_s)
     child.send_signal(signal.SIGINT)
-    # One chunk of the spectrum is 50 ms on an idle machine, and the whole would take minutes; the histories have no end.
+    # A chunk of the spectrum takes 50 ms on an idle machine, and all of it minutes; the histories
+    # never end.
     begun = time.perf_counter()
     output, _ = child.communicate(timeout=60)
     assert (child.returncode, output) == (3, "interrupted\n")

@@ -64,9 +64,9 @@ def caught(kind, call):
         (lambda: fs.floor(fs.Motion([0, 1, 0], 0.1), levels=[2]), "levels"),
         (lambda: fs.shock_spectrum([0, 1, 0]), "dt_s"),
         (lambda: fs.check_inventory({"a": 1}), "pandas"),
-        (lambda: fs.check_object(2, 0.3, study=5), "study cannot be a int"),
-        (lambda: fs.fragility(5), "outcomes cannot be a int"),
-        (lambda: fs.risk(options=5, outcomes=RISK / "outcomes.csv"), "options cannot be a int"),
+        (lambda: fs.check_object(2, 0.3, study=5), "study cannot be of type int"),
+        (lambda: fs.fragility(5), "outcomes cannot be of type int"),
+        (lambda: fs.risk(options=5, outcomes=RISK / "outcomes.csv"), "options cannot be of type int"),
         (lambda: fs.risk(RISK / "curves.csv", outcomes=RISK / "outcomes.csv", hazard=RISK / "hazard.csv"), "exclude"),
         (lambda: fs.assess({"building": {"storeys": object()}}), "storeys"),
         (lambda: fs.assess(out=5), "out"),
@@ -97,7 +97,7 @@ def caught(kind, call):
         (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [], [0.3]), "heights_m"),
         (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [float("nan")]), "thicknesses_m"),
         (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [0.3], vertical=3), "vertical"),
-        # Every thread takes memory: a slip of the keyboard took all of it.
+        # Every thread takes memory; a typing error once took all of it.
         (lambda: fs.spectrum(fs.Motion([0, 1, 0], 0.1), [1], [0.3], threads=10**9), "threads"),
         (lambda: fs.check_object(2, 0.3, place="Melbourne", friction="0.3"), "friction"),
         (lambda: fs.check_object(2, 0.3, place="Melbourne", friction=(0.4, 0.3)), "friction"),
@@ -154,7 +154,7 @@ def test_a_result_names_tables_by_their_arguments():
 
 
 def test_numbers_of_numpy_are_numbers(floor_motion):
-    """Scalars and arrays of no dimension, wherever Python has a number; the block stays hashable."""
+    """NumPy scalars and zero-dimensional arrays are numbers everywhere, and the block remains hashable."""
     block = fs.Block(np.array(1.8), np.float64(0.4), np.int64(150), stiffness_n_m=np.float64(4.38e6))
     assert block == fs.Block(1.8, 0.4, 150, stiffness_n_m=4.38e6) and hash(block)
     ours = fs.spectrum(floor_motion, 1.8, np.array(0.4), threads=np.int64(1))

@@ -69,7 +69,7 @@ def test_loop_and_response_spectra(floor_motion):
 
 
 def test_plot_needs_no_import_of_its_own():
-    """`freestand.plot.urs`, as the docs have it, in a process that imports freestand alone."""
+    """`freestand.plot.urs`, as in the docs, in a process that imports only freestand."""
     subprocess.run([sys.executable, "-c", "import freestand as fs; fs.plot.urs"], check=True)
     with pytest.raises(AttributeError, match="plots"):
         fs.plots

@@ -158,7 +158,7 @@ def test_check_object_with_a_study():
 
 
 def test_a_place_replaces_the_hazard_of_a_study(tmp_path):
-    """As in the command; the answer names the place. What a study does not state is as in the built-in study."""
+    """As in the command: the answer names the place, and the built-in study supplies what a study does not state."""
     path = tmp_path / "s.toml"
     path.write_text('[ground]\ncode = "eurocode8"\nspectrum_type = 1\nsite = "B"\nground_acceleration = "0.3 g"\n'
                     '[building]\nstoreys = 5\n')  # fmt: skip

@@ -163,8 +163,8 @@ impl Block {
     /// centre of gravity does not change.
     ///
     /// # Limitation
-    /// Nothing knows where the feet are but at their edges: a wall beside the object must leave them
-    /// room.
+    /// Only the edges of the feet are modelled: make sure that a wall beside the object leaves the
+    /// feet room.
     ///
     /// # Errors
     /// A width that is not positive.

@@ -236,35 +236,36 @@ fn objects<'a>(
 /// The ids that another program accepts.
 struct IdStyle {
     program: &'static str,
-    /// What they begin with.
+    /// The beginning that every id has.
     start: &'static str,
-    /// Characters besides letters and digits.
+    /// The characters that are allowed besides letters and digits.
     fine: &'static str,
-    /// The most characters; `None`: any number.
+    /// The largest number of characters; `None`: no limit.
     longest: Option<usize>,
 }
 
-/// A hyphen in an id ends it: pelicun joins ids, locations and directions by hyphens.
+/// pelicun joins ids, locations and directions with hyphens, so an id would end at its first
+/// hyphen.
 const PELICUN_IDS: IdStyle = IdStyle { program: "pelicun", start: "FS.", fine: "_.", longest: None };
-/// Ids of assets have at most 50 characters (`ASSET_ID_LENGTH`, OpenQuake 3.26), and those of functions
-/// no quotation marks.
+/// Ids of assets have at most 50 characters (`ASSET_ID_LENGTH`, OpenQuake 3.26); ids of functions
+/// have no quotation marks.
 const OPENQUAKE_IDS: IdStyle = IdStyle { program: "OpenQuake", start: "", fine: "_-", longest: Some(50) };
 
 impl IdStyle {
     fn words(&self) -> String {
         let others: Vec<String> = self.fine.chars().map(String::from).collect();
-        let longest = self.longest.map_or(String::new(), |most| format!(", at most {most} characters"));
+        let longest = self.longest.map_or(String::new(), |most| format!(", and at most {most} characters"));
         format!("letters from a to z, digits, {}{longest}", others.join(" and "))
     }
 
-    /// The id with other characters replaced by `_`, and cut off where it is too long.
+    /// The id with all other characters replaced by `_`, and cut off if it is too long.
     fn plain(&self, id: &str) -> String {
         let is_fine = |c: char| c.is_ascii_alphanumeric() || self.fine.contains(c);
         let plain = id.chars().map(|c| if is_fine(c) { c } else { '_' });
         self.start.chars().chain(plain).take(self.longest.unwrap_or(usize::MAX)).collect()
     }
 
-    /// An id with a number at its end, which is not longer than allowed.
+    /// An id with a number at its end, no longer than allowed.
     fn numbered(&self, id: &str, number: usize) -> String {
         let end = format!("_{number}");
         let room = self.longest.map_or(usize::MAX, |most| most.saturating_sub(end.len()));
@@ -272,7 +273,8 @@ impl IdStyle {
     }
 }
 
-/// Ids as another program accepts them, each once. What is accepted as it is keeps its id.
+/// Ids as another program accepts them, all different. An id that is accepted as it is does not
+/// change.
 fn plain_ids(ids: &[&str], style: &IdStyle) -> Vec<String> {
     let plain: Vec<String> = ids.iter().map(|id| style.plain(id)).collect();
     let is_kept = |(id, plain): (&&str, &String)| plain.strip_prefix(style.start) == Some(*id);
@@ -292,7 +294,7 @@ fn plain_ids(ids: &[&str], style: &IdStyle) -> Vec<String> {
     ids.iter().zip(&plain).map(&mut unique).collect()
 }
 
-/// `ids.csv`, where ids were changed: which is which, and a warning that says so.
+/// `ids.csv` with the ids of both sides, and a warning, if any id was changed.
 fn id_table(
     objects: &[ExportObject],
     style: &IdStyle,
@@ -304,7 +306,7 @@ fn id_table(
     let Some(first) = changed.first() else { return Ok(None) };
     let verb = if changed.len() == 1 { "was" } else { "were" };
     warnings.push(format!(
-        "{} {verb} changed for {}, such as \"{}\" to {}: it accepts {}; {folder}/ids.csv has both",
+        "{} {verb} changed for {}, such as \"{}\" to \"{}\": it accepts only {}; {folder}/ids.csv lists both",
         counted(changed.len(), "id"),
         style.program,
         shorten(&first.object.id),
@@ -372,12 +374,12 @@ mod tests {
     #[test]
     fn ids_are_plain_and_unique() {
         let ids = ["CAB-01", "CAB_01", "Schrank Ä", "a.b"];
-        // What is accepted as it is keeps its id.
+        // An id that is accepted as it is does not change.
         assert_eq!(plain_ids(&ids, &PELICUN_IDS), ["FS.CAB_01_2", "FS.CAB_01", "FS.Schrank__", "FS.a.b"]);
     }
 
-    /// Spaces, umlauts, slashes, quotation marks, first digits, ids longer than 50 characters that differ at
-    /// their end only, and ids that would be equal after all this.
+    /// Spaces, umlauts, slashes, quotation marks, digits at the beginning, ids longer than 50
+    /// characters that differ only at their end, and ids that would be equal after these changes.
     #[test]
     fn openquake_gets_ids_that_it_accepts() {
         let (long, longer) = ("x".repeat(60), format!("{}y", "x".repeat(60)));

@@ -84,8 +84,8 @@ const GRID: u32 = 400;
 /// Reads `fragility.csv`, or a table with its first eight columns.
 ///
 /// # Errors
-/// A missing column, an unknown word, a median or β that is not above 0, a limit state that is there
-/// twice, two measures for one object, each with its line and column; all rows that are wrong.
+/// A missing column; every row with an unknown word, a median or β that is not above 0, a limit
+/// state that appears twice or a second measure for one object, each with its line and column.
 pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problems> {
     let bytes = load(path)?;
     Ok((InputFile::new(path, &bytes), read(&bytes, path)?))
@@ -132,7 +132,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
                 return Err(table.cell_problem(row, im, "this object has another intensity measure above"));
             }
             Some(object) if object.curve(limit_state).is_some() => {
-                return Err(table.cell_problem(row, state, "this limit state of the object is there twice"));
+                return Err(table.cell_problem(row, state, "this limit state of the object appears twice"));
             }
             Some(object) => {
                 object.curves.push(curve);

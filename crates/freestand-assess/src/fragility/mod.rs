@@ -43,11 +43,11 @@ pub const FITS: Choices<FitKind> = &[
 pub enum FitMethod {
     /// Curves of all limit states, from the outcomes.
     Curves(FitKind),
-    /// As ordered, and `exceeds` from the shocks.
+    /// The ordered fit, but with `exceeds` from the shocks.
     TwoStage,
 }
 
-/// How runs are fitted, by name.
+/// The names of the ways to fit runs.
 pub const FIT_METHODS: Choices<FitMethod> = &[
     (FitMethod::Curves(FitKind::Ordered), "ordered", "one β for all limit states of an object: curves cannot cross"),
     (FitMethod::Curves(FitKind::Separate), "separate", "each limit state by itself"),
@@ -55,7 +55,7 @@ pub const FIT_METHODS: Choices<FitMethod> = &[
 ];
 
 impl FitMethod {
-    /// How the limit states are fitted that are fitted to outcomes.
+    /// How those limit states are fitted that are fitted to outcomes.
     pub fn kind(self) -> FitKind {
         match self {
             Self::Curves(kind) => kind,
@@ -73,11 +73,11 @@ pub struct ShockLimits {
     pub ceiling_g: f64,
 }
 
-/// The name of a fit of shocks, of its curve.
+/// The name of a fit of shocks and of its curve.
 pub const TWO_STAGE: &str = "two-stage";
 
-/// Rotations over α below this take no part in a line of ln demand or ln shock: at the intensity that
-/// just lifts an object both are 0, and their logarithms have no end.
+/// Runs whose rotation over α is below this ratio take no part in a line of ln demand or ln shock:
+/// at the intensity that just lifts an object both are 0, and their logarithms are minus infinity.
 const LEAST_ROTATION_RATIO: f64 = 0.01;
 
 /// Bootstrap samples where none are asked for.
@@ -98,8 +98,8 @@ pub struct FragilityRequest {
     pub at: Option<At>,
     /// How limit states are fitted.
     pub fit: FitKind,
-    /// The tolerance of a fit of shocks; `None`: the classes of the table count. Of runs it is that of
-    /// the first object whose shocks are fitted.
+    /// The tolerance and the ceiling for a fit of shocks; `None`: the classes of the table are
+    /// fitted. For runs: those of the first object whose shocks are fitted.
     pub shock: Option<ShockLimits>,
     /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`], 0: none.
     pub replicates: Option<u32>,
@@ -120,7 +120,7 @@ pub struct ObjectFragility {
     pub fit: Fit,
     /// The probability of exceeding the tolerance, from the shocks.
     pub two_stage: Option<TwoStage>,
-    /// Why the shocks of runs were not fitted, so that the outcomes were.
+    /// Why the outcomes of runs were fitted instead of their shocks.
     pub no_two_stage: Option<String>,
     /// How well they fit.
     pub goodness: Option<Goodness>,
@@ -154,15 +154,15 @@ pub struct FragilityReport {
 /// Fits the fragilities of all objects of a table.
 ///
 /// # Errors
-/// A table that cannot be read, with everything that is wrong with it.
+/// A table that cannot be read, with all its problems.
 pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems> {
     fragility_watched(request, &no_progress)
 }
 
-/// As [`fragility`], and can be stopped at every bootstrap sample.
+/// As [`fragility`], but the caller can stop it, at every bootstrap sample at the latest.
 ///
 /// # Errors
-/// As [`fragility`], or that it was stopped.
+/// As [`fragility`], and if the caller stopped it.
 pub fn fragility_watched(request: FragilityRequest, progress: Progress) -> Result<FragilityReport, Problems> {
     check_replicates(request.replicates)?;
     let table = OutcomeTable::load_watched(&request.outcomes, progress)?;
@@ -181,7 +181,7 @@ fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
     Err(Problem::value(message, format!("give at most {MAX_REPLICATES}")).of(&["bootstrap"]))
 }
 
-/// Asks whether to go on.
+/// Asks the caller whether to continue.
 ///
 /// # Errors
 /// The caller stopped the work.
@@ -192,8 +192,8 @@ fn go_on(progress: Progress) -> Result<(), Problem> {
     }
 }
 
-/// Fits the fragilities of all objects of a table that was read; `limits` has, for each of them, what
-/// a fit of its shocks needs, or nothing.
+/// Fits the fragilities of all objects of a table that was read; `limits` has the limits of each
+/// object whose shocks are fitted, and `None` for the others.
 fn fitted(
     request: FragilityRequest,
     table: OutcomeTable,
@@ -220,7 +220,7 @@ fn fitted(
             Err(error) if method == METHOD => {
                 return Err(table.object_problem(i, &error.to_string(), shock_hint(error)));
             }
-            // Of many objects some may have too few shocks; their outcomes are still there.
+            // Some of many objects may have too few shocks; their outcomes can still be fitted.
             Err(error) => {
                 states = all;
                 fit = fit_curves(&outcomes, &states, request.fit);
@@ -252,7 +252,7 @@ fn fitted(
     Ok(FragilityReport { request, table, at, objects, warnings, method })
 }
 
-/// The probability of exceeding a tolerance from the shocks of an object, with their lines.
+/// The probability of exceeding a tolerance, from the shocks of an object (each with its line).
 fn two_stage(shocks: &[(usize, ShockRun)], fit: &Fit, limits: ShockLimits) -> Result<TwoStage, ShockFitError> {
     let ShockLimits { tolerance_g, ceiling_g } = limits;
     let runs: Vec<ShockRun> = shocks.iter().map(|(_, run)| *run).collect();
@@ -270,9 +270,9 @@ fn two_stage(shocks: &[(usize, ShockRun)], fit: &Fit, limits: ShockLimits) -> Re
 /// What to do about shocks that cannot be fitted.
 fn shock_hint(error: ShockFitError) -> &'static str {
     match error {
-        ShockFitError::Shock { .. } => "give the `ceiling` of this object, the ceiling_g of its balance point",
-        ShockFitError::TooFew { .. } => "give the column edge_acceleration [g] for runs that rocked",
-        ShockFitError::NoMaximum => "fit the classes with `fit = \"ordered\"`",
+        ShockFitError::Shock { .. } => "give the `ceiling` of this object, the ceiling_g that freestand shock states",
+        ShockFitError::TooFew { .. } => "add runs that rocked, with their shock in the column edge_acceleration [g]",
+        ShockFitError::NoMaximum => "fit the outcomes with `fit = \"ordered\"`",
     }
 }
 

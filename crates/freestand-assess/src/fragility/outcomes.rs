@@ -29,7 +29,8 @@ pub(crate) struct OutcomeRun {
     /// Its line in the file, from 1.
     pub(crate) line: usize,
     pub(crate) run: Run,
-    /// Its shock, if it is known and the rotation is not below [`LEAST_ROTATION_RATIO`] \[g\].
+    /// Its shock \[g\]; `None` if it is not known, or if the rotation is below
+    /// [`LEAST_ROTATION_RATIO`].
     pub(crate) shock_g: Option<f64>,
 }
 
@@ -55,17 +56,17 @@ impl OutcomeTable {
     /// Reads a file.
     ///
     /// # Errors
-    /// A missing column; all rows with a class that does not exist, a measure that is not above 0 or an
-    /// empty cell, each with line and column; all rows of one object, motion and level; the table that
-    /// `assess` writes.
+    /// A missing column; every row with a class that does not exist, an intensity that is not above
+    /// 0 or an empty cell, each with its line and column; a second row for the same object, motion
+    /// and intensity; the table that `assess` writes.
     pub fn load(path: &Path) -> Result<Self, Problems> {
         Self::load_watched(path, &no_progress)
     }
 
-    /// As [`OutcomeTable::load`], and can be stopped.
+    /// As [`OutcomeTable::load`], but the caller can stop it.
     ///
     /// # Errors
-    /// As [`OutcomeTable::load`], or that it was stopped.
+    /// As [`OutcomeTable::load`], and if the caller stopped it.
     pub(super) fn load_watched(path: &Path, progress: Progress) -> Result<Self, Problems> {
         let read = Self::read(&load(path)?, path, progress)?;
         read.check_twice(progress)?;
@@ -128,7 +129,7 @@ impl OutcomeTable {
         })?;
         for row in &table.rows {
             reading.problems.row()?;
-            // Every cell of a row is read before the row is given up, so that all that is wrong is told.
+            // Every cell is read before the row is dropped, so that all its problems are reported.
             let problems = &mut reading.problems;
             let object = problems.keep(table.filled(row, object));
             let motion = problems.keep(table.filled(row, motion));
@@ -183,7 +184,7 @@ impl OutcomeTable {
         Ok(())
     }
 
-    /// Refuses runs that are there twice: a motion at one level has one outcome.
+    /// Refuses runs that appear twice: an object under a motion at one intensity has one outcome.
     fn check_twice(&self, progress: Progress) -> Result<(), Problems> {
         let mut problems = RowProblems::watched(progress);
         let mut known: HashMap<(usize, usize, u64), &OutcomeRun> = HashMap::new();
@@ -196,7 +197,7 @@ impl OutcomeTable {
             }
             let name = |names: &[String], place: usize| shorten(names.get(place).map_or("", String::as_str));
             let outcomes = if before.run.class == one.run.class {
-                format!("is there twice, with the outcome {}", one.run.class.name())
+                format!("appears twice, with the outcome {}", one.run.class.name())
             } else {
                 format!("has two outcomes, {} and {}", before.run.class.name(), one.run.class.name())
             };
@@ -207,7 +208,7 @@ impl OutcomeTable {
                 name(&self.objects, one.object),
                 name(&self.motions, motion),
             );
-            let hint = "keep one of the two rows; name motions differently if they are different ones";
+            let hint = "keep one of the two rows, or give different motions different names";
             problems.push(Problem::value(message, hint).in_file(&self.file.path).at_line(one.line));
         }
         problems.finish(&self.file.path)
@@ -223,7 +224,7 @@ impl OutcomeTable {
         object
     }
 
-    /// A problem with an object, at its first row.
+    /// A problem with an object, reported at its first row.
     pub(super) fn object_problem(&self, object: usize, message: &str, hint: &str) -> Problem {
         let id = self.objects.get(object).map_or("", String::as_str);
         let problem = Problem::value(format!("object {}: {message}", shorten(id)), hint).in_file(&self.file.path);
@@ -233,7 +234,7 @@ impl OutcomeTable {
     /// The runs of every object, in the order of the objects.
     ///
     /// # Errors
-    /// All objects of which no run could be followed.
+    /// Every object without a run that could be followed.
     pub(crate) fn by_object(&self) -> Result<Vec<Outcomes>, Problems> {
         let mut runs: Vec<Vec<Run>> = vec![Vec::new(); self.objects.len()];
         for one in &self.runs {
@@ -253,14 +254,15 @@ impl OutcomeTable {
         Ok(outcomes)
     }
 
-    /// Refuses shocks that no landing below the ceiling has.
+    /// Refuses shocks that are not above 0 or are above the ceiling.
     pub(super) fn check_shocks(&self, ceiling_g: f64) -> Result<(), Problems> {
         let mut problems = RowProblems::default();
         for (object, shocks) in self.shocks().iter().enumerate() {
             for (line, ShockRun { shock_g, .. }) in shocks.iter().filter(|(_, run)| !run.is_below(ceiling_g)) {
-                let hint = "give the `ceiling` of this object, the ceiling_g of the shock of its balance point";
+                let hint =
+                    "correct it, or give the `ceiling` of this object, the ceiling_g that freestand shock states";
                 let message =
-                    format!("the shock is {shock_g} g, which is not above 0 and at most the ceiling, {ceiling_g} g");
+                    format!("the shock is {shock_g} g, but must be above 0 and at most the ceiling, {ceiling_g} g");
                 problems.push(Problem { line: Some(*line), ..self.object_problem(object, &message, hint) });
             }
         }
@@ -280,14 +282,14 @@ impl OutcomeTable {
     }
 }
 
-/// What is remembered while a table is read.
+/// What is collected while a table is read.
 struct Reading<'p> {
     objects: Names,
     motions: Names,
     problems: RowProblems<'p>,
 }
 
-/// Names with their places, as they first appear.
+/// Names in the order in which they first appear, with their places.
 #[derive(Default)]
 struct Names {
     names: Vec<String>,
@@ -312,7 +314,7 @@ fn class_of(table: &Table, row: &Row, outcome: usize) -> Result<Option<OutcomeCl
     if text == UNRESOLVED {
         return Ok(None);
     }
-    // What leans on a wall has fallen.
+    // An object that leans on a wall counts as overturned.
     let text = if text == Outcome::Leaned.name() { OutcomeClass::Overturned.name() } else { text };
     let class = OutcomeClass::ALL.into_iter().find(|class| class.name() == text);
     class.map(Some).ok_or_else(|| {
@@ -368,7 +370,7 @@ mod tests {
             let text = format!("object,motion,pgv [m/s],outcome\na,m,0.2,rocked\na,n,0.2,rocked\na,m,0.2,{outcome}\n");
             read(&text).unwrap().check_twice(&no_progress)
         };
-        for (outcome, said) in [("overturned", "two outcomes, rocked and overturned"), ("rocked", "is there twice")] {
+        for (outcome, said) in [("overturned", "two outcomes, rocked and overturned"), ("rocked", "appears twice")] {
             let problem = twice(outcome).unwrap_err();
             let text = problem.to_string();
             assert!(problem.len() == 1 && text.contains("lines 2 and 4") && text.contains(said), "{problem}");
@@ -412,7 +414,7 @@ mod tests {
         assert_eq!(places, [Some(3), Some(2), Some(4), Some(4), Some(4)], "{problems}");
         let many = read(&format!("object,pga [g],rocked,overturned\n{}", "a,NaN,1,x\n".repeat(30))).unwrap_err();
         assert_eq!(many.len(), 21);
-        assert!(many.problems[20].to_string().starts_with("o.csv: 40 problems more"), "{many}");
+        assert!(many.problems[20].to_string().starts_with("o.csv: and 40 more problems"), "{many}");
         let twice = "object,motion,pgv [m/s],outcome\n".to_owned() + &"a,m,0.2,rocked\n".repeat(4);
         assert_eq!(read(&twice).unwrap().check_twice(&no_progress).unwrap_err().len(), 3);
     }

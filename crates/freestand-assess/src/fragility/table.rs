@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, nearest};
+use freestand_input::words::nearest;
 use freestand_study::run::Progress;
 
 use super::go_on;
 
-/// A heading, `pfv [m/s]`: its name in small letters with `_` for blanks, and the unit between the
+/// A heading such as `pfv [m/s]`: its name in small letters with `_` for blanks, and the unit in
 /// brackets.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Heading {
@@ -27,13 +27,13 @@ pub(crate) struct Row {
     cells: Vec<String>,
 }
 
-/// The most problems with rows of a table that are told one by one.
+/// The largest number of problems with rows of a table that are reported one by one.
 const MAX_TOLD: usize = 20;
 
-/// Rows that are read before the caller is asked whether to go on: some milliseconds of work.
+/// Number of rows after which the caller is asked whether to continue: some milliseconds of work.
 const ROWS_UNASKED: usize = 4096;
 
-/// The problems with the rows of a table, which are told together.
+/// The problems with the rows of a table, which are reported together.
 #[derive(Default)]
 pub(crate) struct RowProblems<'p> {
     told: Problems,
@@ -45,12 +45,12 @@ pub(crate) struct RowProblems<'p> {
 }
 
 impl<'p> RowProblems<'p> {
-    /// Of a table whose reading can be stopped.
+    /// For a table whose reading the caller can stop.
     pub(crate) fn watched(progress: Progress<'p>) -> Self {
         Self { progress: Some(progress), ..Self::default() }
     }
 
-    /// Counts a row.
+    /// Counts a row, and now and then asks the caller whether to continue.
     ///
     /// # Errors
     /// The caller stopped the reading.
@@ -71,16 +71,17 @@ impl<'p> RowProblems<'p> {
         }
     }
 
-    /// The value of a result; its problem is collected.
+    /// The value of a result; if it has a problem instead, the problem is collected.
     pub(crate) fn keep<T>(&mut self, result: Result<T, Problem>) -> Option<T> {
         result.map_err(|problem| self.push(problem)).ok()
     }
 
     /// # Errors
-    /// All problems that were collected in this file, the first ones in full.
+    /// The problems that were collected in this file: the first [`MAX_TOLD`], and the number of the
+    /// rest.
     pub(crate) fn finish(mut self, path: &Path) -> Result<(), Problems> {
         if self.more > 0 {
-            let message = format!("{} more", counted(self.more, "problem"));
+            let message = format!("and {} more {}", self.more, if self.more == 1 { "problem" } else { "problems" });
             self.told
                 .push(Problem::value(message, "correct the problems above, and run the command again").in_file(path));
         }
@@ -103,8 +104,8 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Reads the bytes of a file; `hint` says what its headings should be. Rows whose number of cells is
-    /// wrong are left out and collected.
+    /// Reads the bytes of a file; `hint` says what its headings should be. A row with a wrong
+    /// number of cells is left out, and its problem is collected.
     pub(crate) fn read(
         bytes: &[u8],
         path: &Path,
@@ -161,7 +162,7 @@ impl Table {
         let table = Self { path: path.to_path_buf(), headings, rows, line: head.line, comments, hint };
         for (i, one) in table.headings.iter().enumerate() {
             if table.headings.iter().take(i).any(|other| !one.name.is_empty() && other.name == one.name) {
-                return Err(table.header_problem(format!("the column \"{}\" is there twice", shorten(&one.name))));
+                return Err(table.header_problem(format!("the column \"{}\" appears twice", shorten(&one.name))));
             }
         }
         if table.rows.is_empty() && problems.told.is_empty() {
@@ -170,8 +171,8 @@ impl Table {
         Ok(table)
     }
 
-    /// What to tell of columns that are none of `known`: a name that is written in another way would
-    /// silently count for nothing.
+    /// A warning about columns that are not among `known`: without it, a misspelt column would be
+    /// ignored silently.
     pub(crate) fn unused(&self, known: &[&str]) -> Option<String> {
         let unknown = |heading: &&Heading| !heading.name.is_empty() && !known.contains(&heading.name.as_str());
         let said: Vec<String> = self
@@ -207,8 +208,9 @@ impl Table {
         })
     }
 
-    /// What `read` makes of each row; `problems` are those that were found before. `read` adds what is wrong
-    /// with a row to them and then returns `None`: all of them are told together.
+    /// What `read` makes of each row; `problems` are those that were found before. `read` adds the
+    /// problems of a row to them and then returns `None`, so that all problems are reported
+    /// together.
     pub(crate) fn each_row<'a, T>(
         &'a self,
         mut problems: RowProblems<'_>,
@@ -263,13 +265,14 @@ impl Table {
         self.number(row, column, "a number of 0 or more", |value| value >= 0.0)
     }
 
-    /// An angle of at most `most` to either side \[degrees\].
+    /// An angle from −`most` to `most` \[degrees\].
     pub(crate) fn degrees(&self, row: &Row, column: usize, most: f64) -> Result<f64, Problem> {
-        let value = self.number(row, column, "a number of degrees", |value| value.abs() <= most);
-        value.map_err(|problem| problem.hint(format!("write degrees, from -{most} to {most}")))
+        let kind = format!("an angle from -{most} to {most} degrees");
+        let value = self.number(row, column, &kind, |value| value.abs() <= most);
+        value.map_err(|problem| problem.hint("write decimal degrees, such as -33.9"))
     }
 
-    /// The place of a column whose cell is not empty.
+    /// The place of the column, if its cell in this row is not empty.
     pub(crate) fn given(&self, row: &Row, name: &str) -> Option<usize> {
         self.column(name).filter(|&column| !self.text(row, column).is_empty())
     }
@@ -311,7 +314,7 @@ fn heading(cell: &str) -> Heading {
 mod tests {
     use super::*;
 
-    /// The first problem of a table, or the table.
+    /// The table, or its first problem.
     fn read(text: &str) -> Result<Table, Problem> {
         let mut problems = RowProblems::default();
         let table = Table::read(text.as_bytes(), Path::new("t.csv"), "a, b", &mut problems)?;
@@ -328,7 +331,8 @@ mod tests {
         assert_eq!(problem.to_string(), "t.csv:7: column 2 (\"pfv [m/s]\"): \"x\" is not a number above 0");
     }
 
-    /// All bad rows at once, also those with a cell too few; of very many the first 20, and the number of the rest.
+    /// All bad rows are reported at once, also rows with too few cells. Of more than 20 problems
+    /// the first 20 are reported, and the number of the rest.
     #[test]
     fn the_problems_of_all_rows_are_told() {
         let numbers = |text: &str| {
@@ -342,7 +346,7 @@ mod tests {
         lines.sort();
         assert_eq!(lines, [Some(2), Some(3), Some(5)]);
         let many = numbers(&format!("a,b\n{}", "x,0\n".repeat(50))).unwrap_err();
-        assert_eq!((many.len(), many.problems[20].to_string().as_str()), (21, "t.csv: 30 problems more"));
+        assert_eq!((many.len(), many.problems[20].to_string().as_str()), (21, "t.csv: and 30 more problems"));
     }
 
     #[test]

@@ -81,7 +81,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
             total += count as u64;
             let is_bomb = total > RATIO_FROM && total / MAX_RATIO > bytes.len() as u64;
             if total > MAX_UNPACKED || is_bomb || is_small && size > MAX_SMALL {
-                let message = format!("unpacks to more than {} MiB, too large for an inventory", total >> 20);
+                let message = format!("unpacks to more than {} MiB, which is too large for an inventory", total >> 20);
                 return Err(wrong(message, "copy the rows into a new workbook, or save them as CSV"));
             }
             if let Some(tags) = &mut tags {

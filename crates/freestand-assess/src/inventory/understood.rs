@@ -701,8 +701,8 @@ pub(super) fn is_plausible_reading(all: &Understood, one: &Use, row: &Row, text:
     is_plausible(one.column, found.si)
 }
 
-/// The volume of the box of a row \[m³\], where its sizes have one reading. Sizes that no object has say
-/// nothing about its mass.
+/// The volume of the box around the object of a row \[m³\], if its sizes have only one reading.
+/// Sizes that no object has say nothing about the mass.
 fn volume(all: &Understood, row: &Row) -> Option<f64> {
     let size = |column: Column| {
         let one = all.get(column)?;

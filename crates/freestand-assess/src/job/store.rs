@@ -181,7 +181,7 @@ impl Store {
         Some(found).filter(|found| found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id))
     }
 
-    /// The rows of a stored part; `None` where it is absent or a row cannot be read.
+    /// The rows of a stored part; `None` if the part is absent or a row cannot be read.
     pub(crate) fn rows<T: DeserializeOwned>(&self, part: &Part) -> Option<Vec<T>> {
         let file = fs::File::open(self.folder.join(part.results_name())).ok()?;
         let lines = BufReader::new(file).lines();

@@ -12,7 +12,7 @@ use super::report::{
 };
 use super::sketch::sketch;
 
-/// Beside the style of one page.
+/// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
 .sheet { display: flex; gap: 1.5rem; flex-wrap: wrap; align-items: flex-start; }
 .sheet > div { flex: 1 1 22rem; min-width: 0; }

@@ -14,7 +14,7 @@ use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
                     accepted_exceed_annual_rate [1/yr], floor, longitude, latitude";
-/// The columns of an inventory; its items are for people.
+/// The columns of an inventory. The column `item` is for readers only.
 const COLUMNS: [&str; 14] = [
     "id",
     "item",
@@ -31,7 +31,7 @@ const COLUMNS: [&str; 14] = [
     "longitude",
     "latitude",
 ];
-/// The columns of options.
+/// The columns of a file of options.
 const OPTION_COLUMNS: [&str; 9] =
     ["id", "option", "cost", "life", "median_factor", "curves", "stiffness", "base_thickness", "mass"];
 const OPTIONS_HINT: &str = "the columns are id, option, cost [AUD], perhaps life [yr], and one effect: median_factor, \
@@ -136,7 +136,7 @@ fn check_unit(table: &Table, name: &str, units: &[&str]) -> Result<(), Problem> 
 /// Reads the costs of an inventory.
 ///
 /// # Errors
-/// Two currencies, a number below 0, an id that is there twice or missing; all rows that are wrong.
+/// Two currencies; every row with a number below 0, or with an id that is missing or appears twice.
 pub(crate) fn load_costs(path: &Path) -> Result<Costs, Problems> {
     let bytes = load(path)?;
     read_costs(&bytes, path)
@@ -185,14 +185,14 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
     if let Some(quantity) = table.column("quantity") {
         let blank = table.rows.iter().filter(|row| table.text(row, quantity).is_empty()).count();
         let has = if blank == 1 { "has" } else { "have" };
-        let said = format!("{}: {} {has} no quantity: 1 is counted", path.display(), counted(blank, "row"));
+        let said = format!("{}: {} {has} no quantity: 1 is assumed", path.display(), counted(blank, "row"));
         warnings.extend((blank > 0).then_some(said));
     }
     for row in
         rows.iter().filter(|row| row.replacement.is_some() && row.repair.is_some_and(|cost| cost > row.overturned()))
     {
         warnings.push(format!(
-            "{}:{}: to repair {} costs more than its overturning does: are the two columns the right way round?",
+            "{}:{}: the repair of {} costs more than its overturning: are the costs in the wrong columns?",
             path.display(),
             row.line,
             shorten(&row.id)
@@ -201,7 +201,7 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
     Ok(Costs { file: InputFile::new(path, bytes), currency, rows, warnings })
 }
 
-/// The text of a cell that no row above has; `known` are the lines of those above.
+/// The text of a cell, which no row above may have; `known` has the lines of the texts above.
 fn new_name(
     table: &Table,
     row: &Row,
@@ -216,8 +216,8 @@ fn new_name(
 
 fn twice(table: &Table, row: &Row, column: usize, above: Option<usize>, what: &str) -> Result<(), Problem> {
     above.map_or(Ok(()), |line| {
-        let message = format!("{what} is there twice, first in line {line}");
-        Err(table.cell_problem(row, column, &message).hint("give each its own, or leave out one of the rows"))
+        let message = format!("{what} appears twice, first in line {line}");
+        Err(table.cell_problem(row, column, &message).hint("rename one of the two, or leave out one of the rows"))
     })
 }
 
@@ -230,7 +230,7 @@ fn probability_of(table: &Table, row: &Row) -> Result<Option<f64>, Problem> {
     let Some(column) = table.given(row, "casualty_probability") else { return Ok(None) };
     let probability = table.non_negative(row, column)?;
     if probability > 1.0 {
-        let message = format!("{} is not a probability, which is at most 1", shorten(table.text(row, column)));
+        let message = format!("{} is not a probability: it is above 1", shorten(table.text(row, column)));
         return Err(table.cell_problem(row, column, &message).hint("write a number from 0 to 1"));
     }
     Ok(Some(probability))
@@ -255,7 +255,7 @@ fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
         (None, None) => Ok(None),
         (one, _) => {
             let (given, missing) = if one.is_some() { ("longitude", "latitude") } else { ("latitude", "longitude") };
-            let message = format!("the row has a {given} and no {missing}");
+            let message = format!("the row has a {given} but no {missing}");
             let column = table.column(given).unwrap_or(0);
             Err(table.cell_problem(row, column, &message).hint("give both, in degrees, or neither"))
         }
@@ -295,16 +295,16 @@ pub(crate) struct Options {
 /// changed objects as `ID/option`.
 ///
 /// # Errors
-/// Another currency, no effect or two, an option that is there twice, a changed object without
-/// curves; all rows that are wrong.
+/// Another currency; every row with no effect or more than one, with an option that appears twice,
+/// or with a changed object without curves.
 pub(crate) fn load_options(path: &Path, currency: Option<&str>, curves: &[ObjectCurves]) -> Result<Options, Problems> {
     let bytes = load(path)?;
     let (rows, warnings) = read_options(&bytes, path, currency, |object| {
         let found = curves.iter().find(|one| one.id == object.curve_id).ok_or_else(|| {
             let wanted = shorten(&object.curve_id);
-            let message = format!("the option changes the object itself, and no curves have the id \"{wanted}\"");
-            let hint = "run the changed objects with freestand fragility, its list and these options, and give its \
-                        fragility.csv or outcomes.csv here; or name a file in the column curves";
+            let message = format!("the option changes the object itself, but no curves have the id \"{wanted}\"");
+            let hint = "run freestand fragility with the inventory and these options, and give its fragility.csv or \
+                        outcomes.csv here; or name a file of curves in the column curves";
             Problem::value(message, hint).in_file(&object.file).at_line(object.line)
         })?;
         Ok(Some(Effect::Curves(found.clone())))
@@ -331,8 +331,8 @@ pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Prob
     Ok((InputFile::new(path, &bytes), objects))
 }
 
-/// The options, and what to know about the file. `changed` gives the effect of an option that changes its
-/// object; `None`: the option is left out.
+/// The options, and warnings about the file. `changed` returns the effect of an option that changes
+/// its object, or `None` to leave the option out.
 fn read_options(
     bytes: &[u8],
     path: &Path,
@@ -380,7 +380,7 @@ fn read_options(
     Ok((rows.into_iter().flatten().collect(), table.unused(&OPTION_COLUMNS).into_iter().collect()))
 }
 
-/// The object of a row and its option; `known` are the lines of those above.
+/// The object and the option of a row; `known` has the lines of the pairs above.
 fn names_of(
     table: &Table,
     row: &Row,
@@ -417,7 +417,7 @@ fn change_of(table: &Table, row: &Row) -> Result<Option<Change>, Problem> {
     Ok(Some(change).filter(|change| *change != Change::default()))
 }
 
-/// Files of curves that options name, each read once.
+/// The files of curves that options name; each is read once.
 type CurveFiles = HashMap<PathBuf, Result<Vec<ObjectCurves>, Problems>>;
 
 /// The curves `ID/option` of a file that an option names, relative to its own.
@@ -479,9 +479,9 @@ mod tests {
             said("id,qty,repair_costs [AUD]\na,2,5\n"),
             "i.csv: these columns are not used: qty, repair_costs [AUD] (is it repair_cost?)"
         );
-        assert_eq!(said("id,quantity\na,\nb,3\n"), "i.csv: 1 row has no quantity: 1 is counted");
+        assert_eq!(said("id,quantity\na,\nb,3\n"), "i.csv: 1 row has no quantity: 1 is assumed");
         let dear = said("id,repair_cost [AUD],replacement_cost [AUD]\na,100,5\n");
-        assert!(dear.starts_with("i.csv:2: to repair a costs more than its overturning"), "{dear}");
+        assert!(dear.starts_with("i.csv:2: the repair of a costs more than its overturning"), "{dear}");
     }
 
     #[test]
@@ -500,7 +500,7 @@ mod tests {
             ("id,accepted_annual_rate\na,1e-4\n", "is not in 1/yr"),
             ("id,floor\na,1.5\n", "i.csv:2: column 2 (\"floor\"): \"1.5\" is not the number of a floor"),
             ("id,longitude,latitude\na,151,-133\n", "i.csv:2: column 3"),
-            ("id,longitude,latitude\na,151,\n", "the row has a longitude and no latitude"),
+            ("id,longitude,latitude\na,151,\n", "the row has a longitude but no latitude"),
         ];
         for (text, said) in cases {
             let problem = only(costs(text));
@@ -537,7 +537,7 @@ mod tests {
         }
     }
 
-    /// Every wrong cell is told at once, also two of one row.
+    /// All wrong cells are reported at once, also two in one row.
     #[test]
     fn all_wrong_rows_are_told_at_once() {
         let lines = |problems: Problems| -> Vec<Option<usize>> {

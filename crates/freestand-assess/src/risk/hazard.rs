@@ -65,7 +65,7 @@ impl HazardGiven {
     /// Where the hazard comes from.
     ///
     /// # Errors
-    /// No source or several, a source that needs more, or what its kind does not use.
+    /// No source or several, a value that the source needs and lacks, or one that it does not use.
     pub fn source(self) -> Result<HazardSource, Problem> {
         self.check_used()?;
         let needed = |key: &'static str, example: &'static str| {
@@ -97,7 +97,7 @@ impl HazardGiven {
 }
 
 impl HazardGiven {
-    /// Refuses what the source would ignore.
+    /// Refuses values that the source would ignore.
     fn check_used(&self) -> Result<(), Problem> {
         let refused = |key: &'static str, source: &str| {
             Err(Problem::value(format!("{source} does not use `{key}`"), format!("leave out `{key}`")).of(&[key]))
@@ -112,7 +112,7 @@ impl HazardGiven {
         ];
         let has_source = self.file.is_some() || self.power_law.is_some();
         match (self.code, of_code.into_iter().find(|(is_given, _)| *is_given)) {
-            (None, Some((_, key))) if has_source => refused(key, "a hazard that is not that of a code"),
+            (None, Some((_, key))) if has_source => refused(key, "a hazard that does not come from a code"),
             (Some(HazardCode::As1170_4), _) if self.fault_distance_m.is_some() => {
                 refused("fault_distance", "AS 1170.4")
             }
@@ -235,7 +235,8 @@ fn from_file(
     Ok(MeasuredHazard { hazard, measure, at: measure.at(at)?, file, warnings: Vec::new() })
 }
 
-/// A cell that does not continue the curve of the cell before it, with both as they are written.
+/// The problem with a cell that does not continue the curve. It quotes this cell and the one before
+/// it.
 fn disorder(table: &Table, above: (&Row, usize), at: (&Row, usize), error: HazardError) -> Problem {
     let [before, here] = [above, at].map(|(row, column)| shorten(table.text(row, column)));
     let (message, hint) = match error {
@@ -245,7 +246,7 @@ fn disorder(table: &Table, above: (&Row, usize), at: (&Row, usize), error: Hazar
         ),
         HazardError::NotRising { .. } => (
             format!("the intensity {here} is not above {before}, the one before it"),
-            "write the points with rising intensities, each once",
+            "sort the points by rising intensity, and give each intensity once",
         ),
         other => (other.to_string(), HINT),
     };
@@ -311,8 +312,8 @@ fn openquake(
         }
         let point = HazardPoint { intensity: factor * level, annual_rate: -(-poe).ln_1p() / years };
         let last = points.last().copied();
-        // OpenQuake writes seven digits, so that neighbours may have one rate: the stronger motions
-        // are known to be as frequent.
+        // OpenQuake writes seven digits, so neighbours may have the same rate: the stronger motions
+        // are then as frequent as the weaker ones, and their point is kept.
         if last.is_some_and(|last| last.annual_rate == point.annual_rate && last.intensity < point.intensity) {
             equal += 1;
             points.pop();
@@ -323,7 +324,9 @@ fn openquake(
                 HazardError::NotFalling { .. } => disorder(table, (row, above), (row, column), error),
                 _ => {
                     let message = format!("column {}: {}", column + 1, disorder_of_levels(table, above, column));
-                    table.header_problem(message).hint("write the intensities rising, each once")
+                    table
+                        .header_problem(message)
+                        .hint("sort the columns by rising intensity, and give each intensity once")
                 }
             });
             continue;
@@ -334,7 +337,7 @@ fn openquake(
     problems.finish(Some(()))?;
     if points.len() < 2 {
         let message = format!(
-            "{} of the site {} a probability between 0 and 1, and a hazard curve needs two",
+            "{} of the site {} a probability between 0 and 1, but a hazard curve needs two",
             counted(points.len(), "intensity"),
             if points.len() == 1 { "has" } else { "have" }
         );
@@ -344,7 +347,7 @@ fn openquake(
     let left_out =
         |count: usize, why: &str| (count > 0).then(|| format!("hazard: {} left out: {why}", counted(count, "point")));
     let warnings = [
-        left_out(certain, "the probability is 1, so that the rate is not known"),
+        left_out(certain, "the probability is 1, so the rate is not known"),
         left_out(equal, "the next, stronger intensity has the same probability"),
     ];
     let hazard = Hazard::points(points).map_err(|error| table.row_problem(row, error.to_string()))?;
@@ -401,7 +404,7 @@ fn power_law(text: &str, measure: Measure) -> Result<Hazard, Problem> {
             found.ok_or_else(|| bad(format!("\"{}\" is not a number above 0", shorten(value.trim()))))?;
         let key = key.trim();
         if seen.contains(&key) {
-            return Err(bad(format!("{key} is there twice")));
+            return Err(bad(format!("{key} appears twice")));
         }
         seen.push(key);
         match (key, unit) {
@@ -548,7 +551,7 @@ mod tests {
                 file(ten, "poe-0.1,poe-0.2", "1,2,0,0.1,0.5"),
                 "h.csv:3: column 5 (\"poe-0.2\"): the rate 0.5 is not below",
             ),
-            (file(ten, "poe-0.1,poe-0.1", "1,2,0,0.5,0.1"), "h.csv:2: the column \"poe-0.1\" is there twice"),
+            (file(ten, "poe-0.1,poe-0.1", "1,2,0,0.5,0.1"), "h.csv:2: the column \"poe-0.1\" appears twice"),
             (file(ten, "poe-0.2,poe-0.1", "1,2,0,0.5,0.1"), "h.csv:2: column 5: \"poe-0.1\" is not above"),
             (
                 file(ten, "poe-0.1,poe-0.2", "1,2,0,0.5,1.5"),

@@ -307,7 +307,7 @@ fn check_finite(request: &RiskRequest, hazard: &MeasuredHazard, objects: &[Objec
     Ok(())
 }
 
-/// A hazard that begins above the intensities at which objects fail.
+/// A warning if the hazard curve begins above intensities at which objects reach limit states.
 fn begins_too_high(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<String> {
     let Hazard::Points(points) = &hazard.hazard else { return None };
     let is_cut = |object: &&ObjectRisk| object.states.iter().any(|one| one.rates.begins_too_high());
@@ -315,8 +315,8 @@ fn begins_too_high(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<St
     let (first, one) = (points.first()?, cut.first()?);
     let rest = if cut.len() > 1 { format!(" and {} more", cut.len() - 1) } else { String::new() };
     Some(format!(
-        "the hazard curve begins at {}, and weaker motions reach limit states of {}{rest}: those rates are at least \
-         the ones stated; give the hazard curve from weaker motions on",
+        "the hazard curve begins at {}, but weaker motions also reach limit states of {}{rest}: their rates are at \
+         least those stated; give a hazard curve that begins at a lower intensity",
         hazard.measure.value_words(first.intensity),
         shorten(&one.id)
     ))
@@ -353,7 +353,7 @@ impl RiskReport {
         (!losses.is_empty()).then(|| losses.iter().sum())
     }
 
-    /// Whether the losses may be larger, because a rate of an object with costs may be.
+    /// Whether the losses may be larger than stated, because a rate of an object with costs may be.
     fn is_at_least(&self) -> bool {
         self.objects.iter().any(|object| object.expected_annual_loss.is_some() && object.is_at_least)
     }
@@ -443,12 +443,13 @@ impl RiskReport {
     }
 }
 
-/// What stands before a number that is the least it can be.
+/// The words before a number that is a lower bound.
 pub(crate) fn least(is_at_least: bool) -> &'static str {
     if is_at_least { "at least " } else { "" }
 }
 
-/// A rate for people: how often, its 95 % interval if it has one, and the chance in a number of years.
+/// A rate in words: how often, its 95 % interval if it has one, and the chance in a number of
+/// years.
 pub(crate) fn rate_words(rate: f64, ci95: Option<(f64, f64)>, probability: f64, years: &str) -> String {
     let interval = |(low, high)| format!("; 95 % interval {} to {} a year", number(low, 3), number(high, 3));
     format!(
@@ -460,7 +461,7 @@ pub(crate) fn rate_words(rate: f64, ci95: Option<(f64, f64)>, probability: f64, 
     )
 }
 
-/// `once in 475 years`; `None` for what never happens.
+/// `once in 475 years`; `None` for a rate of 0.
 pub(crate) fn once_in(rate: f64) -> Option<String> {
     (rate > 0.0).then(|| format!("once in {} years", rounded(1.0 / rate, 3)))
 }

@@ -59,13 +59,13 @@ impl StateRisk {
         };
         let least = if self.rates.begins_too_high() { "at least " } else { "" };
         let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
-        // What the hazard beyond its last point might add, or the lower end of a step.
+        // The upper bound: motions beyond the last point of the hazard, or the lower end of a step.
         let most = at_most(1.01 * rate).map(|upper| format!("; up to {} a year", number(upper, 3)));
         format!("{least}{words}{}", most.unwrap_or_default())
     }
 
-    /// Whether the rate is surely on one side of an accepted one; `None` where nothing tells how
-    /// uncertain it is.
+    /// Whether the rate is certainly below or certainly above the accepted one; `None` if its
+    /// uncertainty is not known.
     fn is_certain(&self, accepted: f64) -> Option<bool> {
         let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, below_first } = self.rates;
         let rate = annual_rate?;
@@ -78,7 +78,7 @@ impl StateRisk {
         if is_open { Some(false) } else { self.ci95.map(|_| true) }
     }
 
-    /// The verdict; `None` where the rate is not known.
+    /// The verdict; `None` if neither the rate nor its bounds decide.
     fn verdict(&self, accepted: f64) -> Option<RiskVerdict> {
         let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, .. } = self.rates;
         let exceeds = |rate: f64| if rate > accepted { RiskVerdict::Exceeds } else { RiskVerdict::Accepted };
@@ -88,12 +88,12 @@ impl StateRisk {
             .or(annual_rate_upper.filter(|upper| *upper <= accepted).map(exceeds))
     }
 
-    /// The rate, or the least that it can be where that is all that is known.
+    /// The rate, or its lower bound if only that is known.
     fn known(&self) -> Option<f64> {
         self.rates.annual_rate.or((self.rates.annual_rate_lower > 0.0).then_some(self.rates.annual_rate_lower))
     }
 
-    /// Whether it may be reached more often than is counted.
+    /// Whether the limit state may be reached more often than is counted.
     fn is_at_least(&self) -> bool {
         self.rates.annual_rate.is_none() || self.rates.begins_too_high()
     }
@@ -103,14 +103,14 @@ impl StateRisk {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Limit {
     pub(crate) limit_state: LimitState,
-    /// \[1/year\]
+    /// The accepted rate \[1/year\].
     pub(crate) accepted: f64,
-    /// `None`: not known \[1/year\].
+    /// The rate \[1/year\]; `None` if it is not known.
     pub(crate) annual_rate: Option<f64>,
 }
 
 impl Limit {
-    /// The rate over the accepted one; 0 where it is not known.
+    /// The rate divided by the accepted one; 0 if the rate is not known.
     pub(crate) fn ratio(&self) -> f64 {
         self.annual_rate.map_or(0.0, |rate| rate / self.accepted)
     }
@@ -133,7 +133,7 @@ pub(crate) struct ObjectRisk {
     pub(crate) is_certain: Option<bool>,
     pub(crate) cost: Option<CostRow>,
     pub(crate) expected_annual_loss: Option<f64>,
-    /// Whether the rates may be larger than those that are counted, and with them the loss.
+    /// Whether the rates, and with them the loss, may be larger than those that are counted.
     pub(crate) is_at_least: bool,
     /// Casualties per year; `None` where their probability or the rate of overturning is not known.
     pub(crate) expected_annual_casualties: Option<f64>,
@@ -256,7 +256,7 @@ impl ObjectRisk {
             .key("not_counted", self.not_counted.clone())
     }
 
-    /// What follows a verdict that is not certain.
+    /// The words after a verdict that is not certain.
     pub(crate) fn uncertainty_words(&self) -> &'static str {
         match self.is_certain {
             Some(true) => "",
@@ -321,8 +321,8 @@ fn judged(
     (verdict, verdict.and(is_certain))
 }
 
-/// Expected annual loss of an object whose curves an option changes. A rate that is not known counts
-/// with the least it can be.
+/// Expected annual loss of an object whose curves an option changes. For a rate that is not known,
+/// its lower bound is used.
 pub(crate) fn loss_of(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> f64 {
     let changed = |kind: CurveKind, factor: f64| match kind {
         CurveKind::Lognormal { median, beta } => CurveKind::Lognormal { median: factor * median, beta },
@@ -390,14 +390,14 @@ mod tests {
             judged(&overturns(Some(2e-3), (2e-3, 2e-3), Some((1.5e-3, 3e-3))), Some(1e-3)),
             (exceeds, Some(true))
         );
-        // Nothing tells how uncertain a rate without an interval is, unless its own ends do.
+        // The uncertainty of a rate without an interval is not known, unless its bounds state it.
         assert_eq!(judged(&overturns(Some(1e-4), same, None), Some(1e-3)), (accepted, None));
         assert_eq!(judged(&overturns(Some(2e-3), (5e-4, 3e-3), None), Some(1e-3)), (exceeds, Some(false)));
-        // Of a rate that is not known its ends decide.
+        // If a rate is not known, its bounds decide.
         assert_eq!(judged(&overturns(None, (0.0, 5e-4), None), Some(1e-3)), (accepted, None));
         assert_eq!(judged(&overturns(None, (5e-3, 1.0), None), Some(1e-3)), (exceeds, None));
         assert_eq!(judged(&overturns(None, (0.0, 5e-3), None), Some(1e-3)), (None, None));
-        // A hazard that begins too high tells only the least.
+        // A hazard that begins too high gives only a lower bound.
         let mut cut = overturns(Some(1e-4), same, narrow);
         cut[0].rates.below_first = 2e-3;
         assert_eq!(judged(&cut, Some(1e-3)), (accepted, Some(false)));

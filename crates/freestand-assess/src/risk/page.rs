@@ -14,7 +14,7 @@ use crate::fragility::{At, Measure};
 use super::objects::{Limit, ObjectRisk, RiskVerdict};
 use super::{RiskReport, least, once_in, rounded};
 
-/// Beside the style of one page.
+/// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
 .boxes { display: flex; flex-wrap: wrap; gap: .8rem; margin: 1.1rem 0; }
 .boxes > div { flex: 1 1 13rem; border: 1px solid #bbb; border-top: 4px solid #0072b2; padding: .45rem .8rem .6rem; }
@@ -37,7 +37,7 @@ figure { margin: .8rem 0; }
 
 /// The most objects of the table; the rest is added up.
 const MAX_ROWS: usize = 5;
-/// The most sentences about rates that are not accepted.
+/// The largest number of sentences about rates that are above the accepted ones.
 const MAX_SENTENCES: usize = 3;
 /// The most ids that a list names.
 const MAX_NAMED: usize = 2;
@@ -72,7 +72,7 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
     html
 }
 
-/// A measure for people who do not know its abbreviation.
+/// A measure in words, for readers who do not know its abbreviation.
 fn measure_words(measure: Measure, at: At) -> String {
     match measure {
         Measure::Pga => "peak ground acceleration".to_owned(),
@@ -231,7 +231,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
         let rate = state(object, LimitState::Overturns).map_or(0.0, |one| one.0);
         (object.expected_annual_loss.unwrap_or(-1.0), rate)
     };
-    // Stable: what is equal stays in the order of the file.
+    // The sort is stable: equal objects stay in the order of the file.
     sorted.sort_by(|a, b| key(b).0.total_cmp(&key(a).0).then(key(b).1.total_cmp(&key(a).1)));
     let mut heads = vec![
         words("object"),
@@ -247,7 +247,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
         heads.push(figure(format!("loss a year with the plan ({currency})")));
     }
     if has_verdicts {
-        heads.push(words("compared with what is accepted"));
+        heads.push(words("compared with the accepted rate"));
     }
     let left = |object: &ObjectRisk| {
         let loss = object.expected_annual_loss?;
@@ -295,7 +295,8 @@ fn objects(report: &RiskReport, years: &str) -> String {
     html
 }
 
-/// How many kinds of object fail more often than accepted, and by how much the worst of them do.
+/// How many kinds of object fail more often than accepted, and how much more often the worst of
+/// them do.
 fn verdicts(report: &RiskReport) -> String {
     let compared = report.objects.iter().filter(|one| one.verdict.is_some()).count();
     let broken: Vec<&ObjectRisk> =
@@ -310,7 +311,7 @@ fn verdicts(report: &RiskReport) -> String {
     }];
     let mut worst: Vec<(&ObjectRisk, Limit)> =
         broken.iter().flat_map(|object| object.named_limits().into_iter().map(|limit| (*object, limit))).collect();
-    // Stable: what is equal stays in the order of the file.
+    // The sort is stable: equal ratios stay in the order of the file.
     worst.sort_by(|a, b| b.1.ratio().total_cmp(&a.1.ratio()));
     let once = |rate: f64| once_in(rate).unwrap_or_else(|| "never".to_owned());
     sentences.extend(worst.iter().take(MAX_SENTENCES).map(|(object, limit)| {
@@ -323,15 +324,15 @@ fn verdicts(report: &RiskReport) -> String {
             None => " It is not known how certain this is.",
         };
         let id = shorten(&object.id);
-        format!("The object {id} {does} {more} {than} accepted: {found}, and {accepted} is accepted.{sure}")
+        format!("The object {id} {does} {more} {than} accepted: {found} instead of {accepted}.{sure}")
     }));
     if worst.len() > MAX_SENTENCES {
-        sentences.push(format!("The other {} are in risk.json.", worst.len() - MAX_SENTENCES));
+        sentences.push(format!("risk.json has {} more.", worst.len() - MAX_SENTENCES));
     }
     sentences.join(" ")
 }
 
-/// How an object compares with the rates that its owner accepts, in a few words.
+/// How the rates of an object compare with those that its owner accepts, in a few words.
 fn compared(object: &ObjectRisk) -> String {
     let Some(verdict) = object.verdict else { return "–".to_owned() };
     let words = match verdict {

@@ -81,7 +81,7 @@ pub(crate) fn measures(
     currency: Option<&str>,
 ) -> Result<Measures, Problems> {
     let (Some(horizon), Some(discount)) = (request.horizon_years, request.discount_ratio) else {
-        let message = "options pay over years, and the horizon or the discount rate is not given";
+        let message = "options pay off over years, but the horizon or the discount rate is not given";
         let hint = "give `horizon = \"40 yr\"` and `discount = \"3 %\"`";
         return Err(Problem::value(message, hint).of(&["horizon", "discount"]).into());
     };

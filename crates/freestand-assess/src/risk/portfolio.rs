@@ -21,9 +21,11 @@ use super::objects::ObjectRisk;
 
 /// The return periods whose losses are stated \[years\].
 const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
-/// Share of worlds of the lowest intensity with a loss above which lower intensities are missing.
+/// If a larger share of the worlds of the lowest intensity has a loss, lower intensities are
+/// missing.
 const SMALL: f64 = 0.02;
-/// Share of missing pairs of motion and intensity above which runs are no stripes at all.
+/// If a larger share of the outcomes under pairs of motion and intensity is missing, the runs are
+/// not stripes.
 const NO_STRIPES: f64 = 0.5;
 
 /// The losses of all objects.
@@ -36,7 +38,7 @@ pub(crate) struct Portfolio {
     pub(super) is_at_least: bool,
 }
 
-/// A motion at an intensity, by their numbers: the classes of the objects with costs.
+/// The number of a motion and the number of an intensity.
 type Pair = (usize, usize);
 
 pub(crate) fn portfolio(
@@ -64,7 +66,8 @@ pub(crate) fn portfolio(
     }
     if hazard.at != At::Ground {
         warnings.push(
-            "the losses of all objects together need a measure of the ground, which they share: none was calculated"
+            "the losses of all objects together were not calculated: they need a measure of the ground, which all \
+             objects share"
                 .to_owned(),
         );
         return Ok(None);
@@ -98,7 +101,8 @@ pub(crate) fn portfolio(
                         name(&table.motions, motion),
                         table.measure.value_words(*intensity)
                     );
-                    let hint = "the losses of all objects need every object under every motion at every intensity";
+                    let hint =
+                        "add this run: the losses of all objects need each object under each motion at each intensity";
                     return Err(Problem::value(message, hint).in_file(&table.file.path));
                 }
             }
@@ -119,7 +123,7 @@ pub(crate) fn portfolio(
         .iter()
         .map(|((_, level), classes)| World { annual_rate: strips[*level] / motions as f64, loss: loss(classes) })
         .collect();
-    // Below the hazard nothing is counted, nor below the lowest level.
+    // Intensities below the first point of the hazard curve are not counted.
     let lowest = strips.iter().position(|strip| *strip > 0.0).unwrap_or(0);
     let failing = worlds
         .iter()
@@ -130,9 +134,9 @@ pub(crate) fn portfolio(
     let is_at_least = failing as f64 > SMALL * motions as f64;
     if is_at_least {
         warnings.push(format!(
-            "at the lowest intensity that is counted, {}, something fails in {} of {}: weaker motions cause losses too, \
-             and the losses of all objects are at least those stated; add lower intensities to the outcomes, and to the \
-             hazard if it begins there",
+            "at the lowest intensity that is counted, {}, an object fails in {} of {}: weaker motions cause losses too, \
+             so the losses of all objects are at least those stated; add lower intensities to the outcomes, and to \
+             the hazard curve if it begins there",
             levels.get(lowest).map_or(String::new(), |level| table.measure.value_words(*level)),
             failing,
             counted(motions, "motion")

@@ -56,8 +56,9 @@ pub struct ShownEarthquake {
     pub landing_acceleration_g: Option<f64>,
 }
 
-/// What is shown of a trial, by the model that decides whether it falls. `None`: nothing rocks in a
-/// plane, and no earthquake was named: there is an answer, but nothing to draw.
+/// What is shown of a trial, by the model that decides whether the object falls. `None` if the
+/// object does not rock in a plane and no earthquake was named: then there is an answer, but
+/// nothing to draw.
 pub(super) fn shown(context: &Context, trial: &Trial, follow: &Follow) -> Result<Option<Shown>, Problems> {
     let model = deciding(context, trial);
     let strength = |(world, lived): (usize, &Lived)| {
@@ -94,8 +95,9 @@ pub(super) fn shown(context: &Context, trial: &Trial, follow: &Follow) -> Result
         }
         (None, Follow::Telling) => Ok(None),
         (None, Follow::Named(_)) => {
-            let hint = "objects that roll or slide, stacks and objects in three dimensions have no history to draw";
-            Err(Problem::value("nothing rocks here in a plane", hint).into())
+            let hint = "leave out the name of the earthquake; objects that roll or slide, stacks and objects in three \
+                        dimensions have no history to draw";
+            Err(Problem::value("the object does not rock in a plane, so it has no history to draw", hint).into())
         }
     }
 }
@@ -151,8 +153,8 @@ fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
     }
 }
 
-/// The object in a world, with the values that were drawn there; `None`: it does not rock in a
-/// plane.
+/// The history of the object in a world, with the values that were drawn there; `None` if it does
+/// not rock in a plane.
 fn history(
     context: &Context,
     trial: &Trial,

@@ -137,10 +137,10 @@ impl Nominal {
         self.subject.capacity.is_some() && !self.has_tolerance()
     }
 
-    /// The tolerance and the ceiling of its shock, for a fit of shocks \[g\].
+    /// Its tolerance and the ceiling of its shock, for a fit of shocks \[g\].
     ///
     /// # Errors
-    /// Why the shock alone does not tell whether the tolerance is exceeded, in words.
+    /// Why the shock alone does not decide whether the tolerance is exceeded, in words.
     pub(crate) fn shock_limits(&self) -> Result<(f64, f64), &'static str> {
         let capacity = self.subject.capacity.as_ref().ok_or("it has no tolerance")?;
         let ceiling_g = self.ceiling_g().ok_or("its mass or its cushion is not known")?;

@@ -170,7 +170,7 @@ impl AxisGeometry {
     fn new(axis: Axis, height_m: f64, side_m: f64, base_m: Option<f64>, cg_height_m: Option<f64>) -> Option<Self> {
         let mut block = Block::uniform(height_m, side_m).ok()?;
         if let Some(base_m) = base_m {
-            // Lists have no feet beyond their objects, but options may add some.
+            // In an inventory feet never reach beyond their object, but options may add such feet.
             block = block.with_outriggers(base_m).ok()?;
         }
         if let Some(cg_height_m) = cg_height_m {

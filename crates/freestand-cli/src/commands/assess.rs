@@ -279,8 +279,8 @@ pub(crate) fn print(report: &JobReport, out: &Path, inventory: &Inventory, print
 const PIECE_BYTES: usize = 1 << 16;
 
 /// The document: a row for each object, as they are in objects.csv, and the summary. Rows are
-/// printed one by one, because a million of them do not fit into memory; a program to which each row
-/// was told when it was finished may do without them.
+/// printed one by one, because a million of them do not fit into memory. A program that was sent
+/// each row when it was finished can ask for the document without them.
 fn print_json(report: &JobReport, out: &Path, inventory: &Inventory, printer: &Printer) -> Result<(), Failure> {
     if printer.session().is_some_and(|session| !session.wants_told_rows()) {
         return printer.print(&document(SCHEMA, report, &report.all_warnings())?);

@@ -47,9 +47,9 @@ Examples:
   Every object under every motion at the same intensities, for the losses of freestand risk:
     freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --method stripes \\
       --scales \"0.1 m/s:1.5 m/s:10\" --out stripes
-  Continue them after Ctrl-C or a crash, in the same folder:
+  Continue the runs of an inventory after Ctrl-C or a crash, in the same folder:
     freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --out fragility --resume
-  The shock and its tolerance as a distribution below the ceiling:
+  The probability of exceeding the tolerance from the shocks below the ceiling:
     freestand fragility --height 1.8m --thickness 0.5m --mass 150kg --stiffness \"4380 N/mm\" \\
       --tolerance 5g --motion floor/*.csv --fit two-stage --out fragility
   The fit alone:
@@ -183,7 +183,7 @@ fn run_table(
         replicates: args.bootstrap,
         seed: global.seed(),
     };
-    // Before the fits, so that no signal is missed between them and the files.
+    // Made before the fits, so that no signal is missed between them and the files.
     let stop = printer.stop();
     let go_on = || if stop.wanted() { Err(Failure::Stopped { printed: false }) } else { Ok(()) };
     let found = watched(printer, |progress| fragility_watched(request, progress));
@@ -209,7 +209,7 @@ fn run_table(
     Ok(Done::OK)
 }
 
-/// A failure of work that a signal may have stopped.
+/// The failure of a calculation, which a signal may have stopped.
 pub(super) fn stopped(problems: Problems) -> Failure {
     if problems.is_stopped() { Failure::Stopped { printed: false } } else { problems.into() }
 }

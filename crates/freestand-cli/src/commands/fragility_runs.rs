@@ -96,7 +96,7 @@ pub(crate) struct RunArgs {
     /// changes are also run as changed, with the id ID/option
     #[arg(long, conflicts_with = "outcomes", value_name = "FILE", help_heading = "The runs")]
     options: Option<PathBuf>,
-    /// Continue earlier runs of an inventory in the same folder --out, after Ctrl-C or a crash
+    /// Continue the runs of an inventory that Ctrl-C or a crash ended, in the same --out
     #[arg(long, conflicts_with = "outcomes", help_heading = "The runs")]
     resume: bool,
     /// Number of worlds, if the study generates its motions; records are used once each [default: 40]
@@ -264,7 +264,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     }
     if runs.resume && !(listed && global.out.is_some()) {
         let message = "--resume continues runs of an inventory in their folder";
-        values.push(Problem::value(message, "give --inventory and the --out of the earlier command"));
+        values.push(Problem::value(message, "give --inventory and --out, as in the earlier command"));
     }
     if listed {
         runs.refuse_object(args)?;
@@ -330,7 +330,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         seed: global.seed(),
         inputs: sources,
     };
-    // Before the runs, so that no signal is missed between them and the files.
+    // Made before the runs, so that no signal is missed between them and the files.
     let stop = printer.stop();
     let found = watched(printer, |progress| fragility_of_runs(&request, progress));
     let report = found.map_err(|problems| match is_kept && problems.is_stopped() {
@@ -361,8 +361,8 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     Ok(Done { criterion_met: !has_errors })
 }
 
-/// Writes the files; asks before each of them whether to go on, because tables and figures of many runs
-/// take some seconds.
+/// Writes the files. Before each of them it asks whether to continue, because tables and figures of
+/// many runs take some seconds.
 fn write(
     report: &RunsReport,
     facts: &Facts,

@@ -240,7 +240,7 @@ fn an_option_that_changes_its_object_is_run_and_worth_what_its_curves_say() {
     let args = ["risk", "--outcomes", "plain/outcomes.csv", "--bootstrap", "0", "--options", "options.csv"];
     let missing = refused(folder, &[&args[..], &hazard[..], &money[..]].concat());
     assert!(missing.contains("options.csv:2: ") && missing.contains("shelf/feet"), "{missing}");
-    // Outriggers reach beyond the object, but not into its wall.
+    // Outriggers may reach beyond the object, but not into its wall.
     fs::write(folder.join("wide.csv"), "id,option,cost [AUD],base_thickness [mm]\nshelf,arms,50,1100\n").unwrap();
     let wide = document(folder, &[&call[..], &["--options", "wide.csv"]].concat());
     let of_wide = wide["objects"][2]["counts"]["overturned"].as_f64().unwrap();
@@ -306,7 +306,7 @@ fn stopped(folder: &Path, args: &[&str]) -> Option<i32> {
     while !listens() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
-    // Into the work; the status is the same wherever the signal finds it.
+    // Time to begin the work; the status is the same wherever the signal arrives.
     std::thread::sleep(std::time::Duration::from_millis(300));
     assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
     child.wait().unwrap().code()
@@ -340,8 +340,8 @@ fn a_signal_stops_runs_and_bootstrap_and_leaves_nothing() {
     assert_eq!(names(folder), before);
 }
 
-/// Killed after the first part of three: that part is used, the others are run, and every file has the
-/// bytes of a run that was not killed.
+/// After a command was killed after the first of three parts, that part is used, the others are
+/// run, and every file has the bytes of a command that was not killed.
 #[test]
 fn runs_of_an_inventory_that_are_killed_go_on() {
     let folder = tempfile::tempdir().unwrap();
@@ -382,8 +382,8 @@ fn runs_of_an_inventory_that_are_killed_go_on() {
     assert!(said.contains("--resume continues runs of an inventory"), "{said}");
 }
 
-/// The fit of shocks of runs is that of their outcomes with the tolerance and the ceiling of the object,
-/// and P(exceeds) of the runs themselves.
+/// The fit of the shocks of runs equals that of their table of outcomes with the tolerance and the
+/// ceiling of the object, and agrees with P(exceeds) of the runs themselves.
 #[test]
 fn shocks_of_runs_are_fitted_below_their_ceiling() {
     let folder = tempfile::tempdir().unwrap();
@@ -401,8 +401,8 @@ fn shocks_of_runs_are_fitted_below_their_ceiling() {
     assert_eq!(shock, &again["objects"][0]["exceeds_by_shock"]);
     assert!(fs::read(folder.join("o/outcomes.parquet")).unwrap().starts_with(b"PAR1"));
 
-    // Half of the runs exceed the tolerance where an ordered fit says so; both are models, and six
-    // motions have a standard error of β/√6, 0.1 in ln x.
+    // At the intensity at which half of the runs exceed the tolerance by an ordered fit, they do so
+    // by this fit, too. Both are models; the standard error of six motions is β/√6, 0.1 in ln x.
     let ordered = document(folder, &call(&motions, &[&measure[..], &["--tolerance", "2g"]].concat()));
     let by_class = curve(&ordered["objects"][0], "exceeds")["median"].as_f64().unwrap();
     assert!((shock["median"].as_f64().unwrap() / by_class).ln().abs() < 0.2, "{shock} {by_class}");

@@ -1,4 +1,4 @@
-//! The program as it is called, and what every test does with what comes of it.
+//! Runs the program for all tests, and reads what it returns.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -19,12 +19,12 @@ pub(crate) fn execute(folder: &Path, args: &[&str]) -> Output {
     command(folder).args(args).output().unwrap()
 }
 
-/// Runs freestand in `folder` and shows what came of it.
+/// Runs freestand in `folder` and returns its status and output as text.
 pub(crate) fn freestand_in(folder: &Path, args: &[&str]) -> String {
     shown(args, &execute(folder, args))
 }
 
-/// Runs freestand where the tests run and shows what came of it.
+/// Runs freestand in the folder of the tests and returns its status and output as text.
 pub(crate) fn freestand(args: &[&str]) -> String {
     freestand_in(Path::new("."), args)
 }

@@ -458,7 +458,7 @@ fn the_owner_gets_one_page() {
         "Casualties, for which no amount was given: cabinet, server-rack.",
         "Net present value (thousand AUD)",
         "Of 2 kinds of object with an accepted rate, 2 fail more often than that. The object cabinet overturns 1.6 times \
-         as often as accepted: once in 626 years, and once in 1000 years is accepted.",
+         as often as accepted: once in 626 years instead of once in 1000 years.",
         "<td>3 % more often</td>",
     ];
     for text in said {
@@ -479,7 +479,7 @@ fn the_owner_gets_one_page() {
     assert!(!folder.path().join("p/risk.svg").exists());
 }
 
-/// Rates that were fitted are told with their 95 % intervals, those of curves without any.
+/// Rates of fitted outcomes are stated with 95 % intervals, rates of given curves without.
 #[test]
 fn rates_are_told_with_their_intervals() {
     let folder = tempfile::tempdir().unwrap();
@@ -494,7 +494,7 @@ fn rates_are_told_with_their_intervals() {
     assert!(!text(&["--fragility", &curves]).contains("95 %"), "curves have none");
 }
 
-/// Every bad row of every table is told at once, with its line and column, and nothing is written.
+/// All bad rows of all tables are reported at once, with line and column, and nothing is written.
 #[test]
 fn all_bad_rows_are_told_at_once() {
     let folder = tempfile::tempdir().unwrap();
@@ -529,7 +529,8 @@ fn all_bad_rows_are_told_at_once() {
     assert!(!folder.path().join("o").exists(), "nothing is written");
 }
 
-/// Ids that OpenQuake or pelicun would refuse are changed, a table says which is which, and a warning says so.
+/// Ids that OpenQuake or pelicun would refuse are changed; a table lists both ids, and a warning
+/// names it.
 #[test]
 fn ids_are_mapped_for_other_programs() {
     let folder = tempfile::tempdir().unwrap();
@@ -547,7 +548,7 @@ fn ids_are_mapped_for_other_programs() {
     let output = execute(folder.path(), &[&base[..], &formats].concat());
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && told.contains("2 ids were changed for OpenQuake, such as"), "{told}");
-    assert!(told.contains("openquake/ids.csv has both"), "{told}");
+    assert!(told.contains("openquake/ids.csv lists both"), "{told}");
     let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).unwrap();
     let cut = "x".repeat(50);
     assert_eq!(read("openquake/ids.csv"), format!("id,exported_id\n2 racks/Ä,2_racks__\n{long},{cut}\nplain,plain\n"));
@@ -580,7 +581,7 @@ fn a_verdict_names_its_limit_and_wrong_words_are_refused() {
     assert!(whole.contains("a discount rate of 3 is 300 % a year"), "{whole}");
     let law = ["risk", "--fragility", &curves_path, "--hazard-im", "pgv", "--hazard-power"];
     let twice = refused(folder.path(), &[&law[..], &["k0=1e-4 /yr, k=2.5, k0=1e-3/yr, reference=1 m/s"]].concat());
-    assert!(twice.contains("k0 is there twice"), "{twice}");
+    assert!(twice.contains("k0 appears twice"), "{twice}");
     let close = execute(folder.path(), &[&law[..], &["k0=1e-4/yr, k=2.5, reference=1m/s", "--years", "50yr"]].concat());
     assert_eq!(close.status.code(), Some(0), "{}", String::from_utf8_lossy(&close.stderr));
 }

@@ -335,7 +335,7 @@ fn an_assessment_is_that_of_the_command_line() {
         let last = rows.iter().find(|last| last["id"] == row["id"]).unwrap();
         assert_eq!(row, last);
     }
-    // Who has read them as events needs them not again.
+    // A client that has read the rows as events does not need them again.
     request["shape"] = json!("events");
     let stream = follow(&request);
     let mut short = data(&stream, "done")[0]["result"].clone();
@@ -525,7 +525,7 @@ impl Page {
         answer
     }
 
-    /// The error of a request that the page may make and that cannot be answered.
+    /// The error of a request that is allowed but cannot be answered.
     fn refused(&self, request: &Value) -> Value {
         let (status, mut answer) = self.run(request);
         assert_eq!(status, 400, "{request}: {answer}");
@@ -566,7 +566,7 @@ fn options_that_name_files_are_refused() {
     for option in ["json", "threads", "quiet", "force", "help", "out"] {
         page.refused(&with_options("validate", &json!({option: true})));
     }
-    // A value is never taken for a flag: it is looked for as a word.
+    // A value is never taken for a flag.
     let found = page.answered(&with_options("tolerance search", &json!({"words": ["--library=/etc/passwd"]})));
     assert_eq!(found["entries"], json!([]));
 }
@@ -630,7 +630,7 @@ fn a_history_is_thinned_and_rises() {
     assert!(impacts.iter().all(|impact| times.contains(&impact["time_s"].as_f64().unwrap())));
 }
 
-/// What a command writes in columns is what its rows become.
+/// The columns that a command writes are the same as those made from its rows.
 #[test]
 fn columns_have_the_numbers_of_the_rows() {
     let page = Page::open();

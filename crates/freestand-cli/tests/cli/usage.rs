@@ -132,7 +132,7 @@ fn sources(folder: &Path, found: &mut Vec<String>) {
     }
 }
 
-/// What a message of these commands has in backticks is shown as a flag, so the flag must exist.
+/// A key in backticks in a message of these commands is shown as a flag, so the flag must exist.
 #[test]
 fn keys_in_messages_are_flags() {
     // The completions list every flag of every command.
@@ -152,6 +152,6 @@ fn keys_in_messages_are_flags() {
             assert!(known.contains(flag), "{flag} is no flag: {line}");
         }
     }
-    // Fewer would say that the messages were not found.
+    // A smaller number would mean that the messages were not found.
     assert!(seen > 20, "{seen}");
 }

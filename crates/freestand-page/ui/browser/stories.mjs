@@ -13,7 +13,7 @@ const program = process.env.FREESTAND ?? 'freestand';
 const pictures = process.env.PICTURES;
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const words = JSON.parse(readFileSync(new URL('../src/words/en.json', import.meta.url), 'utf8'));
-/** A text of the page with its values, so that a reworded sentence breaks no story. */
+/** A text of the page with its values, so that rewording a sentence does not break a story. */
 const said = (word, values = {}) => words[word].replace(/\{(\w+)\}/g, (_, name) => String(values[name] ?? ''));
 const folder = mkdtempSync(join(tmpdir(), 'freestand-browser-'));
 // Debug builds on a busy machine: what is asked for takes this long at most.
@@ -214,7 +214,7 @@ const study = '[ground]\nplace = "Melbourne"\n[building]\nstoreys = 3\nstorey_he
 writeFileSync(join(folder, 'list.csv'), rows);
 writeFileSync(join(folder, 'study.toml'), process.env.STUDY ?? study);
 
-/** Waits until so many objects are assessed. */
+/** Waits until this number of objects is assessed. */
 const assessed = (page, count) => page.waitForFunction((text) => document.querySelector('#ended')?.textContent === text, said('inventory.done', { done: count }), LONG);
 
 async function uploaded(page) {
@@ -456,14 +456,14 @@ await story('a reload finds everything again', {}, async (page) => {
   await assessed(page, 4);
   assert.deepEqual(await ids(), before);
   assert.equal(await page.textContent('#cells [data-at="D5"]'), `600 mm${said('cells.edited')}`);
-  // The object that is open, too.
+  // The open object is restored, too.
   await page.click('#objects tr[data-id="A-2"] a');
   await page.waitForSelector('#object-answer[data-state=done]', PATIENT);
   const answer = await page.textContent('#object-answer');
   await page.reload();
   await page.waitForSelector('#object-answer[data-state=done]', PATIENT);
   assert.equal(await page.textContent('#object-answer'), answer);
-  // Dropped records and drops of pads stay as long as the program runs.
+  // Records and drop tests that were uploaded remain as long as the program runs.
   await page.click('#tab-pads');
   await page.fill('#pads-mass', '0.365 kg');
   await page.setInputFiles('#drop-pads', join(validation, 'cushion/drop-001.csv'));
@@ -487,7 +487,7 @@ await story('what rolls is answered, and an empty field is said', {}, async (pag
   await answered(page);
   const options = ['--height', '1.8 m', '--thickness', '400 mm', '--mass', '150 kg', '--on', '4380 N/mm', '--place', 'Melbourne', '--floor', 'roof', '--storeys', '30', '--casters', 'free'];
   assert.equal(await page.textContent('#answer'), JSON.parse(execFileSync(program, ['object', ...options, '--json', '-q'])).answer);
-  // It has no history that could be drawn.
+  // It has no history to draw.
   assert.equal(await page.$('#stage'), null);
   await page.selectOption('#casters', '');
   await page.waitForSelector('#stage', PATIENT);
@@ -531,7 +531,7 @@ async function mapped(page) {
   await page.waitForSelector('#map[data-state=done]', PATIENT);
   await page.waitForSelector('#cell-stage', PATIENT);
 }
-/** Waits until the title of the map ends so. */
+/** Waits until the title of the map ends with a text. */
 const titled = (page, end) => page.waitForFunction((text) => document.querySelector('#panel-spectra .half h2').textContent.endsWith(text), end, PATIENT);
 const chosen = (page) => page.$eval('#map', ({ dataset }) => ({ height: Number(dataset.heightM), thickness: Number(dataset.thicknessM), value: Number(dataset.value) }));
 

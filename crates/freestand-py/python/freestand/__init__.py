@@ -59,7 +59,7 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> object:
-        """`freestand.plot`, which is imported where it is used."""
+        """Imports `freestand.plot` when it is first used."""
         if name == "plot":
             import importlib
 

@@ -43,7 +43,7 @@ def doubles(name: str, values: Numbers) -> Array:
     are accepted; complex numbers, texts and objects are not.
     """
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        raise bad(f"{name} has masked values", f"fill them first, such as with {name}.filled(0)")
+        raise bad(f"{name} has masked values", f"fill them first, for example with {name}.filled(0)")
     try:
         array = np.asarray(values)
     except (TypeError, ValueError) as error:
@@ -58,7 +58,7 @@ def doubles(name: str, values: Numbers) -> Array:
 
 
 def data(name: str, values: Numbers | None) -> bytes | None:
-    """The same as bytes, which is how arrays cross; they must be finite, and at least one."""
+    """The numbers as bytes for the Rust extension: at least one number, all of them finite."""
     if values is None:
         return None
     array = doubles(name, values)
@@ -72,7 +72,7 @@ def data(name: str, values: Numbers | None) -> bytes | None:
 
 
 def number(name: str, value: Any) -> float:
-    """A number: neither a text nor a truth value, which Python would convert."""
+    """A number. Strings and booleans, which Python would convert, are refused."""
     if not isinstance(value, bool | np.bool_ | str | bytes):
         with contextlib.suppress(TypeError, ValueError):
             return float(value)
@@ -80,14 +80,14 @@ def number(name: str, value: Any) -> float:
 
 
 def plain(value: Any) -> Any:
-    """A number of NumPy, or an array of no dimension, as one of Python, which can be hashed."""
+    """A NumPy number or zero-dimensional array as a Python number, which can be hashed."""
     if isinstance(value, np.generic) or (isinstance(value, np.ndarray) and value.ndim == 0):
         return value.item()
     return value
 
 
 def whole(name: str, value: Any, least: int, most: int | None = None) -> int | None:
-    """A whole number, of Python or of NumPy, within limits; None if it was not given."""
+    """A Python or NumPy integer within limits; None if it was not given."""
     if value is None:
         return None
     is_whole = hasattr(value, "__index__") and not isinstance(value, bool) and np.ndim(value) == 0
@@ -99,28 +99,28 @@ def whole(name: str, value: Any, least: int, most: int | None = None) -> int | N
 
 
 def of_kind(name: str, value: Any, kind: type | tuple[type, ...], expected: str) -> None:
-    """An argument that must be an object of these classes, or None."""
+    """Refuses an argument that is neither None nor an object of these classes."""
     if value is not None and not isinstance(value, kind):
         raise bad(f"{name} must be {expected}, not {type(value).__name__}", f"give {name} as {expected}")
 
 
 def path_text(name: str, path: PathLike) -> str:
-    """A path as text; `name` is its argument."""
+    """A path as a string; `name` is its argument."""
     text = os.fspath(path) if isinstance(path, str | os.PathLike) else None
     if not isinstance(text, str):
-        raise bad(f"{name} must be a path as text, not {path!r}", f"give {name} as a str or a pathlib.Path")
+        raise bad(f"{name} must be a path, not {path!r}", f"give {name} as a str or a pathlib.Path")
     if "\0" in text:
         raise bad(f"{name} has a NUL character in {text!r}", f"give {name} as the path of a file")
     return text
 
 
 def paths_text(name: str, paths: PathLike | Iterable[PathLike]) -> list[str]:
-    """One path or several as texts; `name` is their argument."""
+    """One or more paths as strings; `name` is their argument."""
     if isinstance(paths, str | os.PathLike):
         return [path_text(name, paths)]
-    # An open file is a sequence of its lines, and bytes of numbers.
+    # Both could be iterated over: an open file yields lines, and bytes yield numbers.
     if not isinstance(paths, Iterable) or isinstance(paths, bytes | io.IOBase):
-        raise bad(f"{name} must be a path or several, not {paths!r}", f"give {name} as a path or a list of paths")
+        raise bad(f"{name} must be one or more paths, not {paths!r}", f"give {name} as a path or a list of paths")
     return [path_text(name, path) for path in paths]
 
 
@@ -156,9 +156,9 @@ def study(source: PathLike | Mapping[str, Any] | None) -> Given:
     if isinstance(source, str) and ("\n" in source or "=" in source):
         return {"study_text": source}
     if not isinstance(source, str | os.PathLike):
-        raise bad(f"study cannot be a {type(source).__name__}", "give a path, TOML text or a dictionary")
+        raise bad(f"study cannot be of type {type(source).__name__}", "give a path, TOML text or a dictionary")
     if source == "":
-        raise bad("study is an empty text", "give a path, TOML text or a dictionary")
+        raise bad("study is an empty string", "give a path, TOML text or a dictionary")
     return {"study": path_text("study", source)}
 
 
@@ -227,13 +227,13 @@ def removed_on_failure(folder: Path | None) -> Iterator[None]:
 
 
 class Source(NamedTuple):
-    """A list as a file: its path, and the argument that a temporary one was made of."""
+    """A table as a file: its path and, if the file is temporary, the argument that it was made from."""
 
     path: str | None
     argument: str | None = None
 
     def named(self, document: str) -> str:
-        """A document (JSON) that names the argument where it would name a temporary file."""
+        """A document (JSON) with the name of the argument in place of the path of its temporary file."""
         if self.path is None or self.argument is None:
             return document
         return document.replace(json.dumps(self.path)[1:-1], self.argument)
@@ -282,4 +282,4 @@ def _write_csv(source: Any, path: str, name: str) -> None:
             writer.writerows(source.to_pylist())
     else:
         kind = type(source).__name__
-        raise bad(f"{name} cannot be a {kind}", "give a path, or a table of pandas, polars or pyarrow")
+        raise bad(f"{name} cannot be of type {kind}", "give a path, or a table of pandas, polars or pyarrow")

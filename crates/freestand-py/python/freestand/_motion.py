@@ -27,7 +27,7 @@ class Motion:
     def __init__(self, accel_m_s2: Numbers, dt_s: float, name: str | None = None) -> None:
         if accel_m_s2 is None:
             raise bad("accel_m_s2 is None", "give the accelerations as a list or an array of numbers")
-        of_kind("name", name, str, "a text")
+        of_kind("name", name, str, "a string")
         samples = doubles("accel_m_s2", accel_m_s2).tobytes()
         self._record = _freestand.Record(samples, number("dt_s", dt_s), "motion" if name is None else name)
         self._accel = None
@@ -52,7 +52,7 @@ class Motion:
             raise bad("a trace does not state its unit", 'give unit, such as unit="m/s2" after remove_response')
         if not (hasattr(trace, "data") and hasattr(trace, "stats")):
             raise bad(f"trace must be an ObsPy trace, not {type(trace).__name__}", "give one, such as stream[0]")
-        of_kind("unit", unit, str, "a text")
+        of_kind("unit", unit, str, "a string")
         factor = _freestand.acceleration_unit(unit)
         return cls(np.asarray(trace.data, "f8") * factor, float(trace.stats.delta), str(trace.id))
 
@@ -61,7 +61,7 @@ class Motion:
         """A motion from a one-dimensional DataArray: its coordinate is the time in seconds, and
         `attrs["units"]` the unit of acceleration."""
         if not (hasattr(array, "attrs") and hasattr(array, "dims")):
-            raise bad(f"array must be an xarray.DataArray, not {type(array).__name__}", "make one with a time coordinate")
+            raise bad(f"array must be an xarray.DataArray, not {type(array).__name__}", "give one with a time coordinate")
         unit = array.attrs.get("units")
         if unit is None:
             raise bad("the array does not state its unit", 'set array.attrs["units"], such as "m/s2"')

@@ -147,7 +147,8 @@ def _motions(motions: Motion | Iterable[Motion], name: str = "motions") -> list[
     return found
 
 
-#: More than any machine of today has cores for. Each thread takes memory, and a million of them all of it.
+#: More than the cores of any machine today. Each thread takes memory, and a million threads take
+#: all of it.
 MAX_THREADS = 1024
 
 
@@ -542,10 +543,11 @@ def check_object(
 
     Name the earthquake in one of four ways: `place`, `pga_g` (of the ground), `study` (a path, TOML text or
     a dictionary), or `motions` of its floor. With a study, `place` (with `site` and `return_period_years`)
-    replaces the hazard of the study and leaves its building; a study that states no hazard has that of the
-    built-in study, Melbourne. `answer` names the place that was used. `cushion` is an entry of the cushion library. `friction` is one value or the two ends of a
-    range; `wall_gap_m` is behind the object and `neighbour_gap_m` on both sides of it, 0 where they touch;
-    `casters` is "no", "free" or "braked"; `upper_…` describe what stands on the object.
+    replaces the hazard of the study and keeps its building. A study that states no hazard has that of the
+    built-in study, Melbourne; `answer` names the place that was used. `cushion` is an entry of the cushion
+    library. `friction` is one value or the two ends of a range. `wall_gap_m` is behind the object and
+    `neighbour_gap_m` on both sides of it; 0 means that they touch. `casters` is "no", "free" or "braked".
+    `upper_…` describe the object on top of this one.
     """
     named = [] if motions is None else _motions(motions)
     values = given(

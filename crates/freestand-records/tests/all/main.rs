@@ -1,5 +1,5 @@
-//! Records: damaged, large and real ones, one module for each subject. One program, so that the library is linked
-//! once and the tests fill the processor to the end.
+//! Records: damaged, large and real ones, one module for each subject. They are one program, so
+//! that the library is linked once and no core is idle at the end of each module.
 
 mod compliant_many;
 mod large_files;

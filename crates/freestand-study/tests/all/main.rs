@@ -1,5 +1,5 @@
-//! Studies and solvers against known answers, one module for each subject. One program, so that the library is
-//! linked once and the tests fill the processor to the end.
+//! Studies and solvers against known answers, one module for each subject. They are one program, so
+//! that the library is linked once and no core is idle at the end of each module.
 
 mod ground_sources;
 mod record_measures;

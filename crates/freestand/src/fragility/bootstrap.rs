@@ -107,7 +107,7 @@ pub fn percentiles(mut values: Vec<f64>) -> Option<(f64, f64)> {
 /// Fits samples of as many motions as there are, drawn with replacement; all levels of a motion stay
 /// together. Sample i uses the random numbers of (seed, i) and nothing else, so the samples do not
 /// depend on threads, and objects under the same motions share them. `None` for counts, which have
-/// no motions, and where `go_on` says no: it is asked before every sample.
+/// no motions, and if `go_on` returns false; it is called before every sample.
 ///
 /// # Reference
 /// Efron, B. and Tibshirani, R. (1993). An introduction to the bootstrap, chapter 8 (clusters).
@@ -171,8 +171,8 @@ impl Goodness {
     }
 }
 
-/// How well curves fit; `None` if no limit state has a lognormal curve, and where `go_on` says no: it
-/// is asked before every simulated sample.
+/// How well curves fit; `None` if no limit state has a lognormal curve, and if `go_on` returns
+/// false; it is called before every simulated sample.
 ///
 /// A simulated sample has one capacity for each motion: a standard normal number ε, and at the
 /// intensity x the limit states whose ln(x/θ)/β is above it are reached. So the levels of a motion
@@ -184,7 +184,8 @@ pub fn goodness(outcomes: &Outcomes, fit: &Fit, (replicates, seed): (u32, u64), 
         return None;
     }
     let (deviance, dof) = deviance(outcomes, fit, &states);
-    // `None`: stopped; a sample without β for a state cannot be compared, and has no deviance.
+    // The outer `None`: stopped. The inner one: a sample without β for a state, which has no
+    // deviance.
     let simulate = |replicate: u32| -> Option<Option<f64>> {
         if !go_on() {
             return None;
@@ -222,7 +223,7 @@ fn simulated(outcomes: &Outcomes, fit: &Fit, states: &[LimitState], seed: u64, r
             let mut runs = Vec::new();
             for (level, counts) in outcomes.counts(None).iter().enumerate() {
                 let mut drawn = [0.0; 4];
-                // Class by class from the worst: how many of the runs that are left have it.
+                // Class by class, beginning with the worst: how many of the remaining runs have it.
                 let (mut left, mut worse) = (counts.iter().sum::<f64>().round() as u64, 0.0_f64);
                 for state in states.iter().rev() {
                     let reached = fit.curve(*state).and_then(|kind| kind.probability(outcomes.levels()[level]));
@@ -309,14 +310,15 @@ fn distance(outcomes: &Outcomes, fit: &Fit, states: &[LimitState]) -> f64 {
 
 /// The spread of the capacities of the motions, the *efficiency* of the intensity measure: the
 /// standard deviation of the logarithm of the lowest intensity at which each motion reaches the
-/// limit state. `None` for counts, unless at least two motions reach it and all do, and where all
-/// reach it at the same intensity: then the levels are too far apart to tell a spread.
+/// limit state. `None` for counts, for fewer than two motions, if a motion does not reach the limit
+/// state, and if all motions reach it at the same intensity: then the levels are too far apart to
+/// show a spread.
 pub fn capacity_spread(outcomes: &Outcomes, state: LimitState) -> Option<f64> {
     let logs: Option<Vec<f64>> = outcomes.capacities(state).into_iter().map(|x| x.map(f64::ln)).collect();
     let logs = logs.filter(|logs| logs.len() >= 2)?;
     let mean = logs.iter().sum::<f64>() / logs.len() as f64;
     let spread = (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (logs.len() - 1) as f64).sqrt();
-    // The mean of equal numbers is off by rounding.
+    // Rounding alone gives equal numbers a tiny spread.
     (spread > 1e-12).then_some(spread)
 }
 

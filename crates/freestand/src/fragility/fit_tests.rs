@@ -419,8 +419,9 @@ const SEPARATE: [(f64, f64); 3] = [
     (0.7930445421165542, 0.5497761671840987),
 ];
 
-/// Counts at six levels. The ordered fit is that of `OrderedModel` (probit) of statsmodels 0.15 by
-/// ln x, the separate ones those of its binomial model with a probit link; both converge to 1e-10.
+/// Counts at six levels. The expected ordered fit is from `OrderedModel` (probit) of statsmodels
+/// 0.15 in ln x, the separate ones from its binomial model with a probit link; both converged to
+/// 1e-10.
 #[test]
 fn fits_are_those_of_statsmodels() {
     let levels = [0.1, 0.2, 0.35, 0.6, 1.0, 1.7];
@@ -436,7 +437,7 @@ fn fits_are_those_of_statsmodels() {
         let fit = fit_curves(&outcomes, &STATES, kind);
         for (state, (median, beta)) in STATES.into_iter().zip(expected) {
             let Some(CurveKind::Lognormal { median: found, beta: spread }) = fit.curve(state) else { panic!() };
-            // The score of 1e-8 per run.
+            // Fits end at a score of 1e-8 per run.
             assert!((found / median - 1.0).abs() < 1e-8, "{kind:?} {state:?} {found}");
             assert!((spread / beta - 1.0).abs() < 1e-8, "{kind:?} {state:?} {spread}");
         }

@@ -9,8 +9,8 @@ pub const STEP_RATIO: f64 = 1.3;
 /// A boundary between two classes is known when the scales on both sides of it are this close.
 pub const BRACKET_RATIO: f64 = 1.05;
 
-/// The scales below and above the uplift threshold are this close. The threshold is exact, but at it
-/// the last digit of a motion decides whether the object lifts.
+/// Ratio of the scales above and below the uplift threshold. The threshold is exact, but exactly
+/// there the last digit of a motion decides whether the object lifts.
 const THRESHOLD_RATIO: f64 = 1.002;
 
 /// How far above the scale that first overturns an object it is run again.
@@ -243,14 +243,14 @@ mod tests {
         }
     }
 
-    /// Bisected to 5 %, the step would be at 0.98 or 1.02 of its place.
+    /// If the threshold were bisected to 5 %, the step would be off by a factor of 0.98 or 1.02.
     #[test]
     fn the_uplift_threshold_is_bracketed_closely_up_to_the_largest_scale() {
         for threshold in [0.3, 1.0, 7.3] {
             let runs = scales_of_motion(threshold, 10.0, &STATES, |scale| Some(class(scale / threshold, 20.0)));
             let place = runs.iter().position(|run| run.class != Some(OutcomeClass::NoUplift)).unwrap();
             let (below, above) = (runs[place - 1].scale_ratio, runs[place].scale_ratio);
-            // Rounding of a product and a root.
+            // The rounding of a product and a root.
             assert!(((below * above).sqrt() / threshold - 1.0).abs() < 1e-15, "{threshold}");
             assert!(above / below < 1.0021, "{threshold}");
         }

@@ -77,7 +77,7 @@ impl CurveKind {
             Self::Lognormal { median, .. } => Some(median),
             Self::Step { lower, upper } => {
                 let product = lower * upper;
-                // Of huge or tiny ends the product is not a number that has its root.
+                // The product of huge or tiny ends overflows or underflows.
                 Some(if product.is_normal() { product.sqrt() } else { lower.sqrt() * upper.sqrt() })
             }
             Self::Bounds { .. } | Self::None { .. } | Self::All { .. } | Self::NotIncreasing { .. } => None,

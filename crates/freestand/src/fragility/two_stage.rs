@@ -20,8 +20,8 @@ pub struct ShockRun {
 }
 
 impl ShockRun {
-    /// Whether its shock is above 0 and at most the ceiling \[g\]. The shock of the balance point is the
-    /// ceiling, up to rounding.
+    /// Whether its shock is above 0 and at most the ceiling \[g\]. The shock of a landing from the
+    /// balance point is the ceiling, up to rounding.
     pub fn is_below(&self, ceiling_g: f64) -> bool {
         self.shock_g > 0.0 && self.shock_g <= ceiling_g * (1.0 + 1e-9)
     }
@@ -31,7 +31,7 @@ impl ShockRun {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum ShockFitError {
     /// A shock that is not positive, or above the ceiling.
-    #[error("run {run}: the shock is {shock_g} g, which is not above 0 and at most the ceiling, {ceiling_g} g")]
+    #[error("run {run}: the shock is {shock_g} g, but must be above 0 and at most the ceiling, {ceiling_g} g")]
     Shock {
         /// The run, counted from 1.
         run: usize,
@@ -187,8 +187,8 @@ pub struct TwoStage {
     pub rocks: CurveKind,
     /// When it overturns.
     pub overturns: CurveKind,
-    /// The shock of an object that rocks; `None`: not known, and not needed for a tolerance at or above
-    /// the ceiling.
+    /// The shock of an object that rocks; `None` if it is not known, which happens only if the
+    /// tolerance is at or above the ceiling, where it is not needed.
     pub shock: Option<ShockDistribution>,
     /// The ceiling \[g\].
     pub ceiling_g: f64,

@@ -59,13 +59,13 @@ pub fn loss_at_return_period(curve: &[LossPoint], years: f64) -> f64 {
 /// The losses of one object at one level, with their probabilities.
 pub type LossShares = Vec<(f64, f64)>;
 
-/// The most steps between no loss and that of all objects.
+/// The largest number of steps between no loss and the loss of all objects.
 const MAX_STEPS: f64 = 131_072.0;
-/// The fewest of them, however many objects there are.
+/// The smallest number of these steps, however many objects there are.
 const MIN_STEPS: f64 = 4096.0;
-/// How many terms are added for all levels and objects together, about a second's work.
+/// How many terms are added for all levels and objects together: about a second of work.
 const MAX_TERMS: f64 = 1e9;
-/// Losses are counted in hundredths: cents.
+/// Losses are counted in hundredths, such as cents.
 const HUNDREDTHS: f64 = 100.0;
 
 /// How often the loss is at least as large as each of `losses` if, given the level, objects fail
@@ -75,16 +75,17 @@ const HUNDREDTHS: f64 = 100.0;
 ///
 /// # Accuracy
 /// Exact if all losses are multiples of an amount that divides the loss of all objects into at most
-/// 131,072 steps (fewer if levels times objects exceed about 2,500, at least 4,096). Otherwise there are as many steps, a
-/// loss between two of them is shared between both, which keeps the expected loss, and each object
-/// adds up to half a step of uncertainty to the losses that are asked for.
+/// 131,072 steps (fewer if levels times objects exceed about 2,500, but at least 4,096). Otherwise
+/// that number of steps is used. A loss between two steps is divided between both, which keeps the
+/// expected loss, and each object adds up to half a step of uncertainty to `losses`.
 pub fn independent_loss_exceedance(levels: &[(f64, Vec<LossShares>)], losses: &[f64]) -> Vec<LossPoint> {
     let largest = |object: &LossShares| object.iter().map(|share| share.0).fold(0.0, f64::max);
     let total = levels.iter().map(|(_, objects)| objects.iter().map(largest).sum()).fold(0.0, f64::max);
     let terms: usize = levels.iter().flat_map(|(_, objects)| objects).map(Vec::len).sum();
     let steps = (MAX_TERMS / terms.max(1) as f64).clamp(MIN_STEPS, MAX_STEPS);
     let all = || levels.iter().flat_map(|(_, objects)| objects).flatten().map(|share| share.0);
-    // Rounding must not put a loss below itself; a shared one is half a step off.
+    // Rounding must not lower a loss; one that is divided between two steps is up to half a step
+    // off.
     let (step, slack) = match common_amount(all()).filter(|amount| total <= steps * amount) {
         Some(amount) => (amount, 1e-6),
         None => (if total > 0.0 { total / steps } else { 1.0 }, 0.5),
@@ -100,13 +101,13 @@ pub fn independent_loss_exceedance(levels: &[(f64, Vec<LossShares>)], losses: &[
     losses.iter().zip(rates).map(|(&loss, annual_rate)| LossPoint { loss, annual_rate }).collect()
 }
 
-/// The largest amount of which all losses are multiples; `None` where one is no whole number of
-/// hundredths.
+/// The largest amount of which all losses are multiples; `None` if one of them is not a whole
+/// number of hundredths.
 fn common_amount(losses: impl Iterator<Item = f64>) -> Option<f64> {
     let mut common = 0;
     for loss in losses {
         let hundredths = (HUNDREDTHS * loss).round();
-        // Above 2⁵³ hundredths a loss has none that could be told apart.
+        // Above 2⁵³ hundredths an f64 no longer distinguishes single hundredths.
         let is_whole = hundredths < 9e15 && (HUNDREDTHS * loss - hundredths).abs() <= 1e-9 * hundredths.max(1.0);
         let (mut a, mut b) = (is_whole.then_some(hundredths as u64)?, common);
         while b > 0 {
@@ -117,11 +118,11 @@ fn common_amount(losses: impl Iterator<Item = f64>) -> Option<f64> {
     (common > 0).then_some(common as f64 / HUNDREDTHS)
 }
 
-/// The probability of each number of steps that the losses of all objects add up to.
+/// The probability of each number of steps to which the losses of all objects can add up.
 fn sum_of(objects: &[LossShares], step: f64) -> Vec<f64> {
     let mut sum = vec![1.0];
     for object in objects {
-        // Whole steps, and what is left of another one.
+        // The whole steps of a loss, the rest as a share of a step, and the probability.
         let places: Vec<(usize, f64, f64)> = object
             .iter()
             .map(|&(loss, p)| {
@@ -145,7 +146,7 @@ fn sum_of(objects: &[LossShares], step: f64) -> Vec<f64> {
     sum
 }
 
-/// The probability of each number of steps or more.
+/// For each number of steps, the probability of at least that number.
 fn rising_sums(probabilities: &[f64]) -> Vec<f64> {
     let mut sum = 0.0;
     let mut at_least: Vec<f64> = probabilities
@@ -208,8 +209,9 @@ mod tests {
         assert!((curve[1].annual_rate / (0.02 * 0.3_f64.powi(10)) - 1.0).abs() < 1e-12);
     }
 
-    /// Fourteen objects of three states have 4.8 million sums: with costs in tens every one of them is exact,
-    /// no loss at all and the loss of all objects included. By the sums themselves for seven of them.
+    /// Fourteen objects with three states have 4.8 million sums. With costs that are multiples of
+    /// ten all of them are exact, from the smallest loss to that of all objects. For seven of the
+    /// objects the sums are listed and compared one by one.
     #[test]
     fn sums_of_many_objects_are_exact() {
         let object = |i: usize| -> LossShares {
@@ -242,7 +244,8 @@ mod tests {
         let unit = 2.0_f64.sqrt();
         let objects: Vec<LossShares> = (0..20).map(|i| vec![(0.0, 0.5), (unit * f64::from(1 << i), 0.5)]).collect();
         let losses: Vec<f64> = (1..=1024).map(|i| unit * f64::from(i * 1024)).collect();
-        // Uniform from 0 to (2²⁰ − 1)√2 with 131,072 steps; twenty objects are off by ten steps at most.
+        // The sums are uniform from 0 to (2²⁰ − 1)√2; with 131,072 steps, twenty objects are off by
+        // at most ten of them.
         for point in independent_loss_exceedance(&[(1.0, objects)], &losses) {
             let expected = 1.0 - point.loss / unit / f64::from(1 << 20);
             assert!((point.annual_rate - expected).abs() < 10.0 / MAX_STEPS, "{point:?} {expected}");

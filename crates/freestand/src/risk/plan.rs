@@ -341,8 +341,8 @@ mod tests {
         }
     }
 
-    /// More money than everything costs buys the best measure of each object, the cheaper one of two that are
-    /// worth the same; without money only what is free is bought.
+    /// A budget above all costs buys the best option for each object, and the cheaper of two
+    /// options that are worth the same. A budget of 0 buys only options that cost nothing.
     #[test]
     fn budgets_beyond_all_costs_and_of_nothing() {
         for sample in 0..200 {

@@ -12,23 +12,23 @@ pub struct AnnualRates {
     /// Mean number of times per year, as far as the hazard is known; `None` where no curve is
     /// known.
     pub annual_rate: Option<f64>,
-    /// The least that it can be, also where no curve is known.
+    /// Its lower bound, also where no curve is known.
     pub annual_rate_lower: f64,
-    /// The most that it can be whatever happens above the last point of the hazard; `None` where
-    /// there is no bound.
+    /// Its upper bound, whatever happens above the last point of the hazard; `None` where there is
+    /// no bound.
     pub annual_rate_upper: Option<f64>,
-    /// What motions below the first point of the hazard would add if λ went on there as in its first
-    /// segment. No rate counts it.
+    /// What motions below the first point of the hazard would add if λ continued there as in its
+    /// first segment. It is not included in any of the rates.
     pub below_first: f64,
 }
 
 impl AnnualRates {
-    /// Motions below the first point of the hazard that add less than this part of a rate are
-    /// passed over.
+    /// If motions below the first point of the hazard add less than this share of a rate, they are
+    /// ignored.
     const SMALL: f64 = 0.01;
 
-    /// Whether the hazard begins too high for this limit state, so that the rate is only the least
-    /// it can be.
+    /// Whether the hazard begins too high for this limit state, so that the rate is only a lower
+    /// bound.
     pub fn begins_too_high(&self) -> bool {
         self.annual_rate.is_some_and(|rate| self.below_first > Self::SMALL * rate)
     }
@@ -40,10 +40,10 @@ impl AnnualRates {
 ///
 /// λ_f = λ(x₁)Φ(u₁) + Σ aᵢ θ^−kᵢ exp(kᵢ²β²/2) \[Φ(uᵢ₊₁ + kᵢβ) − Φ(uᵢ + kᵢβ)\].
 ///
-/// Motions beyond the last point xₙ count with λ(xₙ)Φ(uₙ), the least they can; `annual_rate_upper`
-/// adds λ(xₙ)(1 − Φ(uₙ)). Nothing is assumed below x₁; `below_first` tells what is left out there
-/// if the first segment went on, which is an upper bound where the hazard curve flattens towards weak
-/// motions:
+/// Motions beyond the last point xₙ count with λ(xₙ)Φ(uₙ), the least they can add;
+/// `annual_rate_upper` adds λ(xₙ)(1 − Φ(uₙ)). Nothing is assumed below x₁. `below_first` is what is
+/// left out there if the first segment continues, which is an upper bound where the hazard curve
+/// flattens towards weak motions:
 ///
 /// a₁ θ^−k₁ exp(k₁²β²/2) Φ(u₁ + k₁β) − λ(x₁)Φ(u₁).
 ///
@@ -102,7 +102,7 @@ pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
         annual_rate: Some(rate),
         annual_rate_lower: ends.map_or(rate, |(_, to)| rate.min(hazard.annual_rate(to))),
         annual_rate_upper: match ends {
-            // Where the lower end is below the first point nothing bounds it.
+            // If the lower end is below the first point, the rate has no upper bound.
             Some((from, _)) => most(hazard, from).map(|most| most.max(upper)),
             None => Some(upper),
         },
@@ -114,8 +114,8 @@ fn unknown(annual_rate_lower: f64, annual_rate_upper: Option<f64>) -> AnnualRate
     AnnualRates { annual_rate: None, annual_rate_lower, annual_rate_upper, below_first: 0.0 }
 }
 
-/// The most that a limit state can be reached that is never reached up to an intensity; `None` where
-/// the hazard begins above it.
+/// The upper bound of the rate of a limit state that is never reached up to an intensity; `None` if
+/// the hazard begins above that intensity.
 fn most(hazard: &Hazard, lower: f64) -> Option<f64> {
     let (first, last) = match hazard {
         Hazard::Points(points) => (points.first()?.intensity, points.last()?.annual_rate),
@@ -124,7 +124,7 @@ fn most(hazard: &Hazard, lower: f64) -> Option<f64> {
     (first <= lower).then(|| hazard.annual_rate(lower).max(last))
 }
 
-/// ∫ Φ |dλ| up to x₁ if the first segment went on below it: [−λΦ] and ∫ λ dΦ.
+/// ∫ Φ |dλ| up to x₁ if the first segment continues below it: [−λΦ] and ∫ λ dΦ.
 fn below_first([low, high]: &[HazardPoint; 2], median: f64, beta: f64) -> f64 {
     let exponent = exponent_between(*low, *high);
     if beta == 0.0 {
@@ -133,7 +133,8 @@ fn below_first([low, high]: &[HazardPoint; 2], median: f64, beta: f64) -> f64 {
     }
     let u = (low.intensity / median).ln() / beta;
     let w = u + exponent * beta;
-    // The factor overflows where the tail vanishes; written as φ(u)/φ(w), it cancels with it.
+    // The factor overflows where the tail vanishes. Written as φ(u)/φ(w), the factor cancels the
+    // tail.
     let through = if w < 0.0 {
         density(u) * tail_ratio(-w)
     } else {
@@ -326,25 +327,26 @@ mod tests {
                 for upto in [0.02, 0.2, 0.305, 1.0] {
                     let part = rate_below(&hazard, upto, median, beta);
                     let expected = by_quadrature(&CURVE, median, beta, upto);
-                    // A difference of two numbers of the size of the rate.
+                    // The rounding of a difference of two numbers of the size of the rate.
                     assert!((part - expected).abs() <= 1e-11 * rate, "{median} {beta} {upto}: {part} {expected}");
                 }
             }
         }
     }
 
-    /// The rate below the first point is the difference to a hazard with a point further down.
+    /// The rate below the first point is the difference from a hazard that has another, lower
+    /// point.
     #[test]
     fn what_is_below_the_first_point_is_the_integral() {
         let exponent = (CURVE[0].1 / CURVE[1].1).ln() / (CURVE[1].0 / CURVE[0].0).ln();
-        // Below 1e-12 there is less than 1e-12 of any of them.
+        // Intensities below 1e-12 contribute less than 1e-12 of any of these rates.
         let longer: Vec<(f64, f64)> =
             std::iter::once((1e-12, 0.2 * 1e10_f64.powf(exponent))).chain(CURVE.iter().copied()).collect();
         for (median, beta) in [(0.003, 0.05), (0.003, 0.6), (0.02, 0.4), (0.05, 0.25), (0.2, 0.6), (0.8, 0.05)] {
             let short = annual_rate(&points(&CURVE), lognormal(median, beta));
             let long = annual_rate(&points(&longer), lognormal(median, beta));
             let missing = long.annual_rate.unwrap() - short.annual_rate.unwrap();
-            // A difference of two numbers of the size of the rate.
+            // The rounding of a difference of two numbers of the size of the rate.
             assert!(
                 (short.below_first - missing).abs() <= 1e-11 * long.annual_rate.unwrap(),
                 "{median} {beta}: {short:?} {missing}"
@@ -353,8 +355,8 @@ mod tests {
         }
     }
 
-    /// Curves of two to eight points, with segments from almost level (k = 0.05) to steep (k = 40) and rates
-    /// from 1e-12 to 30 a year: the sum of the segments loses no digits to either.
+    /// Curves of two to eight points, with segments from almost level (k = 0.05) to steep (k = 40),
+    /// and rates from 1e-12 to 30 a year: the sum over the segments loses no digits in any of them.
     #[test]
     fn an_annual_rate_is_the_integral_for_any_curve() {
         for sample in 0..60 {

@@ -35,7 +35,7 @@ fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ra
     Followed { scale_ratio, run }
 }
 
-/// Whether the work goes on: an error where it was stopped.
+/// Whether the work continues: an error if it was stopped.
 pub(super) type GoOn<'a> = &'a (dyn Fn() -> Result<(), Problems> + Sync);
 
 /// The runs of an object under a motion, by rising scale; those of an adaptive analysis are filled

@@ -1,4 +1,4 @@
-//! Finished runs on disk, from which a run that was stopped or killed goes on.
+//! Finished runs on disk, with which a command that was stopped or killed can be continued.
 
 use std::path::PathBuf;
 
@@ -17,21 +17,22 @@ use crate::job::{PROGRESS, Part, Store, progress_names, resume_key};
 use crate::verdict::NominalRun;
 use freestand_input::words::name_of;
 
-/// Objects of a part: some seconds of work, which is what a killed run loses.
+/// Number of objects in a part: some seconds of work, which is what is lost if the program is
+/// killed.
 pub(super) const PART: usize = 16;
 
-/// Version of the text that is hashed; raise it with every change of that text, of the content of a
-/// part, or of what scales are chosen.
+/// Version of the text that is hashed. Raise it whenever that text, the content of a part or the
+/// choice of scales changes.
 const FORMAT: u32 = 1;
 
-/// Where finished runs of a list are kept until the results are written.
+/// Where the finished runs of an inventory are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeepRuns {
     /// The folder of the results.
     pub folder: PathBuf,
-    /// Runs of an earlier command in the same folder are used.
+    /// Whether runs of an earlier command in the same folder are used.
     pub resume: bool,
-    /// Files of others in the folder are replaced.
+    /// Whether files in the folder that freestand did not write are replaced.
     pub force: bool,
 }
 
@@ -43,13 +44,13 @@ struct KeptObject {
     motions: Vec<Vec<KeptRun>>,
 }
 
-/// The scale, and unless it could not be followed the class, the rotation and the shock.
+/// The scale, and the class, the rotation and the shock if the run could be followed.
 type KeptRun = (f64, Option<(usize, f64, Option<f64>)>);
 
-/// Opens the store of finished runs; `None` where none are kept.
+/// Opens the store of finished runs; `None` if runs are not kept.
 ///
 /// # Errors
-/// A folder that cannot be written, or has files of others.
+/// A folder that cannot be written, or that has files that freestand did not write.
 pub(super) fn open(
     request: &RunsRequest,
     measures: &[(Measure, At)],
@@ -82,7 +83,7 @@ pub(super) fn open(
     Store::open(&keep.folder.join(PROGRESS), &key, keep.resume).map(Some)
 }
 
-/// Reads a part into its objects; `false` where it is absent or of other objects.
+/// Reads a part into its objects; `false` if the part is absent or belongs to other objects.
 pub(super) fn read(store: &Store, part: &Part, objects: &mut [ObjectRuns], motions: &[usize]) -> bool {
     let Some(found) = store.rows::<KeptObject>(part) else { return false };
     let is_same = found.len() == objects.len()
@@ -98,7 +99,7 @@ pub(super) fn read(store: &Store, part: &Part, objects: &mut [ObjectRuns], motio
     true
 }
 
-/// `None`: a class that does not exist.
+/// The runs of an object, by motion; `None` if one has a class that does not exist.
 fn followed(kept: &KeptObject) -> Option<Vec<Vec<Followed>>> {
     let run = |&(scale_ratio, run): &KeptRun| -> Option<Followed> {
         let run = match run {

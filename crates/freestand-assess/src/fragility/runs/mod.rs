@@ -1,8 +1,8 @@
 //! Fragilities from runs: objects under motions at many scales.
 //!
 //! `changed` has objects that options change, `shaking` the motions and their measures, `follow` the
-//! runs, `kept` the finished ones on disk, `table` their outcomes in the form that the fit reads, `quality` how well each measure tells
-//! what happens, `figures` the figures.
+//! runs, `kept` the finished runs on disk, `table` their outcomes in the form that the fit reads,
+//! `quality` how well each measure predicts the outcome, `figures` the figures.
 
 mod changed;
 mod figures;
@@ -210,7 +210,7 @@ pub struct RunsRequest<'a> {
     pub seed: u64,
     /// The files that it was made from, for the document.
     pub inputs: Vec<InputFile>,
-    /// Where finished runs of a list are kept; `None`: nowhere.
+    /// Where the finished runs of an inventory are kept; `None`: nowhere.
     pub keep: Option<KeepRuns>,
 }
 
@@ -227,7 +227,7 @@ pub(super) struct ObjectRuns {
     /// For each measure the intensities over which an adaptive analysis spreads its runs.
     spans: Vec<Option<(f64, f64)>>,
     has_tolerance: bool,
-    /// Whether a rotation exceeds its tolerance.
+    /// Whether its tolerance also limits the rotation.
     limits_rotation: bool,
 }
 
@@ -412,7 +412,7 @@ fn fit(
     Ok(report)
 }
 
-/// Refuses a fit of shocks where no object has a tolerance that its shock alone decides.
+/// Refuses a fit of shocks if no object has a tolerance that is a peak acceleration alone.
 fn check_shocks(fit: FitMethod, objects: &[ObjectRuns]) -> Result<(), Problem> {
     let why = objects.first().and_then(|one| one.shock_limits().err());
     let Some(why) = why.filter(|_| fit == FitMethod::TwoStage && objects.iter().all(|one| one.shock_limits().is_err()))
@@ -424,7 +424,8 @@ fn check_shocks(fit: FitMethod, objects: &[ObjectRuns]) -> Result<(), Problem> {
     Err(Problem::value(message, hint).of(&["fit"]))
 }
 
-/// What a fit of shocks needs of each object of a table; nothing of one whose outcomes are fitted.
+/// What a fit of shocks needs for each object of a table; `None` for objects whose outcomes are
+/// fitted.
 fn shock_limits(fit: FitMethod, objects: &[ObjectRuns], table: &OutcomeTable) -> Vec<Option<ShockLimits>> {
     let of = |id: &String| objects.iter().find(|one| one.id == *id).and_then(|one| one.shock_limits().ok());
     table.objects.iter().map(|id| of(id).filter(|_| fit == FitMethod::TwoStage)).collect()
@@ -545,12 +546,12 @@ fn prepare(
     }
 }
 
-/// An object of a list as an option changes it.
+/// An object of an inventory as an option changes it.
 fn changed_item(changed: &ChangedObject, inventory: &Inventory) -> Result<Item, Problem> {
     let wrong =
         |message: String, hint: &str| Problem::value(message, hint).in_file(&changed.file).at_line(changed.line);
     let found = inventory.items.iter().find(|item| item.id == changed.id).ok_or_else(|| {
-        let message = format!("the list has no object {}", shorten(&changed.id));
+        let message = format!("the inventory has no object {}", shorten(&changed.id));
         wrong(message, "correct its id, or leave out the row")
     })?;
     let Change { stiffness_n_m, base_thickness_m, mass_kg } = changed.change;
@@ -558,12 +559,12 @@ fn changed_item(changed: &ChangedObject, inventory: &Inventory) -> Result<Item, 
     let reach_m = base_thickness_m.zip(found.thickness_m).map(|(base_m, thickness_m)| 0.5 * (base_m - thickness_m));
     if let Some((reach_m, gap_m)) = reach_m.zip(found.surroundings.wall_gap_m).filter(|(reach, gap)| reach > gap) {
         let message = format!(
-            "the feet of {} would reach {} m beyond it, and the wall is {} m behind it",
+            "the feet of {} would reach {} m beyond it, but the wall is only {} m behind it",
             shorten(&changed.id),
             number(reach_m, 3),
             shortest(gap_m)
         );
-        return Err(wrong(message, "correct base_thickness, or the gap to the wall in the list"));
+        return Err(wrong(message, "correct base_thickness, or the gap to the wall in the inventory"));
     }
     let cushion = stiffness_n_m.map(Cushion::linear).transpose();
     let cushion = cushion.map_err(|error| wrong(error.to_string(), "correct the stiffness"))?;
@@ -587,10 +588,10 @@ impl ObjectRuns {
     /// What a fit of its shocks needs.
     ///
     /// # Errors
-    /// Why they cannot be fitted, in words.
+    /// Why the shocks cannot be fitted, in words.
     fn shock_limits(&self) -> Result<ShockLimits, &'static str> {
         if self.limits_rotation {
-            return Err("a rotation exceeds its tolerance, too");
+            return Err("its tolerance also limits the rotation");
         }
         let (tolerance_g, ceiling_g) = self.nominal.shock_limits()?;
         Ok(ShockLimits { tolerance_g, ceiling_g })
@@ -623,7 +624,7 @@ impl RunsReport {
             if let Some((id, why)) = not.first() {
                 let verb = if not.len() == 1 { "is" } else { "are" };
                 warnings.push(format!(
-                    "{} {verb} fitted as ordered, not from shocks: {} for example, because {why}",
+                    "{} {verb} fitted as ordered, not from shocks (for example {}, because {why})",
                     counted(not.len(), "object"),
                     shorten(id),
                 ));

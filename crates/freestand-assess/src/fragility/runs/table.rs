@@ -46,7 +46,7 @@ pub(super) fn outcomes(
         "1" => measure.name(),
         unit => format!("{} [{unit}]", measure.name()),
     };
-    // Texts and numbers.
+    // Each column with whether it holds numbers.
     let columns = [
         ("object", false),
         ("motion", false),
@@ -104,7 +104,7 @@ pub(super) fn outcomes(
     Ok(table_of_csv(writer.into_inner().map_err(|error| broken(&error))?, &columns))
 }
 
-/// The intensities of stripes by the first measure, rising; none of other runs.
+/// The intensities of stripes by the first measure, rising; empty for other runs.
 struct Levels(Vec<f64>);
 
 impl Levels {
@@ -115,8 +115,8 @@ impl Levels {
         Self(levels)
     }
 
-    /// The intensity of a run: the level itself, which the division for the scale and the product with
-    /// it may miss by a last digit.
+    /// The intensity of a run: exactly that of its stripe. Calculated from the scale of the motion
+    /// it may differ in the last digit.
     fn exact(&self, product: f64) -> f64 {
         // Two roundings, 2.2e-16 each.
         const ROUNDING: f64 = 1e-15;

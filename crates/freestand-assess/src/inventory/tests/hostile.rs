@@ -110,8 +110,8 @@ fn a_cell_of_ten_megabytes() {
     assert!(said[0].contains("row 2 has 10 MB"), "{said:?}");
 }
 
-/// Text of this many bytes that deflate packs some 80 times, like a real sheet and unlike blanks:
-/// words, which cost some bytes each, between blanks.
+/// Text of this many bytes that deflate compresses about 80-fold, as it does a real sheet: words,
+/// which cost some bytes each, between blanks. Blanks alone would compress much further.
 fn varied(bytes: usize) -> Vec<u8> {
     let word = |n: u64| format!("{:<1500}", n.wrapping_mul(0x9E37_79B9_7F4A_7C15)).into_bytes();
     (0..).flat_map(word).take(bytes).collect()
@@ -145,7 +145,7 @@ fn archives_that_unpack_to_too_much_or_lie() {
     assert!(said[0].contains("unpacks to more than 64 MiB"), "{said:?}");
     let styles = parts_with("xl/styles.xml", vec![b' '; 17 << 20]);
     assert!(problems(styles)[0].contains("unpacks to more than 1"));
-    // Sheets of 8 MiB that no ratio gives away, compressed once: together just over the limit.
+    // Sheets of 8 MiB with an ordinary ratio, compressed once: together just over the limit.
     let said = problems(archive_of_copies(&varied(8 << 20), 65));
     assert!(said[0].contains("unpacks to more than 512 MiB"), "{said:?}");
     // The reader would allocate 24 bytes for each declared text.

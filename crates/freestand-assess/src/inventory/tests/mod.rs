@@ -329,8 +329,8 @@ fn a_factor_of_a_thousand_is_never_read_silently() {
     );
 }
 
-/// In a list of both signs plausibility decides, but a size that no object has says nothing about the
-/// mass: the column's own sign counts.
+/// If a list uses both decimal signs, plausibility decides. But a size that no object has says
+/// nothing about the mass: the decimal sign of the column counts.
 #[test]
 fn an_implausible_size_does_not_change_the_reading_of_a_mass() {
     let list = "id,height [cm],thickness [cm],mass [kg]\na,180,60,1.200\nb,180,60,\"220,5\"\nc,\"180,5\",60,1.200\n\

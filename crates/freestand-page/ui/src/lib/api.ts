@@ -85,14 +85,14 @@ export async function file(id: string, name: string): Promise<Blob> {
   return (await answered(`jobs/${id}/files/${name}`)).blob();
 }
 
-/** Connections in a row that may break off without having told anything. */
+/** Connections that may break one after the other without an event. */
 const MAX_SILENT = 5;
-/** Before a connection is taken up again [ms]. */
+/** Time before a connection is made again [ms]. */
 const PAUSE = 300;
 /** Events after which nothing comes. */
 const LAST = ['done', 'failed', 'cancelled'];
 
-/** The blocks of one connection, to its end or until it breaks off. */
+/** The blocks of one connection, until it ends or breaks. */
 async function* blocks(id: string, after: number): AsyncGenerator<string> {
   const response = await answered(`jobs/${id}/events`, { headers: { 'Last-Event-ID': String(after) } }).catch((error: unknown) => {
     if (error instanceof Refused && error.status === LOST) return null;
@@ -114,7 +114,7 @@ async function* blocks(id: string, after: number): AsyncGenerator<string> {
   }
 }
 
-/** The events of a job to its last one, taken up again where a connection breaks off; an error where no connection goes on. */
+/** The events of a job up to its last one. If the connection breaks, it is made again; if that fails, this throws. */
 export async function follow(id: string, each: (name: string, data: never) => void): Promise<void> {
   let [last, silent] = [0, 0];
   while (silent < MAX_SILENT) {

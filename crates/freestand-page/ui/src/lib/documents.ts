@@ -25,7 +25,7 @@ export interface ObjectDocument {
   floor_acceleration_g: { median: number | null; max: number | null };
   assumptions: string[];
   warnings: string[];
-  /** These are there for an object that rocks in a plane. */
+  /** Present only for an object that rocks in a plane. */
   earthquakes?: Earthquake[];
   followed?: string;
   history?: History;
@@ -58,7 +58,7 @@ export interface Measures {
 
 export interface InfoDocument { motions: Measures[]; failed: RefusedFile[]; warnings: string[] }
 
-/** `freestand motion convert --to csv`, with what is drawn besides the acceleration. */
+/** `freestand motion convert --to csv`, with velocities and displacements for the charts. */
 export interface ConvertDocument {
   motions: { text: string; processing: string[] }[];
   traces: { velocity_m_s: number[]; displacement_m: number[] }[];

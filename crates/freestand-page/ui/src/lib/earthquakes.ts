@@ -7,11 +7,11 @@ import { t } from './words';
 /** Whether the object ends on the floor or at a wall. */
 export const hasFallen = (one: Earthquake) => one.outcome === 'overturned' || one.outcome === 'leaned';
 
-/** An edge that has let go has lifted, by however little: never by 0 mm. */
+/** An edge that has lifted has not lifted by 0 mm, even if its uplift rounds to that. */
 const LEAST_M = 1e-9;
 const lift = (one: Earthquake | undefined, units: Units) => lengthShown(Math.max(one?.uplift_m ?? 0, LEAST_M), units);
 
-/** What one of them does to the object, for its button. */
+/** What an earthquake does to the object, for its button. */
 export function effect(one: Earthquake, units: Units): string {
   if (one.outcome === 'overturned') return t('motion.falls');
   if (one.outcome === 'leaned') return t('motion.leaned');
@@ -19,10 +19,10 @@ export function effect(one: Earthquake, units: Units): string {
   return one.landing_acceleration_g === null ? lift(one, units) : gShown(one.landing_acceleration_g);
 }
 
-/** The place of an earthquake in a list; −1 where it is not in it. */
+/** The place of an earthquake in a list; −1 if the list does not have it. */
 export const placeOf = (all: Earthquake[], name: string) => all.findIndex((one) => one.name === name);
 
-/** The title of the animation of one of them. */
+/** The title of the animation of an earthquake. */
 export function titleOf(earthquakes: Earthquake[], name: string, history: History, units: Units): string {
   const at = placeOf(earthquakes, name);
   const values = {

@@ -35,10 +35,10 @@ export function typed(ask: Ask, names: Record<string, string>, edits: Edit[] = [
   return commandLine({ ...ask, files }, names) + edits.map(quoted).join('');
 }
 
-/** The name of the copy of a list that has its corrected cells. */
+/** The name of the copy of a list with the corrected cells. */
 export const CHECKED = 'checked.xlsx';
 
-/** The same in Python, which reads a corrected list from the copy that has the corrections. */
+/** The same in Python, which reads a corrected list from the copy with the corrections. */
 export function typedInPython(ask: Ask, names: Record<string, string>, edits: Edit[] = []): string | null {
   if (edits.length === 0) return pythonLine(ask, names);
   const list = ask.files?.['inventory']?.[0] ?? '';

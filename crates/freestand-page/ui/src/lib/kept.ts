@@ -1,7 +1,7 @@
-/** What a reload of the page finds again: kept in this tab of the browser, for this run of the program alone. */
+/** Values that survive a reload: kept in this browser tab, for this run of the program only. */
 import { token } from './api';
 
-/** What was kept under a name, if the program is still the one that it was kept for. */
+/** The value that was kept under a name, if the same run of the program still answers. */
 export function kept<T>(name: string): T | null {
   try {
     const found = JSON.parse(sessionStorage.getItem(name) ?? 'null') as { token: string; value: T } | null;
@@ -16,6 +16,6 @@ export function keep(name: string, value: unknown): void {
   try {
     sessionStorage.setItem(name, JSON.stringify({ token: token(), value }));
   } catch {
-    // A browser that keeps nothing: a reload begins anew.
+    // The browser keeps nothing, so a reload starts from the beginning.
   }
 }

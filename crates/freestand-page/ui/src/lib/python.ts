@@ -73,7 +73,7 @@ function tolerance(value: Option | undefined): Record<string, Value | undefined>
 const stiffness = (value: Option | undefined) => read(value, stiffnessNM);
 const mass = (value: Option | undefined) => read(value, massKg);
 
-/** A value that a call cannot do without. */
+/** A value that a call needs. */
 function needed(value: number | undefined): string {
   if (value === undefined) throw new Unread('');
   return written(value);

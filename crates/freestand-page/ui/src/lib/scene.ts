@@ -10,7 +10,7 @@ const FLASH_S = 0.35;
 /** Rotations below this are drawn larger [rad]: 1.2°. */
 const SMALL_RAD = 0.02;
 const G0_M_S2 = 9.80665;
-/** Distances between the marks of height, in the unit of lengths; the smallest that leaves so many pixels is taken. */
+/** Steps between marks of height, in the unit of lengths; the first above MARK_PX is used. */
 const MARKS = [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 1000] as const;
 const MARK_PX = 80;
 

@@ -76,10 +76,10 @@ export function massShown(kg: number, units: Units): string {
   return units === 'si' ? `${Number(kg.toPrecision(3))} kg` : `${Math.round(kg / POUND_KG)} lb`;
 }
 
-/** A velocity or a displacement in m/s or m, as a number of its unit. */
+/** A velocity (m/s) or a displacement (m) as a number in the unit that is shown. */
 export const inLength = (metres: number, units: Units) => (units === 'si' ? metres : metres / INCH_M);
 
-/** A share in percent with two significant digits, as the program writes it: a half goes to the even digit. */
+/** A share in percent with two digits; as in the program, halves go to the even digit. */
 export function percent(share: number): string {
   const value = 100 * share;
   const factor = 10 ** Math.max(0, 1 - Math.floor(Math.log10(value || 1)));

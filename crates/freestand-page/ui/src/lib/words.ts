@@ -15,9 +15,9 @@ export function ordinal(n: number): string {
   return t(rule === 'one' || rule === 'two' || rule === 'few' ? `ordinal.${rule}` : 'ordinal.other', { n });
 }
 
-/** A remark of the program as a sentence: with a capital and a full stop, and with the names of fields in place of flags. */
+/** A message of the program as a sentence, with names of fields in place of flags. */
 export function sentence(text: string): string {
-  // The page has no help of a command.
+  // The page cannot show the help of a command.
   if (!text || /\B--help\b/.test(text)) return '';
   const named = text.replace(/'--([a-z-]+) <\w+>'|\B--([a-z][a-z-]*)/g, (flag, whole?: string, bare?: string) => {
     const name = whole ?? bare ?? '';
