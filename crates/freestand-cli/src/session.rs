@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::stop::Stop;
 
 /// Histories of one request that is answered at once.
-const MAX_HISTORIES: usize = 1_000_000;
+pub(crate) const MAX_HISTORIES: usize = 1_000_000;
 
 /// Most frequencies × samples of one live shock spectrum, before samples are added between those of
 /// the records.

@@ -14,7 +14,7 @@ use crate::reply::{Refusal, Status};
 use crate::{Cancel, Reply};
 
 /// Jobs that run at the same time.
-pub(crate) const MAX_RUNNING: usize = 4;
+pub const MAX_RUNNING: usize = 4;
 
 /// Progress is told ten times a second at most.
 const BETWEEN_PROGRESS: Duration = Duration::from_millis(100);

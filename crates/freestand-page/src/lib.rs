@@ -22,9 +22,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-pub use jobs::Events;
+pub use jobs::{Events, MAX_RUNNING};
 pub use reply::{Refusal, Status, columns};
+pub use routes::MAX_BODY_BYTES;
 pub use server::{Server, Settings};
+pub use uploads::{MAX_FILE_BYTES, MAX_TOTAL_BYTES};
 
 /// What the server knows of the program behind it.
 #[derive(Clone, Copy)]

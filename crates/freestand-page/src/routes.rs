@@ -22,7 +22,7 @@ use crate::uploads::Uploads;
 use crate::{Cancel, Edit, Events, History, Program, Request, Shape};
 
 /// Largest JSON body: 1 MiB.
-const MAX_BODY_BYTES: usize = 1 << 20;
+pub const MAX_BODY_BYTES: usize = 1 << 20;
 
 /// How long a JSON body may take to arrive.
 const BODY_TIME: Duration = Duration::from_secs(30);

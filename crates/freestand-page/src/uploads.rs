@@ -21,10 +21,10 @@ use crate::reply::{Refusal, Status};
 use crate::{Kind, Program};
 
 /// Largest file: 64 MiB.
-pub(crate) const MAX_FILE_BYTES: u64 = 64 << 20;
+pub const MAX_FILE_BYTES: u64 = 64 << 20;
 
 /// All files together: 256 MiB.
-pub(crate) const MAX_TOTAL_BYTES: u64 = 256 << 20;
+pub const MAX_TOTAL_BYTES: u64 = 256 << 20;
 
 /// How long the next piece of an upload may take to arrive: long enough for a slow connection,
 /// short enough to drop a client that has stopped sending.
@@ -148,7 +148,10 @@ impl Uploads {
         let (id, path) = {
             let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
             if kept.bytes + bytes > MAX_TOTAL_BYTES {
-                return Err(too_large("all files together exceed 256 MiB", "start freestand serve again"));
+                return Err(too_large(
+                    format!("all files together exceed {}", mebibytes(MAX_TOTAL_BYTES)),
+                    "start freestand serve again",
+                ));
             }
             let id = format!("f{}", kept.files.len() + 1);
             let folder = self.folder.path().join(&id);
@@ -175,18 +178,25 @@ fn clean(name: &str) -> String {
     if short.is_empty() { "file".to_owned() } else { short.to_owned() }
 }
 
-fn too_large(message: &str, hint: &str) -> Refusal {
+fn too_large(message: String, hint: &str) -> Refusal {
     Refusal::new(Status::TooLarge, "size", message, hint)
+}
+
+/// A size in MiB.
+fn mebibytes(bytes: u64) -> String {
+    format!("{} MiB", bytes >> 20)
 }
 
 fn refused(error: &multer::Error) -> Refusal {
     match error {
-        multer::Error::FieldSizeExceeded { .. } => {
-            too_large("the file is larger than 64 MiB", "use the command line for large files")
-        }
-        multer::Error::StreamSizeExceeded { .. } => {
-            too_large("the files together are larger than 256 MiB", "use the command line for large files")
-        }
+        multer::Error::FieldSizeExceeded { .. } => too_large(
+            format!("the file is larger than {}", mebibytes(MAX_FILE_BYTES)),
+            "use the command line for large files",
+        ),
+        multer::Error::StreamSizeExceeded { .. } => too_large(
+            format!("the files together are larger than {}", mebibytes(MAX_TOTAL_BYTES)),
+            "use the command line for large files",
+        ),
         error => Refusal::new(
             Status::BadInput,
             "format",

@@ -5,7 +5,7 @@
 #![expect(clippy::print_stdout, reason = "an example says what it computed")]
 
 use freestand::code_spectrum::{As1170_4, Edition, Eurocode8, GroundType, SiteClass, SpectrumType};
-use freestand::measures::cumulative_trapezoid;
+use freestand::measures::{Integrals, integrals};
 use freestand::motion::Motion;
 use freestand::synthesis::{MatchedMotion, SynthesisError, SynthesisOptions, synthesize};
 use rayon::prelude::*;
@@ -56,8 +56,7 @@ fn row(name: &str, seed: u64, target: impl Fn(f64) -> f64 + Sync) -> Result<(), 
 
 /// Final velocity and displacement over their peaks.
 fn end_ratios(motion: &Motion) -> (f64, f64) {
-    let velocity = cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
-    let displacement = cumulative_trapezoid(motion.dt_s(), &velocity);
+    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(motion);
     let ratio = |values: &[f64]| {
         let peak = values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
         values.last().map_or(0.0, |last| last.abs() / peak)

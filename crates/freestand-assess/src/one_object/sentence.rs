@@ -167,6 +167,9 @@ pub(super) struct Withstands {
     pub(super) duration_s: Option<f64>,
 }
 
+/// Uplifts below 1 mm are not told in digits, as on the page.
+const LEAST_UPLIFT_M: f64 = 1e-3;
+
 /// Everything that a sentence says.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Answer {
@@ -237,9 +240,14 @@ impl Answer {
             }
             AnswerKind::Rocks => {
                 let at_most = if lifted == 1 { "" } else { " at most" };
-                let by = uplift_m_max.map_or_else(String::new, |uplift_m| {
-                    format!(", by {} mm{at_most}", number(1e3 * uplift_m, if uplift_m < 0.1 { 2 } else { 3 }))
-                });
+                let by = match uplift_m_max {
+                    None => String::new(),
+                    // An edge that barely lets go of its pad: digits would only pretend to know how much.
+                    Some(uplift_m) if uplift_m < LEAST_UPLIFT_M => ", by less than 1 mm".to_owned(),
+                    Some(uplift_m) => {
+                        format!(", by {} mm{at_most}", number(1e3 * uplift_m, if uplift_m < 0.1 { 2 } else { 3 }))
+                    }
+                };
                 // With what it withstands, the landings follow.
                 let none = if self.withstands.is_some() { "" } else { ", and none overturns it" };
                 match self.earthquake {
@@ -665,6 +673,11 @@ mod tests {
             tell(&Told::Motions, one),
             "Under this motion this object stays standing: it lifts an edge, by 123 mm."
         );
+        for (uplift_m, said) in [(0.0, "less than 1 mm"), (9.99e-4, "less than 1 mm"), (1e-3, "1 mm at most")] {
+            let barely = Counts { uplift_m_max: Some(uplift_m), ..counts(6, 4, 0) };
+            let whole = format!(": 4 lift an edge, by {said}, and none overturns it.");
+            assert!(tell(&Told::Motions, barely).ends_with(&whole), "{}", tell(&Told::Motions, barely));
+        }
         assert_eq!(tell(&Told::Motions, counts(1, 1, 1)), "Under this motion this object falls over.");
         let still = Counts { floor_g_max: 0.1, ..counts(1, 0, 0) };
         let said = "Under this motion, this object does not rock: the floor reaches 0.1 g and it takes 0.21 g to lift an \

@@ -591,6 +591,32 @@ fn the_messages_are_those_of_the_command_line() {
     assert!(message(&error).starts_with("--height: "), "{error}");
     let error = page.refused(&with_options("shock", &json!({"depth": 1})));
     assert!(message(&error).contains("no option --depth"), "{error}");
+    assert_eq!(error["key"], "depth");
+}
+
+/// The page marks the field that is wrong, whoever finds it: the parser, the server or the command.
+#[test]
+fn a_refusal_names_its_option() {
+    let page = Page::open();
+    let object = |more: &Value| {
+        let mut options = json!({"height": "1.8 m", "thickness": "0.4 m", "place": "Melbourne"});
+        options.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        page.refused(&with_options("object", &options))
+    };
+    for (more, key) in [
+        (json!({"storeys": "many", "floor": "roof"}), "storeys"),
+        (json!({"casters": "locked"}), "casters"),
+        (json!({"pga": "0.2 apples"}), "pga"),
+        (json!({"mass": {"kg": 100}}), "mass"),
+        (json!({"thickness": "2 m"}), "thickness"),
+        (json!({"place": "Atlantis"}), "place"),
+    ] {
+        let error = object(&more);
+        assert_eq!(error["key"], key, "{more}: {error}");
+    }
+    // So is an option that is missing.
+    let error = page.refused(&with_options("shock", &json!({})));
+    assert_eq!(error["key"], "height", "{error}");
 }
 
 #[test]

@@ -369,6 +369,66 @@ await story('ten thousand rows are read at once and scroll smoothly', {}, async 
   if (process.env.TIMED) assert.ok(took < 1000, `${took} ms`);
 });
 
+// What the program does not answer is said, and the answer that is there stays.
+await story('a history that cannot be had is said', {}, async (page) => {
+  await answered(page);
+  const before = await page.textContent('#answer');
+  const other = '#motions button[aria-checked=false]';
+  await page.route('**/api/v1/run', (route) => route.abort());
+  await page.click(other);
+  await page.waitForFunction((text) => document.querySelector('#panel-fall .error')?.textContent.includes(text), said('lost'));
+  assert.equal(await page.textContent('#answer'), before);
+  await page.unroute('**/api/v1/run');
+  await page.click(other);
+  await page.waitForFunction(() => !document.querySelector('#panel-fall .error'), undefined, PATIENT);
+});
+
+// An answer that is slow to arrive belongs to the object that it was asked for.
+await story('a slow answer is not that of another object', {}, async (page) => {
+  await uploaded(page);
+  await page.click('#assess');
+  await assessed(page, 4);
+  await page.click('#objects tr[data-id="A-2"] a');
+  await page.waitForSelector('#object-sheet table', PATIENT);
+  let release;
+  const held = new Promise((resolve) => { release = resolve; });
+  const arrived = new Promise((resolve) => {
+    void page.route('**/api/v1/run', async (route) => {
+      if (route.request().postDataJSON().history?.motion === undefined) return route.continue();
+      // The program has answered: only the way back is slow.
+      const response = await route.fetch();
+      resolve(response.status());
+      await held;
+      await route.fulfill({ response });
+    });
+  });
+  await page.click('#object-motions button[aria-checked=false]');
+  assert.equal(await arrived, 200);
+  await page.goBack();
+  await page.click('#objects tr[data-id="A-3"] a');
+  await page.waitForSelector('#object-sheet table', PATIENT);
+  const own = await page.textContent('#object-answer');
+  const [late] = await Promise.all([page.waitForResponse((one) => one.request().postDataJSON()?.history?.motion !== undefined), release()]);
+  await late.finished();
+  await page.evaluate(async () => { for (let i = 0; i < 10; i += 1) await new Promise((resolve) => requestAnimationFrame(resolve)); });
+  assert.equal(await page.textContent('#object-answer'), own);
+});
+
+// A connection that breaks off is taken up again; a server that is gone is said, and the job is found again by a reload.
+await story('a job whose connection breaks off', {}, async (page) => {
+  await uploaded(page);
+  let asked = 0;
+  await page.route('**/events', (route) => { asked += 1; return route.abort(); });
+  await page.click('#assess');
+  await page.waitForFunction((text) => document.querySelector('#panel-inventory .error')?.textContent.includes(text), said('lost'), PATIENT);
+  assert.equal(asked, 5);
+  assert.equal(await page.textContent('#ended'), '');
+  await page.unroute('**/events');
+  await page.reload();
+  await assessed(page, 4);
+  assert.equal(await page.$('#panel-inventory .error'), null);
+});
+
 await story('a job is cancelled and taken up again', {}, async (page) => {
   await uploaded(page);
   await page.click('#assess');

@@ -4,7 +4,7 @@ use freestand::G0_M_S2;
 use kuva::plot::scatter::MarkerShape;
 use kuva::render::annotations::{ReferenceLine, ShadedRegion};
 
-use freestand::measures::{cumulative_trapezoid, husid, significant_span_s};
+use freestand::measures::{Integrals, husid, integrals, significant_span_s};
 use freestand::motion::Motion;
 
 use freestand_input::quantity::shorten;
@@ -24,8 +24,7 @@ const SHADE_OPACITY: f64 = 0.09;
 /// The record figure of a motion; `id` is its name.
 pub(crate) fn record(id: String, words: Words<'_>, motion: &Motion) -> Page {
     let (dt_s, end_s) = (motion.dt_s(), motion.duration_s());
-    let velocity = cumulative_trapezoid(dt_s, motion.accel_m_s2());
-    let displacement = cumulative_trapezoid(dt_s, &velocity);
+    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(motion);
     let accel_g: Vec<f64> = motion.accel_m_s2().iter().map(|&a| a / G0_M_S2).collect();
     let energy: Vec<f64> = husid(motion).iter().map(|share| 100.0 * share).collect();
     let span_s = significant_span_s(motion);

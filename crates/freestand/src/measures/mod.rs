@@ -87,8 +87,7 @@ pub fn measures(motion: &Motion) -> Measures {
     let (dt_s, accel) = (motion.dt_s(), motion.accel_m_s2());
     let pga_m_s2 = motion.peak_m_s2();
     let pga_index = accel.iter().position(|a| a.abs() == pga_m_s2).unwrap_or(0);
-    let velocity = cumulative_trapezoid(dt_s, accel);
-    let displacement = cumulative_trapezoid(dt_s, &velocity);
+    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(motion);
     let energy = cumulative_trapezoid(dt_s, &squares(accel));
     let total = energy[energy.len() - 1];
     let start_s = crossing_time_s(dt_s, &energy, 0.05 * total);
@@ -183,6 +182,34 @@ pub fn cumulative_trapezoid(dt_s: f64, values: &[f64]) -> Vec<f64> {
             sum
         })
         .collect()
+}
+
+/// The velocity and the displacement of a motion at its samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Integrals {
+    /// Velocity, ∫a dt \[m/s\].
+    pub velocity_m_s: Vec<f64>,
+    /// Displacement, ∫∫a dt² \[m\].
+    pub displacement_m: Vec<f64>,
+}
+
+/// The [`Integrals`] of a motion from rest, both by [`cumulative_trapezoid`] and without baseline
+/// correction: their peaks are the PGV and the PGD of [`measures`].
+///
+/// # Accuracy
+/// Where straight lines join the samples, the velocity is exact, and the displacement is too large by
+/// (a − a₀) dt²/12, with the acceleration a of its sample and a₀ of the first.
+///
+/// # Example
+/// ```
+/// use freestand::{measures::integrals, motion::Motion};
+/// let found = integrals(&Motion::new(0.5, vec![0.0, 2.0, 2.0])?);
+/// assert_eq!((found.velocity_m_s, found.displacement_m), (vec![0.0, 0.5, 1.5], vec![0.0, 0.125, 0.625]));
+/// # Ok::<(), freestand::motion::MotionError>(())
+/// ```
+pub fn integrals(motion: &Motion) -> Integrals {
+    let velocity_m_s = cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
+    Integrals { displacement_m: cumulative_trapezoid(motion.dt_s(), &velocity_m_s), velocity_m_s }
 }
 
 fn peak(values: &[f64]) -> f64 {

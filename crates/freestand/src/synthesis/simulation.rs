@@ -160,7 +160,7 @@ fn amplifications(source: &PointSource, frequencies_hz: &[f64]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measures::cumulative_trapezoid;
+    use crate::measures::{Integrals, integrals};
     use crate::synthesis::{Preset, Resemblance, stream};
 
     #[test]
@@ -220,8 +220,7 @@ mod tests {
             assert_eq!(motion, simulator.motion(3, 4).unwrap());
             assert!(motion != simulator.motion(3, 5).unwrap() && motion != simulator.motion(4, 4).unwrap());
             let accel = motion.accel_m_s2();
-            let velocity = cumulative_trapezoid(motion.dt_s(), accel);
-            let displacement = cumulative_trapezoid(motion.dt_s(), &velocity);
+            let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(&motion);
             let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
             let (n, last) = (accel.len() as f64, accel.len() - 1);
             assert_eq!((accel[0], accel[last]), (0.0, 0.0));

@@ -1,7 +1,7 @@
 use super::*;
 use crate::G0_M_S2;
 use crate::code_spectrum::{As1170_4, Edition, SiteClass};
-use crate::measures::cumulative_trapezoid;
+use crate::measures::{Integrals, integrals};
 use crate::oscillator::response_spectrum;
 
 fn melbourne_de(period_s: f64) -> f64 {
@@ -52,8 +52,7 @@ fn a_motion_starts_and_ends_at_rest_after_quiet() {
     let accel = motion.accel_m_s2();
     assert_eq!(motion.duration_s(), 45.0);
     assert!(accel[..=200].iter().chain(&accel[8200..]).all(|&a| a == 0.0));
-    let velocity = cumulative_trapezoid(motion.dt_s(), accel);
-    let displacement = cumulative_trapezoid(motion.dt_s(), &velocity);
+    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(&motion);
     let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
     // 9000 additions of numbers up to the peak, ε each, and 45 s of the velocity's error in the
     // displacement.
@@ -200,8 +199,7 @@ fn other_last_digits_of_a_machine_do_not_change_a_motion() {
 /// rounding.
 fn assert_ends_at_rest(motion: &Motion) {
     let accel = motion.accel_m_s2();
-    let velocity = cumulative_trapezoid(motion.dt_s(), accel);
-    let displacement = cumulative_trapezoid(motion.dt_s(), &velocity);
+    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(motion);
     let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
     let (n, last) = (accel.len() as f64, accel.len() - 1);
     // n additions of numbers up to the peak, ε each, and the length times the error of the

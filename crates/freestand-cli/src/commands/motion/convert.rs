@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use freestand::measures::cumulative_trapezoid;
+use freestand::measures::{Integrals, integrals};
 use freestand::motion::Motion;
 use freestand_records::formats::{write_at2, write_csv};
 use freestand_study::study::RecordedMotion;
@@ -73,11 +73,9 @@ struct Traces {
     displacement_m: Vec<f64>,
 }
 
-impl Traces {
-    /// By the trapezoidal rule, like the peaks of `motion info`.
-    fn new(motion: &Motion) -> Self {
-        let velocity_m_s = cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
-        Self { displacement_m: cumulative_trapezoid(motion.dt_s(), &velocity_m_s), velocity_m_s }
+impl From<Integrals> for Traces {
+    fn from(Integrals { velocity_m_s, displacement_m }: Integrals) -> Self {
+        Self { velocity_m_s, displacement_m }
     }
 }
 
@@ -95,7 +93,7 @@ pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) ->
         motions.push(args.to.write(&files, (path, name), motion, processing, *scale_ratio)?);
     }
     if let Some(session) = printer.session().filter(|session| session.wants_history()) {
-        let traces: Vec<Traces> = read.iter().map(|one| Traces::new(&one.motion.motion)).collect();
+        let traces: Vec<Traces> = read.iter().map(|one| integrals(&one.motion.motion).into()).collect();
         session.beside(&json!({ "traces": traces }));
     }
     let report = ConvertReport { motions };

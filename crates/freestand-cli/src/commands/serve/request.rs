@@ -6,6 +6,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
 use freestand_assess::inventory::{Edit, ReadOptions, inspect_inventory};
 use freestand_assess::library::Libraries;
@@ -13,7 +14,10 @@ use freestand_assess::one_object::{Follow, Memory};
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::word_reader::WordReader;
-use freestand_page::{Cancel, Events, History, Kind, Program, Refusal, Reply, Request, Shape, Status, columns};
+use freestand_page::{
+    Cancel, Events, History, Kind, MAX_BODY_BYTES, MAX_FILE_BYTES, MAX_RUNNING, MAX_TOTAL_BYTES, Program, Refusal,
+    Reply, Request, Shape, Status, columns,
+};
 use freestand_study::places::places;
 use freestand_study::recorded::{MotionFiles, read_all};
 use freestand_study::resolve::{Overrides, load};
@@ -22,7 +26,7 @@ use serde_json::{Map, Value, json};
 use crate::commands::Cli;
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
-use crate::session::{Kept, RowsWanted, Session, Told};
+use crate::session::{Kept, MAX_HISTORIES, RowsWanted, Session, Told};
 use crate::stop::Stop;
 use crate::values::finished;
 
@@ -66,8 +70,8 @@ fn facts() -> Value {
         "sites": sites(),
         "pictures": PICTURES.iter().map(Picture::value).collect::<Vec<_>>(),
         "limits": {
-            "file_bytes": 64 << 20, "files_bytes": 256 << 20, "request_bytes": 1 << 20, "jobs": 4,
-            "histories": 1_000_000,
+            "file_bytes": MAX_FILE_BYTES, "files_bytes": MAX_TOTAL_BYTES, "request_bytes": MAX_BODY_BYTES,
+            "jobs": MAX_RUNNING, "histories": MAX_HISTORIES,
         },
         "examples": [
             {"command": "object", "options": {
@@ -147,7 +151,7 @@ fn kind(path: &Path) -> Kind {
 /// its study.
 fn check(request: &Request) -> Result<(), Refusal> {
     let seen = Seen::new(request);
-    let read = || -> Result<(), Failure> {
+    let read = || -> Result<(), Wrong> {
         parsed(request)?;
         let studies = request.files.iter().filter(|(flag, _)| flag == "study").flat_map(|(_, paths)| paths);
         for study in studies {
@@ -155,12 +159,12 @@ fn check(request: &Request) -> Result<(), Refusal> {
         }
         Ok(())
     };
-    read().map_err(|failure| seen.refusal(&failure))
+    read().map_err(|wrong| seen.refusal(&wrong))
 }
 
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
     let seen = Seen::new(request);
-    let run = || -> Result<Reply, Failure> {
+    let run = || -> Result<Reply, Wrong> {
         let cli = parsed(request)?;
         let follow = match &request.history {
             History::Of { motion } => Some(Follow::Named(motion.clone())),
@@ -190,11 +194,11 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         let done = cli.command.run(&cli.global, &Printer::keeping(Arc::clone(&session)));
         let kept = session.take();
         match done {
-            Ok(_) | Err(Failure::StoppedAfterWriting) => written(request, kept, &seen),
-            Err(failure) => Err(failure),
+            Ok(_) | Err(Failure::StoppedAfterWriting) => Ok(written(request, kept, &seen)?),
+            Err(failure) => Err(failure.into()),
         }
     };
-    run().map_err(|failure| seen.refusal(&failure))
+    run().map_err(|wrong| seen.refusal(&wrong))
 }
 
 /// The document, with what goes beside it.
@@ -216,10 +220,10 @@ fn written(request: &Request, kept: Kept, seen: &Seen) -> Result<Reply, Failure>
 }
 
 /// The arguments that a person would type.
-fn parsed(request: &Request) -> Result<Cli, Failure> {
+fn parsed(request: &Request) -> Result<Cli, Wrong> {
     if !COMMANDS.contains(&request.command.as_str()) {
         let message = format!("the page cannot ask for {:?}", request.command);
-        return Err(Failure::usage(message, format!("commands: {}", COMMANDS.join(", "))));
+        return Err(Failure::usage(message, format!("commands: {}", COMMANDS.join(", "))).into());
     }
     let mut whole = finished(Cli::command());
     whole.build();
@@ -237,9 +241,10 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
         let arg = option(command, request, name)?;
         if names_a_file(arg) || OF_THE_SHELL.contains(&name.as_str()) {
             let message = format!("--{name} names a file or belongs to the command line");
-            return Err(Failure::usage(message, "leave it out; files are uploaded and named by their ids in `files`"));
+            let hint = "leave it out; files are uploaded and named by their ids in `files`";
+            return Err(Wrong::option(name, Failure::usage(message, hint)));
         }
-        for text in texts(name, value)? {
+        for text in texts(name, value).map_err(|failure| Wrong::option(name, failure))? {
             match (arg.is_positional(), text) {
                 (true, Some(text)) => positional.push(text.into()),
                 (false, Some(text)) => arguments.push(format!("--{name}={text}").into()),
@@ -250,7 +255,9 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
     for (name, paths) in &request.files {
         let arg = option(command, request, name)?;
         if !names_a_file(arg) || is_written(arg) {
-            return Err(Failure::usage(format!("--{name} names no file that is read"), "put its value into `options`"));
+            let failure =
+                Failure::usage(format!("--{name} names no file that is read"), "put its value into `options`");
+            return Err(Wrong::option(name, failure));
         }
         for path in paths {
             match arg.is_positional() {
@@ -267,7 +274,7 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
         option(command, request, "edit")?;
         // In one text with its value, a wrong name of a cell could pass for another cell.
         for edit in &request.edits {
-            Edit::new(&edit.cell, &edit.value).map_err(|problem| problem.named("edit"))?;
+            Edit::new(&edit.cell, &edit.value).map_err(|problem| Failure::from(problem.named("edit")))?;
         }
         let edits = request.edits.iter().map(|edit| format!("--edit={}={}", edit.cell, edit.value).into());
         arguments.extend(edits);
@@ -276,8 +283,39 @@ fn parsed(request: &Request) -> Result<Cli, Failure> {
         arguments.push("--".into());
         arguments.extend(positional);
     }
-    let matches = whole.try_get_matches_from(arguments).map_err(|error| failure::usage(&error))?;
-    Cli::from_arg_matches(&matches).map_err(|error| failure::usage(&error))
+    let matches = whole.clone().try_get_matches_from(arguments);
+    matches
+        .and_then(|matches| Cli::from_arg_matches(&matches))
+        .map_err(|error| Wrong { key: blamed(command, &error), failure: failure::usage(&error) })
+}
+
+/// Why a request fails, with the option of the request that is wrong, if it is one.
+struct Wrong {
+    key: Option<String>,
+    failure: Failure,
+}
+
+impl Wrong {
+    fn option(name: &str, failure: Failure) -> Self {
+        Self { key: Some(name.to_owned()), failure }
+    }
+}
+
+impl<T: Into<Failure>> From<T> for Wrong {
+    fn from(failure: T) -> Self {
+        Self { key: None, failure: failure.into() }
+    }
+}
+
+/// The option that an error of the parser is about: the parser shows each as it does in its usage.
+fn blamed(command: &Command, error: &clap::Error) -> Option<String> {
+    let shown = match error.get(ContextKind::InvalidArg)? {
+        ContextValue::String(shown) => shown,
+        ContextValue::Strings(several) => several.first()?,
+        _ => return None,
+    };
+    let arg = command.get_arguments().find(|arg| arg.to_string() == *shown)?;
+    Some(arg.get_long().unwrap_or_else(|| arg.get_id().as_str()).to_owned())
 }
 
 /// What people call the files of a command that takes them without a flag.
@@ -285,7 +323,7 @@ const FILES: [&str; 7] = ["file", "files", "motion", "motions", "record", "recor
 
 /// An option by its long flag, or an argument without a flag by its name in the usage line: `word`,
 /// `files`.
-fn option<'a>(command: &'a Command, request: &Request, name: &str) -> Result<&'a Arg, Failure> {
+fn option<'a>(command: &'a Command, request: &Request, name: &str) -> Result<&'a Arg, Wrong> {
     let is_flag = |arg: &&Arg| arg.get_long() == Some(name);
     let is_argument = |arg: &&Arg| {
         let shown = arg.get_value_names().unwrap_or_default();
@@ -295,7 +333,7 @@ fn option<'a>(command: &'a Command, request: &Request, name: &str) -> Result<&'a
     let found = command.get_arguments().find(is_flag).or_else(|| command.get_arguments().find(is_argument));
     found.ok_or_else(|| {
         let message = format!("{} has no option --{name}", request.command);
-        Failure::usage(message, format!("see freestand {} --help", request.command))
+        Wrong::option(name, Failure::usage(message, format!("see freestand {} --help", request.command)))
     })
 }
 
@@ -350,8 +388,8 @@ impl Seen {
         self.0.iter().fold(text.to_owned(), |text, (path, name)| text.replace(path, name))
     }
 
-    fn refusal(&self, failure: &Failure) -> Refusal {
-        let problems = match failure {
+    fn refusal(&self, wrong: &Wrong) -> Refusal {
+        let problems = match &wrong.failure {
             Failure::Problems(problems) => problems.as_slice(),
             Failure::Stopped { .. }
             | Failure::StoppedAfterWriting
@@ -364,6 +402,9 @@ impl Seen {
             return Refusal { kind: "stopped", ..Refusal::superseded() };
         };
         first.others = all.collect();
+        if let Some(key) = &wrong.key {
+            first.key = Some(key.as_str().into());
+        }
         first
     }
 

@@ -39,12 +39,15 @@ export function takeToken(): string | null {
 /** The secret of this run of the program. */
 export const token = () => sessionStorage.getItem(KEPT) ?? '';
 
+/** In place of a status, where there was no answer. */
+const LOST = 0;
+
+const lost = () => new Refused(LOST, { kind: 'io', key: null, file: null, line: null, message: t('lost'), hint: t('lost.hint') });
+
 async function answered(path: string, init: RequestInit = {}): Promise<Response> {
   const headers = new Headers(init.headers);
   headers.set('Authorization', `Bearer ${token()}`);
-  const response = await fetch(`/api/v1/${path}`, { ...init, headers }).catch(() => {
-    throw new Refused(0, { kind: 'io', key: null, file: null, line: null, message: t('lost'), hint: t('lost.hint') });
-  });
+  const response = await fetch(`/api/v1/${path}`, { ...init, headers }).catch(() => { throw lost(); });
   if (response.ok) return response;
   const told = (await response.json().catch(() => null)) as { error?: Failure } | null;
   const nothing = { kind: 'defect', key: null, file: null, line: null, message: `status ${response.status}`, hint: '' };
@@ -82,37 +85,52 @@ export async function file(id: string, name: string): Promise<Blob> {
   return (await answered(`jobs/${id}/files/${name}`)).blob();
 }
 
-const MAX_TRIES = 5;
+/** Connections that may break one after the other without an event. */
+const MAX_SILENT = 5;
+/** Time before a connection is made again [ms]. */
+const PAUSE = 300;
+/** Events after which nothing comes. */
+const LAST = ['done', 'failed', 'cancelled'];
 
-/** The events of a job, taken up again where a connection breaks off. */
-export async function follow(id: string, each: (name: string, data: never) => void): Promise<void> {
-  let last = 0;
-  for (let tries = 0; tries < MAX_TRIES; tries += 1) {
-    try {
-      const response = await answered(`jobs/${id}/events`, { headers: { 'Last-Event-ID': String(last) } });
-      const reader = response.body!.pipeThrough(new TextDecoderStream()).getReader();
-      let rest = '';
-      for (;;) {
-        const { done, value } = await reader.read();
-        if (done) break;
-        rest += value;
-        const blocks = rest.split('\n\n');
-        rest = blocks.pop() ?? '';
-        for (const block of blocks) {
-          const field = (name: string) => block.split('\n').find((line) => line.startsWith(name))?.slice(name.length);
-          const [name, data] = [field('event: '), field('data: ')];
-          if (!name || !data) continue;
-          last = Number(field('id: ') ?? last);
-          each(name, JSON.parse(data) as never);
-          if (['done', 'failed', 'cancelled'].includes(name)) return;
-        }
-      }
-    } catch (error) {
-      // If the connection breaks, it is made again.
-      if (error instanceof Refused && (error.status !== 0 || tries === MAX_TRIES - 1)) throw error;
+/** The blocks of one connection, until it ends or breaks. */
+async function* blocks(id: string, after: number): AsyncGenerator<string> {
+  const response = await answered(`jobs/${id}/events`, { headers: { 'Last-Event-ID': String(after) } }).catch((error: unknown) => {
+    if (error instanceof Refused && error.status === LOST) return null;
+    throw error;
+  });
+  const reader = response?.body?.pipeThrough(new TextDecoderStream()).getReader();
+  if (!reader) return;
+  try {
+    let rest = '';
+    for (;;) {
+      const { done, value } = await reader.read().catch(() => ({ done: true, value: undefined }));
+      if (done || value === undefined) return;
+      const whole = (rest + value).split('\n\n');
+      rest = whole.pop() ?? '';
+      yield* whole;
     }
-    await new Promise((resolve) => setTimeout(resolve, 300));
+  } finally {
+    void reader.cancel().catch(() => undefined);
   }
+}
+
+/** The events of a job up to its last one. If the connection breaks, it is made again; if that fails, this throws. */
+export async function follow(id: string, each: (name: string, data: never) => void): Promise<void> {
+  let [last, silent] = [0, 0];
+  while (silent < MAX_SILENT) {
+    silent += 1;
+    for await (const block of blocks(id, last)) {
+      silent = 0;
+      const field = (name: string) => block.split('\n').find((line) => line.startsWith(name))?.slice(name.length);
+      const [name, data] = [field('event: '), field('data: ')];
+      if (!name || !data) continue;
+      last = Number(field('id: ') ?? last);
+      each(name, JSON.parse(data) as never);
+      if (LAST.includes(name)) return;
+    }
+    await new Promise((resolve) => setTimeout(resolve, PAUSE));
+  }
+  throw lost();
 }
 
 /** The line that asks the same in a shell. */

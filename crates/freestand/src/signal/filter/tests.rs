@@ -1,4 +1,5 @@
 use super::*;
+use crate::measures::{Integrals, integrals};
 use rustfft::num_complex::Complex;
 
 fn response(sections: &[Section], hz: f64, dt_s: f64) -> Complex<f64> {
@@ -249,8 +250,7 @@ fn the_kept_pads_leave_velocity_and_displacement_at_rest() {
     let mut accel = vec![0.0; 400];
     accel[100..110].fill(1.0);
     let out = filtered(&Motion::new(0.01, accel).unwrap(), Pass::High { low_cut_hz: 0.5 }, 4).unwrap().motion;
-    let velocity = crate::measures::cumulative_trapezoid(0.01, out.accel_m_s2());
-    let displacement = crate::measures::cumulative_trapezoid(0.01, &velocity);
+    let Integrals { velocity_m_s: velocity, displacement_m: displacement } = integrals(&out);
     let peak = |values: &[f64]| values.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
     // After 12 s of the slowest pole, e^(−π·12·0.38) = 6e-7 is left; the displacement contains two
     // more integrals of it.
