@@ -161,6 +161,7 @@ mod tests {
             id: "a".to_owned(),
             outcomes: Outcomes::new(&runs).unwrap(),
             unresolved: 0,
+            reasons: Vec::new(),
             fit: Fit {
                 kind: FitKind::Ordered,
                 curves: vec![curve(LimitState::Rocks, rocks), curve(LimitState::Overturns, overturns)],

@@ -333,6 +333,7 @@ mod tests {
 
     use freestand::fragility::FitKind;
     use freestand_input::problem::Problems;
+    use freestand_study::run::no_progress;
 
     use super::super::{HazardSource, RiskCurves, RiskReport, RiskRequest, risk};
     use super::*;
@@ -344,7 +345,7 @@ mod tests {
         let path = |name: &str| folder.path().join(name);
         fs::write(path("o.csv"), outcomes).unwrap();
         fs::write(path("c.csv"), "id,repair_cost [AUD],replacement_cost [AUD]\na,10,1000\nb,10,1000\n").unwrap();
-        risk(&RiskRequest {
+        let request = RiskRequest {
             curves: RiskCurves::Outcomes(FragilityRequest {
                 outcomes: path("o.csv"),
                 at: None,
@@ -366,7 +367,8 @@ mod tests {
             discount_ratio: None,
             accepted_rate: None,
             years: None,
-        })
+        };
+        risk(&request, &no_progress)
     }
 
     const LEVELS: [f64; 3] = [0.1, 0.2, 0.4];
