@@ -145,7 +145,7 @@ fn a_pad_that_bottoms_changes_no_overturning() {
     let flags = ["--method", "stripes", "--scales", "0.1 m/s:1.2 m/s:12", "--fit", "separate", "--max-scale", "50"];
     let flags = [&flags[..], &["--tolerance", "20 g", "--bootstrap", "0"]].concat();
     let linear = document(folder, &call(&motions, &flags));
-    let law = ["--law", "tangent", "--bottoming", "0.8mm"];
+    let law = ["--law", "tangent", "--bottoming", "0.3mm"];
     let found = document(folder, &call(&motions, &[&flags[..], &law[..], &["--out", "bottoms"]].concat()));
     let (linear, found) = (&linear["objects"][0], &found["objects"][0]);
     assert_eq!((&found["unresolved"], &found["runs"]), (&Value::from(0), &linear["runs"]));
