@@ -48,27 +48,29 @@ fn browser() -> Option<&'static str> {
     BROWSERS.into_iter().find(|name| printed(name, &["--version"]).is_some())
 }
 
-/// Builds the page anew and compares it, byte for byte, with the one that is committed. Packed files are
-/// compared by a test of `freestand-page`: their bytes depend on the packer.
+/// Builds the page anew beside the one that is committed, which others may be compiling in, and compares
+/// both byte for byte. Packed files are compared by a test of `freestand-page`: their bytes depend on the
+/// packer.
 pub fn compare(root: &Path) -> Result<(), String> {
-    let dist = root.join(UI).join("dist");
-    let read = |name: &str| std::fs::read(dist.join(name)).map_err(|error| format!("{UI}/dist/{name}: {error}"));
-    let all: Vec<String> = BUILT.iter().flat_map(|name| [(*name).to_owned(), format!("{name}.gz")]).collect();
-    let before: Vec<Vec<u8>> = all.iter().map(|name| read(name)).collect::<Result<_, _>>()?;
-    build(root)?;
-    let differs = |name: &&str| {
-        let place = all.iter().position(|one| one == *name);
-        place.and_then(|place| before.get(place)) != read(name).ok().as_ref()
-    };
-    let different: Vec<&str> = BUILT.iter().copied().filter(differs).collect();
-    if different.is_empty() {
-        // The bytes of another packer are not a change of the page.
-        for (name, bytes) in all.iter().zip(&before) {
-            std::fs::write(dist.join(name), bytes).map_err(|error| format!("{UI}/dist/{name}: {error}"))?;
+    install(root)?;
+    let made = target(root).join("page");
+    let folder = made.display().to_string();
+    npm(root, &["run", "build", "--", "--outDir", &folder, "--emptyOutDir"])?;
+    let read = |path: PathBuf| std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()));
+    let mut different = Vec::new();
+    for name in BUILT {
+        if read(made.join(name))? != read(root.join(UI).join("dist").join(name))? {
+            different.push(name);
         }
+    }
+    if different.is_empty() {
         return Ok(());
     }
     Err(format!("{}: not what its sources give; commit the result of `cargo xtask ui`", different.join(", ")))
+}
+
+fn target(root: &Path) -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
 }
 
 /// Types of the page, and its tests without a browser.
@@ -83,8 +85,7 @@ pub fn browse(root: &Path) -> Result<(), String> {
     install(root)?;
     let browser = browser().ok_or("no browser")?;
     let path = printed("which", &[browser]).ok_or("no browser")?;
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
-    let program = target.join("debug").join(format!("freestand{}", std::env::consts::EXE_SUFFIX));
+    let program = target(root).join("debug").join(format!("freestand{}", std::env::consts::EXE_SUFFIX));
     let environment = [("FREESTAND", program.display().to_string()), ("CHROMIUM", path.trim().to_owned())];
     run(root, "npm", &["run", "browser"], &environment)
 }

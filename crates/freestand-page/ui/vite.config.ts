@@ -4,15 +4,17 @@ import { defineConfig, type Plugin } from 'vite';
 
 /** Writes every file a second time, packed: the server hands out what is embedded. */
 function packed(): Plugin {
+  let folder = 'dist';
   return {
     name: 'packed',
     apply: 'build',
     enforce: 'post',
+    configResolved({ build }) { folder = build.outDir; },
     async closeBundle() {
       const { readFile, writeFile } = await import('node:fs/promises');
       for (const name of ['index.html', 'assets/app.js', 'assets/app.css', 'assets/icon.svg']) {
-        const bytes = await readFile(`dist/${name}`);
-        await writeFile(`dist/${name}.gz`, gzipSync(bytes, { level: 9 }));
+        const bytes = await readFile(`${folder}/${name}`);
+        await writeFile(`${folder}/${name}.gz`, gzipSync(bytes, { level: 9 }));
       }
     },
   };
