@@ -52,7 +52,7 @@ pub enum FitMethod {
 pub const FIT_METHODS: Choices<FitMethod> = &[
     (FitMethod::Curves(FitKind::Ordered), "ordered", "one β for all limit states of an object: curves cannot cross"),
     (FitMethod::Curves(FitKind::Separate), "separate", "each limit state by itself"),
-    (FitMethod::TwoStage, TWO_STAGE, "as ordered, with `exceeds` from the shocks below the ceiling"),
+    (FitMethod::TwoStage, TWO_STAGE, "as ordered, with the limit state exceeds from the shocks below the ceiling"),
 ];
 
 impl FitMethod {
