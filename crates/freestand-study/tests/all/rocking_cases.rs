@@ -4,7 +4,6 @@
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at broken data and says what it skips")]
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
 use freestand::block::Block;
 use freestand::motion::Motion;
@@ -14,38 +13,7 @@ use freestand::rocking::{
 };
 use serde_json::Value;
 
-fn workspace() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// The folder of records that the repository may not hold.
-fn shared() -> PathBuf {
-    std::env::var_os("FREESTAND_SHARED").map_or_else(|| workspace().join("../shared"), PathBuf::from)
-}
-
-/// Time step and columns of a record; `None` where the file is missing.
-fn record(name: &str) -> Option<(f64, Vec<Vec<f64>>)> {
-    let file = format!("{name}.csv");
-    let text = fs::read_to_string(workspace().join("validation/rocking/records").join(&file))
-        .or_else(|_| fs::read_to_string(shared().join("cases/records").join(&file)))
-        .ok()?;
-    let mut dt_s = None;
-    let mut columns: Vec<Vec<f64>> = Vec::new();
-    for line in text.lines() {
-        if let Some(comment) = line.strip_prefix('#') {
-            let step = comment.split_whitespace().find_map(|word| word.strip_prefix("dt="));
-            dt_s = dt_s.or(step.map(|s| s.parse::<f64>().unwrap()));
-            continue;
-        }
-        for (i, value) in line.split(',').enumerate() {
-            if columns.len() == i {
-                columns.push(Vec::new());
-            }
-            columns[i].push(value.parse().unwrap());
-        }
-    }
-    Some((dt_s.unwrap(), columns))
-}
+use crate::cases::{record, workspace};
 
 fn number(case: &Value, key: &str) -> Option<f64> {
     case.get(key).and_then(Value::as_f64)

@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at broken data and says what it skips")]
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use freestand::block::Block;
 use freestand::motion::Motion;
@@ -14,28 +14,7 @@ use freestand::rocking::{
 use freestand::wall::{DEFAULT_WALL_RESTITUTION_RATIO, Wall, Walls};
 use serde_json::Value;
 
-fn workspace() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// The folder of cases that the repository may not hold.
-fn shared() -> PathBuf {
-    std::env::var_os("FREESTAND_SHARED").map_or_else(|| workspace().join("../shared"), PathBuf::from)
-}
-
-/// Time step and columns of a record; `None` where the file is missing.
-fn record(name: &str) -> Option<(f64, Vec<Vec<f64>>)> {
-    let file = format!("{name}.csv");
-    let text = fs::read_to_string(workspace().join("validation/rocking/records").join(&file))
-        .or_else(|_| fs::read_to_string(shared().join("cases/records").join(&file)))
-        .ok()?;
-    let (comments, rows): (Vec<&str>, Vec<&str>) = text.lines().partition(|line| line.starts_with('#'));
-    let step = comments.iter().flat_map(|line| line.split_whitespace()).find_map(|word| word.strip_prefix("dt="));
-    let rows: Vec<Vec<f64>> =
-        rows.iter().map(|row| row.split(',').map(|value| value.parse().unwrap()).collect()).collect();
-    let columns = (0..rows[0].len()).map(|i| rows.iter().map(|row| row[i]).collect()).collect();
-    Some((step.unwrap().parse().unwrap(), columns))
-}
+use crate::cases::{record, shared, workspace};
 
 /// The number of a flag of a case, in SI.
 fn flag(case: &Value, name: &str) -> Option<f64> {
