@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests may stop")]
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use freestand::block::Block;
@@ -56,6 +57,17 @@ fn motions(names: &[&str], scale: &str) -> Vec<ReadMotion> {
     read_all(&MotionFiles { paths, ..files }).unwrap()
 }
 
+/// The cells of the object "object" of a list that is assessed in a study, by their headings.
+fn assessed(study: &Path, list: &Path) -> HashMap<String, String> {
+    let study = load(study, &Overrides::default()).unwrap();
+    let out = list.with_file_name("out");
+    let inventory = inventory_of(&study, Some(list), &ListRequest::default()).unwrap();
+    assess_into(&study, &inventory, &out, &Job::default(), &no_progress).unwrap();
+    let mut reader = csv::Reader::from_path(out.join("objects.csv")).unwrap();
+    let mut rows = reader.deserialize().map(|row: Result<HashMap<String, String>, _>| row.unwrap());
+    rows.find(|row| row["id"] == "object").unwrap()
+}
+
 /// Every number that an object and a list have under the same name, on the third of eight floors,
 /// on pads and with a tolerance. The list is in other units and has the floor by its number.
 #[test]
@@ -79,14 +91,8 @@ fn a_list_with_this_row_has_the_same_numbers() {
     let floor = Floor { place: FloorPlace::Name("3".to_owned()), ..GROUND };
     let report = answer(&ObjectRequest { worlds: None, ..request(object, earthquake, floor) });
 
-    let study = load(&study, &Overrides::default()).unwrap();
-    let out = folder.path().join("out");
-    let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
-    assess_into(&study, &inventory, &out, &Job::default(), &no_progress).unwrap();
-    let mut reader = csv::Reader::from_path(out.join("objects.csv")).unwrap();
-    let headers = reader.headers().unwrap().clone();
-    let row = reader.records().map(|row| row.unwrap()).find(|row| &row[1] == "object").unwrap();
-    let cell = |name: &str| row[headers.iter().position(|header| header == name).unwrap()].to_owned();
+    let row = assessed(&study, &list);
+    let cell = |name: &str| row[name].clone();
 
     let numbers = [
         "level_ratio",
@@ -173,14 +179,8 @@ fn a_list_with_these_surroundings_has_the_same_numbers() {
         let floor = Floor { place: FloorPlace::Share(0.5), ..GROUND };
         let report = answer(&ObjectRequest { worlds: None, ..request(object, earthquake, floor) });
 
-        let study = load(&study, &Overrides::default()).unwrap();
-        let out = folder.path().join("out");
-        let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
-        assess_into(&study, &inventory, &out, &Job::default(), &no_progress).unwrap();
-        let mut reader = csv::Reader::from_path(out.join("objects.csv")).unwrap();
-        let headers = reader.headers().unwrap().clone();
-        let row = reader.records().next().unwrap().unwrap();
-        let cell = |name: &str| row[headers.iter().position(|header| header == name).unwrap()].to_owned();
+        let row = assessed(&study, &list);
+        let cell = |name: &str| row[name].clone();
         for name in [
             "motions",
             "p_overturn",
