@@ -50,6 +50,36 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     )
 }
 
+/// The first rows of a list, whatever its headings are: of the sheet with most of them, or with the
+/// separator that finds most cells.
+///
+/// # Errors
+/// A file that is neither CSV nor XLSX.
+pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>, Problem> {
+    let mut found: Vec<Vec<Row>> = Vec::new();
+    if bytes.starts_with(b"PK") {
+        let mut workbook = Workbook::open(bytes)?;
+        for (name, is_visible) in workbook.sheets() {
+            if sheet.map_or(is_visible, |wanted| name.trim().eq_ignore_ascii_case(wanted.trim())) {
+                let mut rows = Vec::new();
+                workbook.rows(&name, &mut |row| keep(&mut rows, row))?;
+                found.push(rows);
+            }
+        }
+    } else {
+        let (text, _) = encoding::decode(bytes)?;
+        for separator in SEPARATORS {
+            let mut rows = Vec::new();
+            // With a wrong separator the quotes may be wrong, too.
+            if csv_file::rows(&text, separator, &mut |row| keep(&mut rows, row)).is_ok() {
+                found.push(rows);
+            }
+        }
+    }
+    let cells = |rows: &Vec<Row>| rows.iter().map(|row| row.cells.len()).sum::<usize>();
+    Ok(found.into_iter().max_by_key(cells).unwrap_or_default())
+}
+
 impl Sheet {
     /// Recognises the format by the content, finds the sheet and its headings, and reads it.
     ///

@@ -108,6 +108,9 @@ fn find_out(item: &Item, found: &Assessment) -> String {
     if item.anchored == Some(true) {
         return "Check its anchors.".to_owned();
     }
+    if !item.to_confirm.is_empty() {
+        return format!("Confirm or correct its size: read {}.", item.to_confirm.join(", "));
+    }
     let known = [
         (item.level_ratio.is_some(), "floor"),
         (item.height_m.is_some(), "height"),
