@@ -188,12 +188,8 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
             (name, None)
         }
         Found::NoStoreys => {
-            let said = "cannot be placed: nothing says how many storeys the building has".to_owned();
-            values.wrong(
-                Column::Floor,
-                Kind::FloorUnknown,
-                &Problem::value(said, "give `storeys`, or a study with the building"),
-            );
+            // One number is missing, however many rows need it.
+            values.report_once(Column::Floor, Kind::StoreysMissing);
             (name, None)
         }
     }

@@ -71,6 +71,8 @@ kinds! {
         "check the number and its unit";
     FloorUnknown Error "floor-unknown" "is not a floor that is known"
         "name it under [floors] of a mapping file, or among the floors under [building] of the study";
+    StoreysMissing Error "storeys-missing" "names floors, and nothing says how many storeys the building has"
+        "give `storeys`, or a study with the building";
     Formula Error "formula" "is a formula without a value"
         "open the workbook in a spreadsheet program, correct the formula and save it again";
     DimensionOrder Doubt "dimension-order" "does not say which size is which; the largest was taken as the height"
@@ -197,6 +199,10 @@ impl Finding {
             (None, kind) => format!("; {}", kind.words()),
         };
         let name = self.name();
+        if self.rows.is_empty() {
+            let (severity, kind, message) = (self.severity.name(), self.kind.name(), self.message());
+            return format!("{severity}: {kind}: {message}{such}; hint: {}", self.hint);
+        }
         format!("{}: {}: {name}: {count}{such}{said}; hint: {}", self.severity.name(), self.kind.name(), self.hint)
     }
 }

@@ -223,7 +223,8 @@ fn problem(finding: &Finding, style: KeyStyle) -> ProblemReport {
         kind: finding.kind.name(),
         column: finding.column.map(|column| column.name()),
         heading: finding.heading.clone(),
-        count: finding.rows.len(),
+        // A problem of the whole list is one.
+        count: finding.rows.len().max(1),
         rows: finding.rows.clone(),
         cells: finding.cells(),
         examples: finding.examples.clone(),

@@ -60,6 +60,15 @@ impl<'a> Values<'a> {
         self.add(place, kind, &example, detail);
     }
 
+    /// Adds a problem of the whole list that this row shows.
+    pub(super) fn report_once(&mut self, column: Column, kind: Kind) {
+        let columns = self.columns;
+        let one = columns.get(column);
+        let example = one.and_then(|one| self.row.get(one.index)).map(Cell::shown).unwrap_or_default();
+        let place = one.map_or(Place { column: Some(column), index: None, heading: None }, Self::place);
+        self.findings.add(kind, place, None, &example, None);
+    }
+
     /// Adds a wrong value with a message of another reader.
     pub(super) fn wrong(&mut self, column: Column, kind: Kind, problem: &Problem) {
         self.report(column, kind, Some(problem.message.clone()));

@@ -220,3 +220,28 @@ fn headings_that_nobody_knows_give_a_mapping_file_to_complete() {
     let items = inspect_inventory(&path, &options).unwrap_or_else(|error| panic!("{error}\n{mapped}")).inventory.items;
     assert_eq!((items[0].id.as_str(), items[0].height_m, items[1].thickness_m), ("A", Some(1.8), Some(0.3)));
 }
+
+#[test]
+fn a_missing_number_of_storeys_is_one_problem() {
+    let mut list = "id,item,floor,height mm,depth mm\n".to_owned();
+    for row in 0..500 {
+        list += &format!("{row},rack,{},1800,500\n", 1 + row % 6);
+    }
+    let findings = read(&list).unwrap().inventory.findings;
+    let kinds: Vec<(&str, usize)> = findings.iter().map(|one| (one.kind.name(), one.rows.len())).collect();
+    assert_eq!(kinds, [("storeys-missing", 0)]);
+    let report = problem_reports(&findings, freestand_input::keys::KeyStyle::Flag);
+    assert_eq!((report[0].count, report[0].severity), (1, "error"));
+}
+
+#[test]
+fn rows_that_a_spreadsheet_hides_are_read_and_said() {
+    let heading = row(1, &HEADINGS);
+    let shown = row(2, &["a", "rack", "0.5", "1800", "600", ""]);
+    let hidden = row(3, &["b", "rack", "0.5", "1800", "600", ""]).replace("<row ", "<row hidden=\"1\" ");
+    let book = workbook(&[heading, shown, hidden].concat(), "");
+    let inventory = read(book).unwrap().inventory;
+    assert_eq!(inventory.items.len(), 2);
+    let said = inventory.warnings.iter().filter(|warning| warning.contains("does not show")).count();
+    assert_eq!(said, 1, "{:?}", inventory.warnings);
+}
