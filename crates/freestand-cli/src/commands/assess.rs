@@ -118,6 +118,8 @@ enum FailOn {
     Restrain,
     /// Put it on a softer pad
     Soften,
+    /// Lock it, tether it, or give it room
+    Lock,
     /// Data are missing
     NoVerdict,
     /// Leave it as it is
@@ -129,6 +131,7 @@ impl FailOn {
         match self {
             Self::Restrain => Decision::Restrain,
             Self::Soften => Decision::Soften,
+            Self::Lock => Decision::Lock,
             Self::NoVerdict => Decision::NoVerdict,
             Self::Leave => Decision::Leave,
         }
