@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 pub use freestand_study::result::Ranked;
+pub use freestand_study::study::Unstated;
 
 /// The verdict: what to do with an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -497,6 +498,8 @@ pub struct Assessment {
     pub decision: Decision,
     /// Why, in one or two sentences.
     pub why: String,
+    /// What nobody stated of its shaking, where that alone keeps it from being left as it is.
+    pub unstated: Option<Unstated>,
     /// The tier that decided: 0 it rocks in no world, 2 histories on a rigid base, 3 also on the
     /// compliant base.
     pub tier: u8,

@@ -34,7 +34,7 @@ pub(super) const HOSTILE: [&str; 6] = [
 
 pub(super) fn head(total: usize) -> Head {
     Head {
-        no_study: Some("No study given: this is a 30-storey tower in Melbourne, not your building.".into()),
+        no_study: Some("Nobody stated the place and the building: this is a 30-storey tower in Melbourne, not your building. Give place and storeys.".into()),
         place: vec![
             ("Building".into(), "Main, 30 storeys, 90 m high".into()),
             ("Place".into(), "Melbourne".into()),
@@ -203,6 +203,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         id: item.id.clone(),
         decision,
         why: format!("Made up: {}.", decision.name()),
+        unstated: None,
         tier: (index % 4) as u8,
         accepted_ratio: 0.1,
         accepted_for: AcceptedFor::LifeSafety,

@@ -116,6 +116,9 @@ fn find_out(item: &Item, found: &Assessment) -> String {
     if item.anchored == Some(true) {
         return "Check its anchors.".to_owned();
     }
+    if let Some(unstated) = found.unstated {
+        return format!("State {}: give {}.", unstated.words(), unstated.keys());
+    }
     let known = [
         (item.level_ratio.is_some(), "floor"),
         (item.height_m.is_some(), "height"),

@@ -12,7 +12,7 @@ use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision, FallsAnswer,
     FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer,
-    Sliding, SlidingVerdict, Slipped, Softening, Stacked,
+    Sliding, SlidingVerdict, Slipped, Softening, Stacked, Unstated,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -150,6 +150,12 @@ pub(super) fn assessment(
             assessed.why.push_str(&format!(" {why}"));
             assessed.decision = loose;
         }
+    }
+    if let Some(unstated) = context.study.unstated(trial.subject.level_ratio)
+        && assessed.decision == Decision::Leave
+    {
+        (assessed.decision, assessed.unstated) = (Decision::NoVerdict, Some(unstated));
+        assessed.why.push_str(&unstated_words(unstated));
     }
     assessed.slipped = slipped(trial);
     if let Some(slipped) = &assessed.slipped {
@@ -349,6 +355,15 @@ fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems
         Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {}
     }
     Ok(notes)
+}
+
+/// Why an object is not left as it is in shaking that nobody stated.
+fn unstated_words(unstated: Unstated) -> String {
+    format!(
+        " But nobody stated {}: this is the answer for another one, and no verdict. Give {}.",
+        unstated.words(),
+        unstated.keys()
+    )
 }
 
 /// How far it rolls or slides, and what a stop does.

@@ -199,6 +199,7 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
         id: item.id.clone(),
         decision: Decision::NoVerdict,
         why: String::new(),
+        unstated: None,
         tier: 0,
         answers: None,
         model: None,
