@@ -78,6 +78,7 @@ pub(super) fn item(index: usize) -> Item {
         width_m: (!index.is_multiple_of(4)).then_some(0.8),
         base_thickness_m: (index % 5 == 1).then_some(0.35),
         base_width_m: None,
+        is_round: false,
         cg_height_m: (index % 5 == 1).then_some(0.9),
         mass_kg: Some(100.0 + 10.0 * slender),
         cushion: Some(EdgeCushion { cushion: Cushion::linear(4.38e6).unwrap(), pad_thickness_m: None, notes: vec![] }),
