@@ -92,8 +92,9 @@ pub fn measures(text: &str) -> Result<Vec<Measure>, Problem> {
     text.split(',').map(measure).collect()
 }
 
-/// `adaptive`, or a grid: of factors for an incremental analysis, of intensities by the first measure
-/// for stripes.
+/// `adaptive`, or levels: factors for an incremental analysis, intensities by the first measure for
+/// stripes. `from:to:count` has equal ratios, because rates fall with a power of the intensity: equal
+/// steps would leave the weak motions, which cause most of a rate, between two levels.
 ///
 /// # Errors
 /// A grid that cannot be read or has a value that is not above 0, or a method that has no scales.
@@ -118,7 +119,19 @@ pub fn scales(text: &str, method: Method, first: Measure) -> Result<Option<Vec<f
     if let Some(bad) = values.iter().find(|value| **value <= 0.0) {
         return Err(Problem::value(format!("{bad} is not above 0"), "give positive values").of(&["scales"]));
     }
-    Ok(Some(values))
+    Ok(Some(if text.contains(':') { in_equal_ratios(values) } else { values }))
+}
+
+/// As many values between the same ends, each the same factor above the one before it.
+fn in_equal_ratios(values: Vec<f64>) -> Vec<f64> {
+    let [from, .., to] = *values.as_slice() else { return values };
+    let last = values.len() - 1;
+    let at = |i: usize| match i {
+        0 => from,
+        i if i == last => to,
+        i => from * (to / from).powf(i as f64 / last as f64),
+    };
+    (0..values.len()).map(at).collect()
 }
 
 /// One object by its numbers, under motions of its floor.
@@ -820,5 +833,25 @@ impl RunsReport {
     /// What the plot library says when it cannot draw.
     pub fn residuals_figure(&self) -> Result<Figure, FigureError> {
         figures::residuals(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ends as they are written, and one factor between neighbours; a list stays as it is.
+    #[test]
+    fn a_grid_of_levels_has_equal_ratios() {
+        let levels = |text: &str| scales(text, Method::Stripes, Measure::Pga).unwrap().unwrap();
+        let grid = levels("0.05 g:1.5 g:10");
+        assert_eq!((grid.len(), grid[0], grid[9]), (10, 0.05, 1.5));
+        let ratio = 30_f64.powf(1.0 / 9.0);
+        // Rounding of two powers.
+        assert!(grid.windows(2).all(|pair| (pair[1] / pair[0] / ratio - 1.0).abs() < 1e-12), "{grid:?}");
+        assert_eq!(levels("0.1 g, 0.2 g, 0.3 g"), [0.1, 0.2, 0.3]);
+        let factors = scales("0.5:2:3", Method::Incremental, Measure::Pga).unwrap().unwrap();
+        assert_eq!(factors, [0.5, 1.0, 2.0]);
+        assert!(scales("0 g:1 g:4", Method::Stripes, Measure::Pga).is_err());
     }
 }
