@@ -17,12 +17,14 @@ pub struct Capacity {
     pub to: Option<f64>,
     /// The share of the motions.
     pub share: f64,
+    /// Whether `to` is the lowest intensity of the runs, so that `from` is none of them.
+    pub is_lowest: bool,
 }
 
 impl Capacity {
     /// The same of an object that withstands so many times the intensity.
     pub fn scaled(self, factor: f64) -> Self {
-        Self { from: self.from.map(|x| factor * x), to: self.to.map(|x| factor * x), share: self.share }
+        Self { from: self.from.map(|x| factor * x), to: self.to.map(|x| factor * x), ..self }
     }
 }
 
@@ -70,17 +72,18 @@ pub fn capacities(outcomes: &Outcomes, state: LimitState, uplifts: &[Option<f64>
                     from: motion.and_then(|motion| *uplifts.get(motion)?).map(|uplift| uplift.min(level)),
                     to: Some(level),
                     share: share * weight / all,
+                    is_lowest: true,
                 }));
             }
             Some((below, known)) if share > known => {
-                found.push(Capacity { from: Some(below), to: Some(level), share: share - known });
+                found.push(Capacity { from: Some(below), to: Some(level), share: share - known, is_lowest: false });
             }
             _ => {}
         }
         before = Some((level, share));
     }
     if let Some((last, share)) = before.filter(|(_, share)| *share < 1.0) {
-        found.push(Capacity { from: Some(last), to: None, share: 1.0 - share });
+        found.push(Capacity { from: Some(last), to: None, share: 1.0 - share, is_lowest: false });
     }
     found
 }
@@ -249,7 +252,7 @@ mod tests {
         let avoided = least_avoided(&hazard, &found, 2.0).unwrap();
         assert!((avoided / (least * 0.75) - 1.0).abs() < 1e-12, "{avoided} {least}");
         assert_eq!(least_avoided(&hazard, &found, 1.0), Some(0.0));
-        let open = [Capacity { from: None, to: Some(1.0), share: 1.0 }];
+        let open = [Capacity { from: None, to: Some(1.0), share: 1.0, is_lowest: true }];
         assert_eq!((least_avoided(&hazard, &open, 2.0), least_avoided(&hazard, &open, 0.5)), (Some(0.0), None));
     }
 }

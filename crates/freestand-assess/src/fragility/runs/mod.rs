@@ -237,6 +237,8 @@ pub(super) struct ObjectRuns {
     floor: usize,
     /// For each motion its runs, by rising scale.
     motions: Vec<Vec<Followed>>,
+    /// For each motion the scale below which it does not lift the object; `None`: not known.
+    uplifts_ratio: Vec<Option<f64>>,
     /// For each measure the intensities over which an adaptive analysis spreads its runs.
     spans: Vec<Option<(f64, f64)>>,
     has_tolerance: bool,
@@ -345,19 +347,22 @@ fn run_part(
         .enumerate()
         .flat_map(|(i, one)| (0..floors.get(one.floor).map_or(0, Vec::len)).map(move |motion| (i, motion)))
         .collect();
-    let followed: Vec<Result<Vec<Followed>, Problems>> = tasks
+    let followed: Vec<Result<(Vec<Followed>, Option<f64>), Problems>> = tasks
         .par_iter()
         .map(|&(i, motion)| {
             let one = objects.get(i).ok_or_else(missing)?;
             let shaking = floors.get(one.floor).and_then(|floor| floor.get(motion)).ok_or_else(missing)?;
             let runs = follow::first_runs(request, one, shaking, measures, go_on)?;
+            let uplift_ratio = follow::uplift_ratio(request, one, shaking);
             count()?;
-            Ok(runs)
+            Ok((runs, uplift_ratio))
         })
         .collect();
     for ((i, _), runs) in tasks.iter().zip(followed) {
         if let Some(one) = objects.get_mut(*i) {
-            one.motions.push(runs?);
+            let (runs, uplift_ratio) = runs?;
+            one.motions.push(runs);
+            one.uplifts_ratio.push(uplift_ratio);
         }
     }
     if request.method == Method::Incremental && request.scales.is_none() {
@@ -501,6 +506,7 @@ fn prepare(
             factors: RatioFactors::new(&nominal.block)?,
             floor,
             motions: Vec::new(),
+            uplifts_ratio: Vec::new(),
             spans: Vec::new(),
             has_tolerance: request.rotation_ratio.is_some() || nominal.has_tolerance(),
             limits_rotation: request.rotation_ratio.is_some(),
