@@ -303,9 +303,8 @@ async fn job(site: &Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     let program = site.program;
     let checked = tokio::task::spawn_blocking(move || (program.check)(&request).map(|()| request)).await;
     request = checked.map_err(|_| defect())??;
-    let job = site.jobs.begin(continues.as_deref(), same, |id| {
-        site.folder.as_ref().map_or_else(|| site.uploads.beside(id), |folder| folder.join(id))
-    })?;
+    let results = site.folder.as_deref().unwrap_or(site.uploads.folder());
+    let job = site.jobs.begin(continues.as_deref(), same, results)?;
     request.folder = Some(job.folder.clone());
     let id = job.id.clone();
     tokio::spawn(async move {

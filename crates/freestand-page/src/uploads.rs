@@ -90,11 +90,6 @@ impl Uploads {
         Ok(paths)
     }
 
-    /// A folder beside the files, for the results of jobs.
-    pub(crate) fn beside(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
-    }
-
     /// The path of a file.
     pub(crate) fn path(&self, id: &str) -> Result<PathBuf, Refusal> {
         let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use freestand::fragility::level_weights;
+use freestand_input::formula::guarded;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::shortest;
 use freestand_output::rows::{csv_writer, table_of_csv};
@@ -79,8 +80,8 @@ pub(super) fn outcomes(
             for (run, weight) in runs.iter().zip(weights) {
                 let text = |value: Option<f64>| value.map(shortest).unwrap_or_default();
                 let record = [
-                    one.id.clone(),
-                    shaking.name.clone(),
+                    guarded(&one.id).into_owned(),
+                    guarded(&shaking.name).into_owned(),
                     shortest(levels.exact(unit * run.scale_ratio)),
                     run.run().map_or(UNRESOLVED, |run| run.class.name()).to_owned(),
                     text(run.run().and_then(|run| run.edge_acceleration_g)),
@@ -88,7 +89,7 @@ pub(super) fn outcomes(
                     shortest(run.scale_ratio),
                     text(run.run().map(|run| run.rotation_ratio)),
                     text(uplift.map(|uplift| unit * uplift)),
-                    run.found.as_ref().err().cloned().unwrap_or_default(),
+                    run.found.as_ref().err().map(|why| guarded(why).into_owned()).unwrap_or_default(),
                 ];
                 writer.write_record(&record).map_err(|error| broken(&error))?;
             }
