@@ -234,8 +234,10 @@ impl Exports {
         if (args.hazard.is_some() || args.hazard_power.is_some()) && !args.format.contains(&ExportFormat::OpenQuake) {
             return Err(Failure::usage("only OpenQuake takes a hazard curve", "add --format openquake"));
         }
+        let list = args.runs.cells().request()?;
         let request = |&format| ExportRequest {
             format,
+            list: list.clone(),
             demand: args.demand.clone(),
             realizations: args.realizations,
             beta,
