@@ -7,6 +7,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::canonical;
 use freestand_output::rows::csv_writer;
 
+use super::columns::Column;
 use super::numbers::{Number, Piece, pieces, plain};
 use super::vocabulary::is_no_value;
 use super::{Edit, Inventory, Mapping, ReadOptions, inspect_inventory};
@@ -130,6 +131,9 @@ pub fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<(Vec<u8>, Ve
     };
     let reading = inspect_inventory(path, &options)?;
     let (bytes, mut warnings) = written(&reading.inventory, mapping.as_ref())?;
+    // A number of objects that cannot be read counts as one.
+    let counts = reading.inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
+    warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
     warnings.extend(reading.inventory.warnings);
     Ok((bytes, warnings))
 }

@@ -154,7 +154,10 @@ pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Prob
 fn is_table(bytes: &[u8], path: &Path) -> bool {
     let is_workbook = bytes.starts_with(b"PK");
     match Table::read(bytes, path, HINT, &mut RowProblems::default()) {
-        Ok(table) => table.column("id").is_some() && COLUMNS.iter().skip(3).any(|name| table.column(name).is_some()),
+        Ok(table) => {
+            let has_costs = COLUMNS.iter().skip(3).any(|name| table.column(name).is_some());
+            table.column("id").is_some() && (has_costs || table.unused(&COLUMNS).is_none())
+        }
         // What is wrong with a table is said of the table.
         Err(_) => !is_workbook && costs_of_list(path, &CellsRequest::default()).is_err(),
     }
