@@ -244,6 +244,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         rolled: (index % 4 == 2).then_some(Rolled {
             travel_m_median: 0.21,
             travel_m_p84: 0.35,
+            is_at_least: false,
             clearance_m: Some(0.3),
             stop_share: 0.25,
             stop_speed_m_s_p84: Some(0.4),

@@ -23,7 +23,7 @@ pub(super) const PART: usize = 16;
 
 /// Version of the text that is hashed. Raise it whenever that text, the content of a part or the
 /// choice of scales changes.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// Where the finished runs of an inventory are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,7 +45,7 @@ struct KeptObject {
 }
 
 /// The scale, and the class, the rotation and the shock, or why it could not be followed.
-type KeptRun = (f64, Result<(usize, f64, Option<f64>), String>);
+type KeptRun = (f64, Result<(usize, Option<f64>, Option<f64>), String>);
 
 /// Opens the store of finished runs; `None` if runs are not kept.
 ///

@@ -84,7 +84,7 @@ pub(super) fn outcomes(
                     text(run.run().and_then(|run| run.edge_acceleration_g)),
                     if is_weighted { shortest(factor * weight) } else { "1".to_owned() },
                     shortest(run.scale_ratio),
-                    text(run.run().map(|run| run.rotation_ratio)),
+                    text(run.run().and_then(|run| run.rotation_ratio)),
                     run.found.as_ref().err().cloned().unwrap_or_default(),
                 ];
                 writer.write_record(&record).map_err(|error| broken(&error))?;
