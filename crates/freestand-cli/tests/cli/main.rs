@@ -28,6 +28,7 @@ mod restrain;
 mod risk;
 mod rocking_cases;
 mod run;
+mod same_answer;
 #[cfg(feature = "page")]
 mod serve;
 #[cfg(unix)]

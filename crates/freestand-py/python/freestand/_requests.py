@@ -73,8 +73,9 @@ def rock(
 
     `restitution` in (0, 1] replaces Housner's ratio, `restitution_factor` multiplies it; `model` is
     "rigid" (default) or "linear", `accuracy` "fast", "standard" (default) or "tight". Without a motion give
-    `initial_rotation_rad` or `initial_velocity_rad_s`, and `duration_s`; after the last sample the floor
-    does not move. `base="compliant"` follows the object on its cushions (`cg_rise_m`, `contacts`, `at_m`,
+    `initial_rotation_rad` or `initial_velocity_rad_s`. After the last sample the floor does not move, and
+    the object is followed until it rests or lies; `duration_s` ends that, and the outcome may then be
+    `unresolved`. `base="compliant"` follows the object on its cushions (`cg_rise_m`, `contacts`, `at_m`,
     `tangential_…` apply to it alone); `sliding` follows an object that slides or rolls. With
     `history=True` the result has arrays over time.
     """

@@ -1,7 +1,6 @@
 //! The runs of an object.
 
 use freestand::fragility::{LimitState, ScaleRun, mean_and_sd, missing_levels, scales_of_motion};
-use freestand::rocking::Base;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
@@ -35,10 +34,8 @@ pub(super) fn classes(runs: &[Followed]) -> Vec<ScaleRun> {
 
 fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ratio: f64) -> Followed {
     let beyond = || "the scaled motion is beyond all numbers".to_owned();
-    let found = shaking.scaled(scale_ratio).ok_or_else(beyond).and_then(|(horizontal, vertical)| {
-        let base = Base { horizontal: horizontal.as_ref(), vertical: vertical.as_ref() };
-        one.nominal.run(base, request.rotation_ratio).map_err(|error| error.to_string())
-    });
+    let floor = shaking.scaled(scale_ratio).ok_or_else(beyond);
+    let found = floor.and_then(|floor| one.nominal.run(shaking.number, &floor, request.rotation_ratio));
     Followed { scale_ratio, found }
 }
 
