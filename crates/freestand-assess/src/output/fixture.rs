@@ -101,6 +101,7 @@ pub(super) fn item(index: usize) -> Item {
         surroundings: Default::default(),
         notes: String::new(),
         doubts: Vec::new(),
+        to_confirm: Vec::new(),
         carried: vec![format!("A{index}"), "-12".to_owned()],
     }
 }

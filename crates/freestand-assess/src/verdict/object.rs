@@ -314,6 +314,9 @@ impl Gliding {
     }
 }
 
+/// What an object lacks whose size is not believed, as [`Item::to_confirm`] says.
+const UNCONFIRMED: &str = "confirmation of its size";
+
 impl Subject {
     /// Whether it rocks: it neither rolls nor slides to a stop.
     pub(crate) fn rocks(&self) -> bool {
@@ -345,6 +348,10 @@ impl Subject {
 
     /// The object, or the names of what is missing.
     pub(crate) fn new(item: &Item, settings: &Settings) -> Result<Self, Vec<&'static str>> {
+        // A size that nobody would believe is none until a person has confirmed it.
+        if !item.to_confirm.is_empty() {
+            return Err(vec![UNCONFIRMED]);
+        }
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
             (item.level_ratio, item.height_m, item.thickness_m)
         else {

@@ -294,7 +294,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
             RunObjects::Given(Box::new(GivenObject { motions, ..object }))
         }
         None => {
-            let (of_study, _, of_list) = runs.list.read(global, None, Vec::new())?;
+            let (of_study, _, of_list) = runs.list.read(global, None)?;
             (study, inventory) = (of_study, of_list);
             has_errors = inventory.has_errors();
             if let Some(path) = &study.source {
