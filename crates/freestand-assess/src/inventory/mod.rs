@@ -64,6 +64,7 @@ pub use report::{
     problem_reports,
 };
 pub use template::{template_csv, template_xlsx};
+pub(crate) use vocabulary::rating;
 
 use crate::library::Tolerance;
 use freestand_input::words::{Choices, name_of};

@@ -457,6 +457,8 @@ pub(crate) struct Avoided {
     pub(crate) best: f64,
     /// Whether it may avoid more.
     pub(crate) is_at_least: bool,
+    /// The least number of falls a year that it avoids; `None` where nothing tells.
+    pub(crate) falls: Option<f64>,
 }
 
 /// The rates of both states of losses, [`LOSS_STATES`]; `None` without a curve.
@@ -561,7 +563,13 @@ pub(crate) fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
                 .reduce(f64::max);
         }
     }
-    Avoided { after, least, best, is_at_least: !is_exact(&before) || !is_exact(&charged) }
+    let [_, of_fall] = LOSS_STATES;
+    let falls = match effect {
+        Effect::MedianFactor(factor) if *factor >= 1.0 => least_fall(curves, of_fall, *factor, hazard),
+        _ => without[1].zip(with[1]).and_then(|(without, with)| Some(ends_of(without).least - ends_of(with).most?)),
+    };
+    let falls = falls.map(|falls| cost.quantity * falls);
+    Avoided { after, least, best, is_at_least: !is_exact(&before) || !is_exact(&charged), falls }
 }
 
 /// The least loss that is avoided where every median is multiplied by `factor` ≥ 1, and overturning costs
@@ -660,6 +668,11 @@ mod tests {
             casualty_cost: None,
             accepted_rate: None,
             accepted_exceed_rate: None,
+            item: String::new(),
+            building: String::new(),
+            location: String::new(),
+            anchored: String::new(),
+            life_safety: None,
             floor: None,
             site_deg: None,
         }

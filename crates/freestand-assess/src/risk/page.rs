@@ -10,7 +10,9 @@ use freestand_output::html::{
 };
 
 use crate::fragility::{At, Measure};
+use crate::inventory::Rating;
 
+use super::costs::CostRow;
 use super::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict};
 use super::plan::Chosen;
 use super::{RiskReport, least, once_in, rounded};
@@ -57,6 +59,7 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
         html.push_str(&format!("<div><strong>{}</strong><small>{}</small></div>\n", escape(&value), escape(&what)));
     }
     html.push_str("</div>\n");
+    html.push_str(&paragraph(&whose(report)));
     html.push_str(&plan(report));
     html.push_str(&objects(report, &years));
     if let Some(drawn) = drawn {
@@ -71,6 +74,19 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
     html.push_str(&list(&not_counted(report)));
     html.push_str(CLOSING);
     html
+}
+
+/// Whose objects these are, with room for what nobody stated.
+fn whose(report: &RiskReport) -> String {
+    let stated = |of: fn(&CostRow) -> &str| {
+        let rows = report.objects.iter().filter_map(|object| object.cost.as_ref());
+        let mut all: Vec<&str> = rows.map(of).filter(|text| !text.is_empty()).collect();
+        all.sort_unstable();
+        all.dedup();
+        if all.is_empty() { "______________".to_owned() } else { named(&all) }
+    };
+    let (building, place) = (stated(|row| &row.building), stated(|row| &row.location));
+    format!("Building: {building}. Place: {place}. Date: ______________. Prepared by: ______________.")
 }
 
 /// A measure in words, for readers who do not know its abbreviation.
@@ -243,12 +259,20 @@ fn plan(report: &RiskReport) -> String {
         1 => " What one option saves is not known, so that it is not in the plan.".to_owned(),
         many => format!(" What {many} options save is not known, so that they are not in the plan."),
     };
+    if let Some(words) = plan.unfunded_words(currency) {
+        html.push_str(&paragraph(&format!("{words}: the budget does not reach what people need.")));
+    }
     if plan.chosen.is_empty() {
         let known = if measures.is_at_least() { ", as far as is known" } else { "" };
         html.push_str(&paragraph(&format!("Within the budget, no option saves more than it costs{known}.{unknown}")));
         return html;
     }
+    let is_rated = plan.chosen.iter().any(|worth| worth.life_safety > Some(Rating::Low));
     let proven = match (plan.plan.is_optimal, measures.is_at_least()) {
+        _ if is_rated => {
+            "Life safety comes first: within the budget, most falls of objects rated high are avoided, then of those \
+             rated medium, and then the most money is saved"
+        }
         (true, false) => "No other choice within the budget is worth more",
         (true, true) => {
             "Some options may save more than is known. Judged by the least that each saves, no other choice within \
@@ -264,13 +288,16 @@ fn plan(report: &RiskReport) -> String {
         least(plan.is_at_least()),
         money(plan.plan.value, currency)
     )));
+    let of = |id: &str| report.objects.iter().find(|object| object.id == id).and_then(|object| object.cost.as_ref());
     let rows: Vec<Vec<Cell>> =
         plan.chosen
             .iter()
-            .take(MAX_ROWS)
             .map(|worth| {
                 vec![
                     words(&shorten(&worth.id)),
+                    words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.item))),
+                    words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.location))),
+                    words(worth.life_safety.map_or("–", Rating::name)),
                     words(&shorten(&worth.option)),
                     figure(grouped(worth.cost)),
                     figure(worth.benefit_present_value.map_or("–".to_owned(), |benefit| {
@@ -284,15 +311,12 @@ fn plan(report: &RiskReport) -> String {
                 ]
             })
             .collect();
-    let heads = ["object", "option"].map(words).into_iter();
+    let heads = ["object", "item", "place", "life safety", "option"].map(words).into_iter();
     let heads = heads.chain(
         [format!("cost ({currency})"), format!("saves, present value ({currency})"), "benefit/cost".to_owned()]
             .map(figure),
     );
     html.push_str(&table("", &[heads.collect()], &rows));
-    if plan.chosen.len() > MAX_ROWS {
-        html.push_str(&paragraph(&format!("And {} more, in risk.json.", plan.chosen.len() - MAX_ROWS)));
-    }
     html
 }
 
@@ -441,14 +465,27 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
             }
         }
     }
-    let mut lines: Vec<String> = missing
-        .into_iter()
-        .map(|(what, ids)| {
-            // What is missing for another reason than its amount says so between brackets.
-            let why = if what.contains('(') { "" } else { ", for which no amount was given" };
-            format!("{}{why}: {}.", sentence(what), named(&ids))
-        })
+    let mut lines: Vec<String> = Vec::new();
+    for one in &report.not_run {
+        let item = if one.item.is_empty() { String::new() } else { format!(" ({})", shorten(&one.item)) };
+        let why = one.why.as_ref().map_or("no reason is known".to_owned(), |why| why.trim_end_matches('.').to_owned());
+        lines.push(format!("The object {}{item}, which was not run: {why}.", shorten(&one.id)));
+    }
+    let bounded: Vec<&str> = report
+        .objects
+        .iter()
+        .filter(|object| object.loss.is_some_and(|loss| loss.is_bound()))
+        .map(|object| object.id.as_str())
         .collect();
+    if !bounded.is_empty() {
+        lines.push(format!("What the runs or the hazard curve leave open; only bounds of the losses of these objects are known (risk.json): {}.", named(&bounded)));
+    }
+    let missing = missing.into_iter().map(|(what, ids)| {
+        // What is missing for another reason than its amount says so between brackets.
+        let why = if what.contains('(') { "" } else { ", for which no amount was given" };
+        format!("{}{why}: {}.", sentence(what), named(&ids))
+    });
+    lines.extend(missing);
     let unpriced: Vec<&str> = report
         .objects
         .iter()
