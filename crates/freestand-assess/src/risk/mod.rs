@@ -391,9 +391,9 @@ fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Strin
     let rest = if cut.len() > 1 { format!(" and {} more", cut.len() - 1) } else { String::new() };
     Some(format!(
         "the hazard curve ends at {}, and stronger motions cause up to {} of a rate of {}{rest}: the slope of the last \
-         two points was continued, and `annual_rate_upper` is the rate if all stronger motions are as strong as any; \
+         two points was continued, and the upper bound of the rate is that of motions which are all as strong as any; \
          give a hazard curve up to stronger motions",
-        hazard.measure.value_words(last.intensity),
+        hazard.measure.value_words(rounded_value(last.intensity)),
         percent_significant(largest(one), 2),
         shorten(&one.id)
     ))
@@ -402,7 +402,7 @@ fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Strin
 /// Warnings about rates of which more than a tenth is between two intensities of the runs, or below or
 /// above all of them.
 fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> {
-    let words = |x: f64| hazard.measure.value_words(x);
+    let words = |x: f64| hazard.measure.value_words(rounded_value(x));
     let kinds: [fn(Gap) -> bool; 3] =
         [|gap| matches!(gap, Gap::Below(_)), |gap| matches!(gap, Gap::Between(..)), |gap| matches!(gap, Gap::Above(_))];
     let said = kinds.into_iter().filter_map(|is_kind| {
@@ -421,9 +421,8 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
             }
         };
         Some(format!(
-            "more than a tenth of a rate of {}{rest} may be {place}: such rates are only known between bounds \
-             (`annual_rate_lower`, `annual_rate_upper`), and so is what they cost; {remedy}, or leave `scales` to the \
-             program",
+            "more than a tenth of a rate of {}{rest} may be {place}: such rates are only known between bounds, and so \
+             is what they cost; {remedy}",
             shorten(id)
         ))
     });
@@ -634,6 +633,11 @@ impl RiskReport {
         }
         text
     }
+}
+
+/// An intensity with four digits, for a message.
+fn rounded_value(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
 }
 
 /// The words before a number that is a lower bound.

@@ -134,9 +134,13 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
     let currency = report.currency.as_deref().unwrap_or("");
     let mut boxes = Vec::new();
     if let Some(loss) = report.expected_annual_loss() {
+        let between = bounded(report.objects.iter().filter_map(|object| object.loss)).filter(|_| report.is_bound());
         boxes.push((
             format!("{}{} a year", least(report.is_at_least()), money(loss, currency)),
-            "Expected loss: the mean over very many years. Most years cost nothing, a few cost much.".to_owned(),
+            format!(
+                "Expected loss: the mean over very many years. Most years cost nothing, a few cost much.{}",
+                between.map_or(String::new(), |bounds| format!(" Only its bounds are known: {bounds} {currency}."))
+            ),
         ));
     }
     match &report.portfolio {
@@ -163,7 +167,7 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
             ),
         ));
         let left = bounded(report.objects.iter().filter_map(|object| left(object, plan)));
-        let value = left.map_or_else(not_known, |(word, left)| format!("{word}{} a year", money(left, currency)));
+        let value = left.map_or_else(not_known, |left| format!("{left} {currency} a year"));
         boxes.push((value, "Expected loss that remains with the plan.".to_owned()));
     }
     boxes.extend(casualties(report));
@@ -232,15 +236,20 @@ fn left(object: &ObjectRisk, plan: &Chosen) -> Option<LossBounds> {
     plan.of(&object.id).map(|worth| worth.after).or(object.loss)
 }
 
-/// A sum of losses with the words before it: the most that it can be where that is known, or else the
-/// least; `None` if that is 0, which says nothing.
-fn bounded(losses: impl Iterator<Item = LossBounds>) -> Option<(&'static str, f64)> {
-    let (sum, most) = losses
-        .fold((0.0, Some(0.0)), |(least, most), loss| (least + loss.least, most.zip(loss.most).map(|(a, b)| a + b)));
-    match most {
-        Some(most) if most > sum => Some(("at most ", most)),
-        Some(most) => Some(("", most)),
-        None => (sum > 0.0).then(|| (least(true), sum)),
+/// A sum of losses: itself where it is known, or its bounds; `None` where nothing is known but that it is
+/// 0 or more.
+fn bounded(losses: impl Iterator<Item = LossBounds>) -> Option<String> {
+    let zero = LossBounds { least: 0.0, best: 0.0, most: Some(0.0) };
+    let sum = losses.fold(zero, |sum, loss| LossBounds {
+        least: sum.least + loss.least,
+        best: sum.best + loss.best,
+        most: sum.most.zip(loss.most).map(|(a, b)| a + b),
+    });
+    match sum.most {
+        Some(_) if !sum.is_bound() => Some(grouped(sum.best)),
+        Some(most) if sum.least > 0.0 => Some(format!("{} to {}", grouped(sum.least), grouped(most))),
+        Some(most) => Some(format!("at most {}", grouped(most))),
+        None => (sum.least > 0.0).then(|| format!("{}{}", least(true), grouped(sum.least))),
     }
 }
 
@@ -368,8 +377,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
         }
         if has_plan {
             let left = chosen.and_then(|plan| left(object, plan)).map(|left| bounded(std::iter::once(left)));
-            let words = |(word, left): (&str, f64)| format!("{word}{}", grouped(left));
-            cells.push(figure(left.map_or("–".to_owned(), |left| left.map_or_else(not_known, words))));
+            cells.push(figure(left.map_or("–".to_owned(), |left| left.unwrap_or_else(not_known))));
         }
         if has_verdicts {
             cells.push(words(&compared(object)));

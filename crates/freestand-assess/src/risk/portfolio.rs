@@ -18,7 +18,7 @@ use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
 use super::costs::{CostRow, Costs};
 use super::hazard::MeasuredHazard;
 use super::objects::{LossBounds, ObjectRisk};
-use super::{LOSS_STATES, least};
+use super::{LOSS_STATES, least, rounded_value};
 
 /// The return periods whose losses are stated \[years\].
 const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
@@ -278,7 +278,7 @@ fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
             "at the lowest intensity that is counted, {}, an object fails in {} of {}: weaker motions cause losses too, \
              so the losses of all objects are at least those stated; add lower intensities to the outcomes, and to \
              the hazard curve if it begins there",
-            worlds.levels.get(lowest).map_or(String::new(), |level| measure.value_words(*level)),
+            worlds.levels.get(lowest).map_or(String::new(), |level| measure.value_words(rounded_value(*level))),
             failing,
             counted(all, "motion")
         )
