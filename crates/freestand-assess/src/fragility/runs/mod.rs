@@ -730,6 +730,8 @@ impl RunsReport {
             .key("tolerance_rotation_ratio", self.rotation_ratio)
             .key("inputs", inputs)
             .key("no_study", said.and_then(|said| said.no_study.clone()))
+            .key("place_is_assumed", said.map(|said| said.place_is_assumed))
+            .key("building_is_assumed", said.map(|said| said.building_is_assumed))
             .key("place_name", said.and_then(|said| said.place_name.clone()))
             .key("building_name", said.and_then(|said| said.building_name.clone()))
             .key("hazard", self.study.as_ref().and_then(|study| study.hazard.clone()))
