@@ -23,6 +23,7 @@ mod motions;
 mod object;
 mod processing;
 mod program;
+mod rates;
 mod records;
 mod restrain;
 mod risk;

@@ -794,7 +794,8 @@ def risk(
 
     The fragilities are `fragility` (the file fragility.csv) or are fitted to `outcomes`. The hazard is one of
     `hazard` (a file), `hazard_power` ("k0=1e-4 /yr, k=2.5, reference=1 m/s") and `hazard_code` (with `site` and
-    `hazard_factor`); the last two need `hazard_im`, such as "pgv". `inventory` holds costs and accepted rates,
+    `hazard_factor`); `hazard_im`, such as "pgv", is that of the last two, and by default that of the curves.
+    `inventory` holds costs and accepted rates,
     `options` what can be bought, `budget` is an amount such as "20000 AUD". Tables are accepted as in `fragility`.
     """
     values = given(

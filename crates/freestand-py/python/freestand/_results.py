@@ -523,7 +523,11 @@ class RiskResult(Result):
     hazard: dict[str, Any]
     objects: list[dict[str, Any]]
     expected_annual_loss: float | None
+    expected_annual_loss_lower: float | None
+    expected_annual_loss_upper: float | None
+    is_bound: bool
     is_at_least: bool
+    not_run: list[dict[str, Any]]
     portfolio: dict[str, Any] | None
     ranking: Any
     plan: Any

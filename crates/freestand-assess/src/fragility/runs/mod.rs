@@ -24,7 +24,7 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::words::{Choices, counted, name_of, number, shortest, significant};
-use freestand_output::facts::Facts;
+use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::cushion::EdgeCushion;
@@ -678,6 +678,16 @@ impl RunsReport {
             }
         }
         warnings
+    }
+
+    /// `left_out.csv`: the objects that were not run, and why; `None` where all were.
+    ///
+    /// # Errors
+    /// None in practice: see [`of_rows`].
+    pub fn left_out_table(&self) -> Result<Option<Table>, Problem> {
+        let row = |(id, why): &'_ (String, String)| Facts::default().key("id", id.clone()).key("why", why.clone());
+        let rows: Vec<Facts> = self.left_out.iter().map(row).collect();
+        if rows.is_empty() { Ok(None) } else { of_rows(rows).map(Some) }
     }
 
     /// The sentence that says whose building this is, where no study was given.
