@@ -12,6 +12,7 @@ export interface Earthquake { name: string; outcome: string; uplift_m: number | 
 export interface ObjectDocument {
   answer: string;
   answer_kind: string;
+  model: string | null;
   motions: number;
   motions_lifted: number;
   motions_overturned: number;
@@ -25,6 +26,9 @@ export interface ObjectDocument {
   floor_acceleration_g: { median: number | null; max: number | null };
   assumptions: string[];
   warnings: string[];
+  /** Whether nobody has said where the object stands. */
+  place_is_assumed?: boolean;
+  building_is_assumed?: boolean;
   /** Present only for an object that rocks in a plane. */
   earthquakes?: Earthquake[];
   followed?: string;
