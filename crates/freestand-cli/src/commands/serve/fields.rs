@@ -4,7 +4,7 @@
 const LABELS: &[(&str, &str)] = &[
     ("thickness", "Depth"),
     ("on", "Pads under one edge"),
-    ("pga", "Peak acceleration of the ground"),
+    ("pga", "Peak ground acceleration"),
     ("site", "Soil"),
     ("cg-height", "Height of the centre of gravity"),
     ("tolerance", "Withstands"),
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn a_hint_sends_nobody_to_a_command_line() {
         let told = "freestand place list shows all places; for another hazard give --pga, or a study";
-        assert_eq!(hint(told), "for another hazard give “Peak acceleration of the ground”, or a study");
+        assert_eq!(hint(told), "for another hazard give “Peak ground acceleration”, or a study");
         assert_eq!(hint("usage: freestand object; see --help"), "correct this entry");
         assert_eq!(hint("write \"1800 mm\""), "write \"1800 mm\"");
     }

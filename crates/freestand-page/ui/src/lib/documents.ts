@@ -21,6 +21,7 @@ export interface ObjectDocument {
   p_overturn_high: number | null;
   confidence: number | null;
   lift_acceleration_g: number;
+  level_ratio: number | null;
   uplift_m_max: number | null;
   landing_acceleration_g_max: number | null;
   floor_acceleration_g: { median: number | null; max: number | null };
