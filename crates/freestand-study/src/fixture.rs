@@ -22,7 +22,7 @@ use crate::result::{
 };
 use crate::statistics::object_statistics;
 use crate::study::{
-    BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
+    BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround, TitleBlock,
     VerticalTarget,
 };
 use crate::target::CodeParts;
@@ -93,6 +93,8 @@ pub(crate) fn study() -> Study {
             figures: true,
             parquet: false,
             report: true,
+            cards: false,
+            title: TitleBlock::default(),
             history: Some(HistoryChoice { level: "roof".into(), motion: None, height_m: 1.5, thickness_m: 0.3 }),
         },
         warnings: vec!["the building is a uniform beam".into()],
