@@ -12,6 +12,7 @@ use freestand_assess::restrain::{
 };
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
+use freestand_input::quantity::UnitSystem;
 use freestand_study::resolve::Overrides;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -193,6 +194,7 @@ pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(
     let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
     let anchors_per_edge = given.count("anchors_per_edge").unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get());
     let is_compared = given.flag("compare");
+    let (component, anchor_inset_m) = (given.text("component"), given.non_negative("anchor_inset_m"));
     given.finish()?;
     let (Some(mass_kg), Some(height_m), Some(thickness_m)) = (mass, height, thickness) else {
         let hint = "give mass_kg, height_m and thickness_m";
@@ -213,6 +215,9 @@ pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(
         hazard,
         floor,
         factors,
+        component,
+        anchor_inset_m,
+        units: UnitSystem::Si,
         anchors_per_edge,
         is_compared,
     };

@@ -134,6 +134,7 @@ fn settings(settings: &Settings) -> Value {
         building_ductility_ratio,
         importance_ratio,
         bracket_height_m,
+        anchor_inset_m,
         bracket,
     } = restraint;
     let name = |questions: Questions| Questions::ALL.iter().find(|(_, one)| *one == questions).map(|(name, _)| *name);
@@ -164,6 +165,7 @@ fn settings(settings: &Settings) -> Value {
             (target.spectrum.name(), target.place_name(), target.spectrum.sa_g(0.0), target.spectrum.plateau_g())
         }),
         "bracket_height_m": bracket_height_m,
+        "anchor_inset_m": anchor_inset_m,
         "bracket": bracket,
     })
 }

@@ -22,12 +22,22 @@ use super::{Earthquake, Floor, FloorPlace, ObjectRequest, StudySource};
 const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B);
 
 /// A study, and its earthquake in a sentence.
+#[derive(Clone)]
 pub(super) struct Shaken {
     pub(super) study: Study,
     pub(super) told: Told,
     /// Its earthquake in full.
     pub(super) words: String,
     pub(super) warnings: Vec<String>,
+}
+
+impl Shaken {
+    /// With the other spectrum of the national annex, where that has two.
+    pub(super) fn alternative(&self) -> Option<Self> {
+        let study = self.study.alternative()?;
+        let words = study.ground.code_spectrum().map_or_else(|| self.words.clone(), Target::one_line);
+        Some(Self { study, words, ..self.clone() })
+    }
 }
 
 /// The study that a request describes.

@@ -50,6 +50,9 @@ pub(super) fn head(total: usize) -> Head {
         ],
         warnings: vec!["Row 7: the stiffness looks like N/m typed for N/mm.".into()],
         is_elastic: true,
+        title: freestand_study::study::TitleBlock::default(),
+        cards: false,
+        confidence: 0.98,
         total,
     }
 }

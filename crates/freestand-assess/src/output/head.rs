@@ -8,7 +8,7 @@ use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
-use freestand_study::study::{Ground, Study, Unstated};
+use freestand_study::study::{Ground, Study, TitleBlock, Unstated};
 use freestand_study::target::Target;
 
 /// What all outputs of an assessment share.
@@ -33,6 +33,12 @@ pub(crate) struct Head {
     pub warnings: Vec<String>,
     /// Whether the floors are those of a building that stays elastic, and not given.
     pub is_elastic: bool,
+    /// Who signs for the report.
+    pub title: TitleBlock,
+    /// Whether the cards of objects are printed.
+    pub cards: bool,
+    /// Confidence of the intervals in brackets.
+    pub confidence: f64,
     /// Rows of the inventory; more than there are results where the run was interrupted.
     pub total: usize,
 }
@@ -76,6 +82,9 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
         problems: console_lines(&inventory.findings),
         warnings: study.warnings.iter().chain(&inventory.warnings).cloned().collect(),
         is_elastic: study.building.is_some(),
+        title: study.outputs.title.clone(),
+        cards: study.outputs.cards,
+        confidence: study.assessment.worlds.looks.confidence(),
         total: inventory.items.len(),
     }
 }

@@ -77,7 +77,8 @@ pub(crate) struct ObjectArgs {
     #[arg(long, value_name = "ACCELERATION", read = withstood, help_heading = "The object")]
     tolerance: Option<Given<Withstood>>,
 
-    /// Coefficient of friction on the floor, one value or a range [default: drawn from 0.2 to 0.8]
+    /// Coefficient of friction on the floor, one value or a range [default: it does
+    /// not slide; whether it may, between 0.2 and 0.8, is told]
     #[arg(long, value_name = "RATIO", read = ratios, help_heading = "The object")]
     friction: Option<Given<(f64, f64)>>,
     #[command(flatten)]

@@ -588,6 +588,8 @@ def restrain(
     resonance_ratio: float | None = None,
     strength_ratio: float | None = None,
     building_ductility_ratio: float | None = None,
+    component: str | None = None,
+    anchor_inset_m: float | None = None,
     anchors_per_edge: int | None = None,
     compare: bool = False,
     **target: Unpack[TargetArguments],
@@ -595,7 +597,9 @@ def restrain(
     """The force that the code asks of a restraint, and what it asks of the anchors.
 
     The hazard is one of `place`, `code` with its values (see `code_spectrum`), `study` or
-    `floor_acceleration_g`. `save(path)` writes a sheet to print.
+    `floor_acceleration_g`. `component` says what the object is in the tables of ASCE 7, such as "generator";
+    `anchor_inset_m` is the distance of the anchors from the edge that they hold down. `save(path)` writes a sheet to
+    print; `to_confirm` lists what an engineer has to confirm before it is signed.
     """
     values = given(
         mass_kg=mass_kg, height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m,
@@ -604,7 +608,7 @@ def restrain(
         level_ratio=level_ratio, storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio,
         amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
         strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
-        anchors_per_edge=anchors_per_edge, compare=compare or None,
+        component=component, anchor_inset_m=anchor_inset_m, anchors_per_edge=anchors_per_edge, compare=compare or None,
     )  # fmt: skip
     text, sheet = _freestand.restrain(values | study_given(study))
     result = RestrainResult(json.loads(text), sheet)

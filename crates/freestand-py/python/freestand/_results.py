@@ -460,6 +460,9 @@ class RestrainResult(Result):
     place: dict[str, Any] | None
     factors: dict[str, Any]
     assumptions: list[str]
+    component: str | None
+    anchor_inset_m: float
+    to_confirm: list[dict[str, Any]]
     others: list[Any]
     sheet: Any
 

@@ -84,6 +84,14 @@ impl Study {
         }
     }
 
+    /// The same study with the other spectrum of its national annex, where that has two.
+    pub fn alternative(&self) -> Option<Self> {
+        let Ground::Synthetic(synthetic) = &self.ground else { return None };
+        let target = synthetic.target.with_alternative()?;
+        let ground = Ground::Synthetic(SyntheticGround { target, ..synthetic.clone() });
+        Some(Self { ground, ..self.clone() })
+    }
+
     /// The code by which restraints are designed: that of `[restraint]`, else that of the motions.
     pub fn restraint_target(&self) -> Option<&Target> {
         self.assessment.restraint_code.as_ref().or_else(|| self.ground.code_spectrum())
@@ -418,8 +426,24 @@ pub struct Outputs {
     pub report: bool,
     /// The tables of results as Parquet too.
     pub parquet: bool,
+    /// Whether the cards of objects in the report of a list are printed.
+    pub cards: bool,
+    /// Who signs for the report of a list.
+    pub title: TitleBlock,
     /// The object whose rocking history is drawn; `None`: chosen by the program.
     pub history: Option<HistoryChoice>,
+}
+
+/// Who signs for a report; what is not stated is a line to be filled in by hand. The date is not the
+/// clock's: equal runs write equal files.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct TitleBlock {
+    /// The date.
+    pub date: Option<String>,
+    /// Who prepared it.
+    pub preparer: Option<String>,
+    /// The revision.
+    pub revision: Option<String>,
 }
 
 /// The object whose rocking history is drawn.

@@ -233,18 +233,21 @@ fn coverage_after_stopping_and_flips_among_24_seeds() {
         let most = endings.iter().map(all).fold(0.0, f64::max);
         let mean_flips = endings.iter().map(flips).sum::<f64>() / many.len() as f64;
         let at = |times: f64| table.ending(times * accepted);
-        // A probability a hair above the accepted one, or a hair below.
-        let wrong = at(1.0).below.max(at(1.0).above);
+        // At the accepted probability itself both answers are wrong.
+        let wrong = [at(1.0).below, at(1.0).above, at(1.0).below + at(1.0).above];
         let clear = [at(0.5).below, at(1.6).above];
         let worlds = [0.1, 0.5, 1.0, 4.0].map(|times| at(times).worlds);
         let cap = table.looks.last().unwrap().0;
         println!(
-            "| {} % | {cap} | {:.1}–{:.1} % | {:.1} % | {:.2} % | {:.0}, {:.0}, {:.0}, {:.0} |  clear {clear:.2?}, \
+            "| {} % | {cap} | {:.1}–{:.1} % | {:.1}, {:.1}, {:.1} % | {:.2} % | {:.0}, {:.0}, {:.0}, \
+             {:.0} |  clear {clear:.2?}, \
              largest flips of one {:.2}; least coverage at P = {worst:.4}, mean {mean:.4}, below 95.6 %: {low:.4}",
             100.0 * accepted,
             100.0 * least,
             100.0 * most,
-            100.0 * wrong,
+            100.0 * wrong[0],
+            100.0 * wrong[1],
+            100.0 * wrong[2],
             100.0 * mean_flips,
             worlds[0],
             worlds[1],
@@ -254,7 +257,7 @@ fn coverage_after_stopping_and_flips_among_24_seeds() {
         );
         // 98 % at each look is for 95 % after stopping, which one P in a hundred may miss by a quarter
         // of a per cent; 2 % of flips is what may remain.
-        assert!(least >= 0.945 && wrong <= 0.033 && mean_flips <= 0.02, "{accepted}");
+        assert!(least >= 0.945 && wrong[2] <= 0.046 && mean_flips <= 0.02, "{accepted}");
         assert!(clear.iter().all(|chance| *chance > 0.65), "{clear:?}");
     }
 }
