@@ -64,6 +64,20 @@ def test_the_time_step_is_dt_s():
         fs.synth(1, dt_s=0.01, time_step_s=0.01)
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda slides: fs.spectrum(fs.Motion(WAVE, 0.1), [0.8], [0.6], sliding=slides, restitution=0.9),
+        lambda slides: fs.spectrum(fs.Motion(WAVE, 0.1), [0.8], [0.6], sliding=slides, restitution_factor=0.9),
+        lambda slides: fs.spectrum(fs.Motion(WAVE, 0.1), [0.8], [0.6], sliding=slides, model="linear"),
+        lambda _: fs.code_spectrum([0, 1], building_height_m=30),
+    ],
+)
+def test_arguments_without_effect_are_refused(call):
+    with pytest.raises(fs.BadValue, match="no effect"):
+        call(fs.Sliding(friction=0.25))
+
+
 def test_html_shows_the_object_and_the_warnings():
     block = fs.Block(1.8, 0.4, mass_kg=150)
     assert "uplift_threshold_g" in block._repr_html_() and "150" in block._repr_html_()

@@ -88,6 +88,8 @@ def code_spectrum(
     >>> fs.code_spectrum([0, 1], site="Ce", hazard_factor=0.11).sa_g.shape
     (2,)
     """
+    if not parts and (building_height_m is not None or building_period_s is not None):
+        raise bad("the building has no effect: it is that of the parts", "add parts=True, or leave it out")
     values = given(
         words=target_words(target), periods_s=data("periods_s", periods_s), parts=parts or None, building_height_m=building_height_m,
         building_period_s=building_period_s,
