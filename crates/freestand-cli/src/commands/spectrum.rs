@@ -22,7 +22,7 @@ use super::block::RockingArgs;
 use super::sliding::SlidingArgs;
 use super::spectrum_text::Seen;
 use super::walls::WallArgs;
-use crate::args::{GlobalArgs, Named};
+use crate::args::{GlobalArgs, Named, refuse_idle};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -215,6 +215,9 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
 }
 
 fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
+    if let Some(failure) = args.sliding.refused(false) {
+        return Err(failure);
+    }
     let mut values = Values::default();
     let heights = values.read(&args.heights).unwrap_or_default();
     let thicknesses = values.read(&args.thicknesses).unwrap_or_default();
@@ -271,7 +274,13 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
     checked(options.restitution, &blocks)?;
     let cushion = mass.zip(cushion);
-    Ok(SpectrumRequest { grid, options, cushion, wall, sensitivity: args.sensitivity, surface })
+    let request = SpectrumRequest { grid, options, cushion, wall, sensitivity: args.sensitivity, surface };
+    if let Some(flag) = args.rocking.of_rigid_base()
+        && request.none_rocks()
+    {
+        refuse_idle([flag], "every object slides or rolls, and none rocks")?;
+    }
+    Ok(request)
 }
 
 /// The motions of a floor at a place.

@@ -17,6 +17,7 @@ mod floor;
 mod folders;
 mod fragility_runs;
 mod ground_sources;
+mod idle;
 mod inventory;
 mod library;
 mod motions;
