@@ -24,8 +24,8 @@ use super::decision::{Case, decide, deciding, percent};
 use super::object::{Body, Flat, Hit, Model, Way, hit};
 use super::respond::{Outcome, Travelled};
 use super::response::{
-    AxisMotion, Lived, Lost, PadMotion, Space, Strike, demand_capacity, governing, leans, lifts, options,
-    overturned, pads_demand_capacity, ranked,
+    AxisMotion, Lived, Lost, PadMotion, Space, Strike, demand_capacity, governing, leans, lifts, options, overturned,
+    pads_demand_capacity, ranked,
 };
 use super::slip::FALLS_WITH_FRICTION;
 use super::softer::beyond_pads;
@@ -239,9 +239,7 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
 fn rolled(trial: &Trial) -> Option<Rolled> {
     let gliding = trial.subject.way.glides()?;
     followed(trial).next()?;
-    let ways = || {
-        followed(trial).filter_map(|(_, axes)| Outcome::on_rigid(&trial.subject.way, axes).travelled())
-    };
+    let ways = || followed(trial).filter_map(|(_, axes)| Outcome::on_rigid(&trial.subject.way, axes).travelled());
     let of = |number: fn(&Travelled) -> f64, q: f64| quantile(ways().map(|way| number(&way)), q);
     let travel = |way: &Travelled| way.travel_m;
     let stop_speed = |way: &Travelled| way.stop_speed_m_s.unwrap_or(0.0);
@@ -342,7 +340,8 @@ fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems
             }
             if feet_pass_wall(trial) {
                 notes.push(
-                    "Its top and its face meet its wall, and its feet pass through it: it may fall more often.".to_owned(),
+                    "Its top and its face meet its wall, and its feet pass through it: it may fall more often."
+                        .to_owned(),
                 );
             }
             if beside.is_some() && trial.subject.capacity.is_some() {

@@ -128,7 +128,9 @@ impl Nominal {
 
     /// Whether its tolerance is compared with a shock.
     pub(crate) fn compares_shock(&self) -> bool {
-        self.follows_uplift() && self.body.is_some() && self.subject.capacity.as_ref().is_some_and(Capacity::needs_shock)
+        self.follows_uplift()
+            && self.body.is_some()
+            && self.subject.capacity.as_ref().is_some_and(Capacity::needs_shock)
     }
 
     /// Whether its tolerance cannot be compared, because mass or cushion are missing.
@@ -236,11 +238,7 @@ impl Nominal {
         };
         let class = class(outcome, exceeds);
         let rocks = matches!(outcome, Outcome::Rocked { .. }) && found.edge_m_s2 > 0.0;
-        NominalRun {
-            class,
-            rotation_ratio: turned,
-            edge_acceleration_g: rocks.then_some(found.edge_m_s2 / G0_M_S2),
-        }
+        NominalRun { class, rotation_ratio: turned, edge_acceleration_g: rocks.then_some(found.edge_m_s2 / G0_M_S2) }
     }
 
     /// Whether its tolerance is exceeded about an axis.

@@ -61,7 +61,8 @@ fn under_both(options: &SlidingOptions, floor: &FloorOfWorld) -> Result<Option<P
     if floor.motion.across.is_none() {
         return Ok(None);
     }
-    let motion = PlaneMotion { x: floor.component(true), y: floor.component(false), vertical: floor.base(true).vertical };
+    let motion =
+        PlaneMotion { x: floor.component(true), y: floor.component(false), vertical: floor.base(true).vertical };
     let found = slide_in_plane(motion, options).map_err(Lost::failed)?;
     match found.free_flight_time_s {
         Some(time_s) => Err(RockingError::FreeFlight { time_s }.into()),

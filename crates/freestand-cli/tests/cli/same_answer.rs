@@ -59,7 +59,8 @@ fn things() -> Vec<Thing> {
     {
         things.push(Thing::new("free", number, &[height, thickness], &[]));
     }
-    for (number, sizes) in [[2000, 1070, 600], [2000, 600, 1070], [1500, 300, 900], [1200, 800, 350]].iter().enumerate() {
+    for (number, sizes) in [[2000, 1070, 600], [2000, 600, 1070], [1500, 300, 900], [1200, 800, 350]].iter().enumerate()
+    {
         things.push(Thing::new("wide", number, sizes, &[]));
     }
     let gaps = ["0", "20", "80", "300"];
@@ -106,8 +107,9 @@ fn write_list(folder: &Path, things: &[Thing]) {
         list += &format!("{},0,{}\n", thing.id, cells.join(","));
     }
     fs::write(folder.join("list.csv"), list).unwrap();
-    let spreads: String =
-        ["restitution", "stiffness", "mass", "geometry", "model", "compliant"].map(|one| format!("{one}_spread = 0\n")).concat();
+    let spreads: String = ["restitution", "stiffness", "mass", "geometry", "model", "compliant"]
+        .map(|one| format!("{one}_spread = 0\n"))
+        .concat();
     let study = format!(
         "[building]\nlevels = [{{ name = \"floor\", level_ratio = 0.0, motions = {MOTIONS:?} }}]\n[worlds]\nfirst = 3\n\
          most = 3\nshares = false\n[assessment]\n{spreads}"
@@ -140,13 +142,16 @@ fn has_fallen(outcome: &Value) -> bool {
 fn rocked(folder: &Path, thing: &Thing) -> Vec<bool> {
     let mut falls = vec![false; MOTIONS.len()];
     for side in ["thickness", "width"].iter().filter(|side| thing.cell(side).is_some()) {
-        let mut flags = thing.flags(&[("height", "height"), (side, "thickness"), ("wall_restitution", "wall-restitution")]);
+        let mut flags =
+            thing.flags(&[("height", "height"), (side, "thickness"), ("wall_restitution", "wall-restitution")]);
         let walls: &[&str] = match *side {
             "width" => &["wall-gap-left", "wall-gap-right"],
             _ => &[],
         };
         match thing.cell("neighbour_gap") {
-            Some(gap) if !walls.is_empty() => flags.extend(walls.iter().flat_map(|wall| [format!("--{wall}"), format!("{gap}mm")])),
+            Some(gap) if !walls.is_empty() => {
+                flags.extend(walls.iter().flat_map(|wall| [format!("--{wall}"), format!("{gap}mm")]))
+            }
             Some(_) => flags.retain(|flag| !flag.contains("restitution") && flag != "0.3"),
             None => {}
         }
@@ -205,7 +210,11 @@ fn every_command_has_the_same_outcome() {
     let found = document(folder, &[&grid[..], &["--motion"], &MOTIONS[..]].concat());
     for (place, row) in found["rows"].as_array().unwrap().iter().enumerate() {
         let (motion, thing) = (place / 12, place % 12);
-        assert_eq!(has_fallen(&row["outcome"]), assessed[&format!("free-{thing}")][motion], "spectrum: {thing} {motion}");
+        assert_eq!(
+            has_fallen(&row["outcome"]),
+            assessed[&format!("free-{thing}")][motion],
+            "spectrum: {thing} {motion}"
+        );
     }
 }
 
@@ -216,7 +225,8 @@ fn a_command_that_cannot_answer_says_so() {
     let folder = folder.path();
     motions(folder);
     let size = ["--height", "1.4m", "--thickness", "0.6m"];
-    let refused = |command: &str, more: &[&str]| refused(folder, &[&[command, "--motion", "sine.csv"], &size[..], more].concat());
+    let refused =
+        |command: &str, more: &[&str]| refused(folder, &[&[command, "--motion", "sine.csv"], &size[..], more].concat());
     assert!(refused("rock", &["--casters", "--wall-gap", "10mm"]).contains("--wall-gap"));
     assert!(refused("rock", &["--width", "0.9m"]).contains("--width"));
     assert!(refused("rock", &["--upper-height", "0.5m"]).contains("--upper-height"));

@@ -199,9 +199,8 @@ mod tests {
     #[test]
     fn the_slide_does_not_depend_on_the_axes() {
         let (first, second) = (wave(0.5, 1.0), wave(0.4, 1.3));
-        let found = |x: &Motion, y: &Motion| {
-            slide_in_plane(PlaneMotion { x, y, vertical: None }, &options(0.2, None)).unwrap()
-        };
+        let found =
+            |x: &Motion, y: &Motion| slide_in_plane(PlaneMotion { x, y, vertical: None }, &options(0.2, None)).unwrap();
         let along = found(&first, &second);
         let (sin, cos) = 0.7_f64.sin_cos();
         let mixed = |a: f64, b: f64| {
