@@ -48,6 +48,8 @@ pub(crate) fn study() -> Study {
     Study {
         source: None,
         is_builtin: false,
+        place_is_assumed: false,
+        building_is_assumed: false,
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
             target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),

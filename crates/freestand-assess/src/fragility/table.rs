@@ -1,8 +1,10 @@
 //! CSV tables with named columns, read strictly: a cell that cannot be read is refused with its line
 //! and column.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
+use freestand_input::formula::unguarded;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::nearest;
@@ -130,7 +132,7 @@ impl Table {
                 format("the text is not UTF-8, or a quotation mark is not closed".to_owned()).at_line(line)
             })?;
             let line = record.position().map_or(1, |position| line_of(bytes, position));
-            Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
+            Ok(Row { line, cells: record.iter().map(|cell| unguarded(cell).to_owned()).collect() })
         });
         let head: Row = records.next().unwrap_or_else(|| Err(format("the file is empty".to_owned()).at_line(1)))?;
         let headings: Vec<Heading> = head.cells.iter().map(|cell| heading(cell)).collect();
@@ -160,8 +162,9 @@ impl Table {
             .map(str::to_owned)
             .collect();
         let table = Self { path: path.to_path_buf(), headings, rows, line: head.line, comments, hint };
-        for (i, one) in table.headings.iter().enumerate() {
-            if table.headings.iter().take(i).any(|other| !one.name.is_empty() && other.name == one.name) {
+        let mut names = HashSet::new();
+        for one in &table.headings {
+            if !one.name.is_empty() && !names.insert(&one.name) {
                 return Err(table.header_problem(format!("the column \"{}\" appears twice", shorten(&one.name))));
             }
         }

@@ -45,8 +45,8 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
     (Column::LevelRatio, ["level_ratio|level ratio", "", "", "", "", ""]),
     (Column::Height, ["height|ht|h|hgt|overall height|total height|height overall", "Höhe|Hoehe|Gesamthöhe", "hauteur|haut.", "alto|altura|alt.", "altezza",
         "高さ|高"]),
-    (Column::Thickness, ["thickness|depth|d|dpt|overall depth|short side|depth overall|diameter|dia|diam", "Tiefe|Durchmesser", "profondeur|prof.|épaisseur|diamètre",
-        "fondo|profundidad|prof.|diámetro", "profondità|prof.|diametro", "奥行|奥行き|厚さ|直径"]),
+    (Column::Thickness, ["thickness|depth|d|dpt|overall depth|short side|depth overall", "Tiefe", "profondeur|prof.|épaisseur",
+        "fondo|profundidad|prof.", "profondità|prof.", "奥行|奥行き|厚さ"]),
     (Column::Width, ["width|w|wd|overall width|width overall|length|l|len|long side", "Breite|Länge|Laenge", "largeur|larg.|longueur|long.",
         "ancho|anchura|largo|longitud", "larghezza|lunghezza", "幅|横幅|長さ"]),
     (Column::BaseThickness, ["base_thickness|base thickness|base depth|foot spacing|feet spacing|foot spacing depth", "Fußabstand|Standtiefe|Basistiefe",
@@ -102,6 +102,8 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
         "observations|remarques|remarque|commentaire", "observaciones|notas|comentarios", "note|osservazioni|annotazioni", "備考|注記|写真"]),
     (Column::Dimensions, ["dimensions|dimension|dims|size|sizes|dimensions hxwxd|dimensions wxdxh|dimensions lxwxh|overall dimensions", "Maße|Abmessungen|Abmessung|Masse HxBxT|Größe",
         "dimensions|encombrement|taille", "dimensiones|medidas|tamaño", "ingombro|dimensioni|misure", "寸法|外形寸法|サイズ"]),
+    (Column::Shape, ["shape|form|base shape|shape of base", "Form|Grundform|Grundriss", "forme", "forma", "forma", "形|形状"]),
+    (Column::Diameter, ["diameter|dia|diam|ø|base diameter|outer diameter|outside diameter", "Durchmesser|Außendurchmesser", "diamètre|diam.", "diámetro", "diametro", "直径|外径"]),
 ];
 
 /// Headings of [`Column::Width`] for the longer side: with a width and without a depth, the width

@@ -39,7 +39,7 @@ pub(super) struct Header {
 /// Smallest number of known headings; with a size one less.
 const MIN_HEADINGS: usize = 3;
 
-const SIZES: [Column; 4] = [Column::Height, Column::Thickness, Column::Width, Column::Dimensions];
+const SIZES: [Column; 5] = [Column::Height, Column::Thickness, Column::Width, Column::Dimensions, Column::Diameter];
 
 /// Finds the headings among the first rows of a sheet: the row with the most known names.
 pub(super) fn find_header(rows: &[Row], mapping: Option<&Mapping>) -> Option<Header> {

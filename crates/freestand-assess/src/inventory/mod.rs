@@ -30,6 +30,7 @@ mod plausible;
 mod problems;
 mod read;
 mod report;
+mod round;
 mod sentence;
 mod source;
 mod template;
@@ -141,6 +142,9 @@ pub struct Item {
     pub base_thickness_m: Option<f64>,
     /// Distance between the edges in the direction of the width; `None`: the width \[m\].
     pub base_width_m: Option<f64>,
+    /// Whether its base is round, or another shape than a rectangle: its sides are those of the square
+    /// around it.
+    pub is_round: bool,
     /// Height of the centre of gravity; `None`: half the height \[m\].
     pub cg_height_m: Option<f64>,
     /// Mass \[kg\].

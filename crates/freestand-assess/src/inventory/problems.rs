@@ -115,6 +115,8 @@ kinds! {
         "give upper_height and upper_thickness, and upper_mass";
     PulseAlone Doubt "pulse-alone" "is the duration of a pulse without its peak"
         "give the peak of that pulse as the tolerance";
+    Round Doubt "round" "is the name of a round object; its base was taken as round"
+        "add a column shape with box or cylinder";
     Example Doubt "example" "is an example of the template"
         "delete the row";
 }

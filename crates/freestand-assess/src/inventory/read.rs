@@ -311,8 +311,9 @@ fn unread(columns: &Understood) -> Vec<String> {
         })
         .collect();
     let has = |column: Column| columns.get(column).is_some() || columns.get(Column::Dimensions).is_some();
+    let is_round = columns.get(Column::Diameter).is_some();
     for (column, what) in [(Column::Height, "heights"), (Column::Thickness, "depths (thicknesses)")] {
-        if !has(column) {
+        if !has(column) && !(is_round && column == Column::Thickness) {
             said.push(format!("the list has no column of {what} that is known: objects without it have no verdict"));
         }
     }

@@ -12,6 +12,7 @@ use super::columns::Column;
 use super::headings::dimension;
 use super::numbers::Decimal;
 use super::problems::{Findings, Kind, Place, Severity};
+use super::round::{names_diameter, shape};
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
 use super::vocabulary::{casters, is_missing, is_no_value, rating};
 use super::workbook::Merges;
@@ -314,6 +315,26 @@ impl<'a> Values<'a> {
         }
         self.doubts_of(one, cell, found.is_approximate, found.is_bare);
         Some(found)
+    }
+
+    /// Whether a cell of a side calls it a diameter.
+    pub(super) fn is_diameter(&self, column: Column) -> bool {
+        let cell = self.columns.get(column).and_then(|one| self.row.get(one.index));
+        cell.is_some_and(|cell| matches!(cell, Cell::Text(text) if names_diameter(text)))
+    }
+
+    /// Whether the base is round, by its column; `None`: the column does not say.
+    pub(super) fn shape(&mut self) -> Option<bool> {
+        let text = self.text(Column::Shape);
+        if text.is_empty() {
+            return None;
+        }
+        let found = shape(&text);
+        if found.is_none() {
+            let detail = "is not a shape: write box, or cylinder where the base is round".to_owned();
+            self.report(Column::Shape, Kind::Unreadable, Some(detail));
+        }
+        found
     }
 
     /// A ratio above 0 and below 1.

@@ -29,6 +29,7 @@ pub(crate) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> S
         "part": part,
         "rows": inventory.items.len(),
         "study": study_text(&study.toml),
+        "unstated": [study.place_is_assumed, study.building_is_assumed],
         "seed": study.ground.seed(),
         "motions": study.ground.names(&study.levels),
         "recorded": recorded(study),

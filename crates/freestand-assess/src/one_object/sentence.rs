@@ -483,6 +483,7 @@ mod tests {
         clearance_m: None,
         stop_share: 0.0,
         stop_speed_m_s_p84: None,
+        clearance_needed_m: 0.45,
         trip_speed_m_s: 1.92,
     };
 

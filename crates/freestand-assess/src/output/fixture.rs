@@ -34,7 +34,7 @@ pub(super) const HOSTILE: [&str; 6] = [
 
 pub(super) fn head(total: usize) -> Head {
     Head {
-        no_study: Some("No study given: this is a 30-storey tower in Melbourne, not your building.".into()),
+        no_study: Some("Nobody stated the place and the building: this is a 30-storey tower in Melbourne, not your building. Give place and storeys.".into()),
         place: vec![
             ("Building".into(), "Main, 30 storeys, 90 m high".into()),
             ("Place".into(), "Melbourne".into()),
@@ -78,6 +78,7 @@ pub(super) fn item(index: usize) -> Item {
         width_m: (!index.is_multiple_of(4)).then_some(0.8),
         base_thickness_m: (index % 5 == 1).then_some(0.35),
         base_width_m: None,
+        is_round: false,
         cg_height_m: (index % 5 == 1).then_some(0.9),
         mass_kg: Some(100.0 + 10.0 * slender),
         cushion: Some(EdgeCushion { cushion: Cushion::linear(4.38e6).unwrap(), pad_thickness_m: None, notes: vec![] }),
@@ -203,6 +204,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         id: item.id.clone(),
         decision,
         why: format!("Made up: {}.", decision.name()),
+        unstated: None,
         tier: (index % 4) as u8,
         accepted_ratio: 0.1,
         accepted_for: AcceptedFor::LifeSafety,
@@ -246,10 +248,12 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             travel_m_p84: 0.35,
             is_at_least: false,
             clearance_m: Some(0.3),
+            clearance_needed_m: 0.42,
             stop_share: 0.25,
             stop_speed_m_s_p84: Some(0.4),
             trip_speed_m_s: 0.9,
         }),
+        braked: None,
         in_space: None,
         stacked: None,
         on_pads: (index % 4 == 3).then_some(OnPads {
@@ -367,6 +371,7 @@ pub(super) fn unknown(item: &Item) -> Assessment {
         model: None,
         at_wall: None,
         rolled: None,
+        braked: None,
         slipped: None,
         before_wall: None,
         on_pads: None,

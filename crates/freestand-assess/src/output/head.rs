@@ -8,7 +8,7 @@ use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
-use freestand_study::study::{Ground, Study};
+use freestand_study::study::{Ground, Study, Unstated};
 use freestand_study::target::Target;
 
 /// What all outputs of an assessment share.
@@ -85,14 +85,17 @@ fn place_name(study: &Study) -> Option<String> {
     study.ground.code_spectrum()?.place_name()
 }
 
+/// Whose building and whose hazard this is, where nobody stated them.
 fn no_study(study: &Study) -> Option<String> {
-    if !study.is_builtin {
-        return None;
-    }
+    let unstated = study.unstated(1.0)?;
     let storeys = study.building.as_ref().map_or_else(String::new, |building| format!("{}-storey ", building.storeys));
     let name = study.building_name.as_deref().unwrap_or("building");
     let place = place_name(study).map_or_else(String::new, |place| format!(" in {place}"));
-    Some(format!("No study given: this is a {storeys}{name}{place}, not your building."))
+    let whose = match unstated {
+        Unstated::Place => format!("the hazard is that{}, not yours", place.replace(" in ", " of ")),
+        Unstated::Building | Unstated::Both => format!("this is a {storeys}{name}{place}, not your building"),
+    };
+    Some(format!("Nobody stated {}: {whose}. Give {}.", unstated.words(), unstated.keys()))
 }
 
 /// `Main block, 8 storeys, 32 m high`.

@@ -7,6 +7,7 @@ mod objects;
 mod page;
 mod plan;
 mod portfolio;
+mod rates;
 #[cfg(test)]
 mod tests;
 
@@ -32,6 +33,7 @@ use costs::{Options, curve_id, load_options};
 use objects::ObjectRisk;
 use plan::Measures;
 use portfolio::Portfolio;
+use rates::Gap;
 
 pub use costs::load_changed;
 pub(crate) use costs::{CostRow, Costs, load_costs};
@@ -255,6 +257,8 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     }
     check_finite(request, &hazard, &objects)?;
     warnings.extend(begins_too_high(&hazard, &objects));
+    warnings.extend(ends_too_low(&hazard, &objects));
+    warnings.extend(not_resolved(&hazard, &objects));
     warnings.extend(unmatched(costs.as_ref(), &curves));
     warnings.extend(unjudged(&objects));
     let measures = match &options {
@@ -349,6 +353,66 @@ fn begins_too_high(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<St
     ))
 }
 
+/// If a larger share of a rate is above the last point of the hazard, that is said.
+const BEYOND: f64 = 0.1;
+
+/// A warning if much of a rate is above the last point of the hazard curve, where its last segment goes
+/// on.
+fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<String> {
+    let Hazard::Points(points) = &hazard.hazard else { return None };
+    let share = |one: &objects::StateRisk| {
+        let rates = one.rates;
+        rates
+            .annual_rate
+            .zip(rates.annual_rate_in_table)
+            .filter(|all| all.0 > 0.0)
+            .map_or(0.0, |all| 1.0 - all.1 / all.0)
+    };
+    let largest = |object: &ObjectRisk| object.states.iter().map(share).fold(0.0, f64::max);
+    let cut: Vec<&ObjectRisk> = objects.iter().filter(|object| largest(object) > BEYOND).collect();
+    let (last, one) = (points.last()?, cut.first()?);
+    let rest = if cut.len() > 1 { format!(" and {} more", cut.len() - 1) } else { String::new() };
+    Some(format!(
+        "the hazard curve ends at {}, and stronger motions cause up to {} of a rate of {}{rest}: the slope of the last \
+         two points was continued, and `annual_rate_upper` is the rate if all stronger motions are as strong as any; \
+         give a hazard curve up to stronger motions",
+        hazard.measure.value_words(last.intensity),
+        percent_significant(largest(one), 2),
+        shorten(&one.id)
+    ))
+}
+
+/// Warnings about rates of which more than a tenth is between two intensities of the runs, or below or
+/// above all of them.
+fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> {
+    let words = |x: f64| hazard.measure.value_words(x);
+    let kinds: [fn(Gap) -> bool; 3] =
+        [|gap| matches!(gap, Gap::Below(_)), |gap| matches!(gap, Gap::Between(..)), |gap| matches!(gap, Gap::Above(_))];
+    let said = kinds.into_iter().filter_map(|is_kind| {
+        let gap = |object: &ObjectRisk| object.states.iter().filter_map(|one| one.gap).find(|gap| is_kind(*gap));
+        let open: Vec<(&str, Gap)> =
+            objects.iter().filter_map(|object| Some((object.id.as_str(), gap(object)?))).collect();
+        let (id, gap) = *open.first()?;
+        let rest = if open.len() > 1 { format!(" and {} more", open.len() - 1) } else { String::new() };
+        let (place, remedy) = match gap {
+            Gap::Below(x) => (format!("below {}, the lowest intensity of the runs", words(x)), "run lower intensities"),
+            Gap::Between(a, b) => {
+                (format!("between {} and {}, with no run between them", words(a), words(b)), "run intensities there")
+            }
+            Gap::Above(x) => {
+                (format!("above {}, the highest intensity of the runs", words(x)), "run higher intensities")
+            }
+        };
+        Some(format!(
+            "more than a tenth of a rate of {}{rest} may be {place}: such rates are only known between bounds \
+             (`annual_rate_lower`, `annual_rate_upper`), and so is what they cost; {remedy}, or leave `scales` to the \
+             program",
+            shorten(id)
+        ))
+    });
+    said.collect()
+}
+
 /// Objects of one list that the other does not have.
 fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<String> {
     let Some(costs) = costs else { return Vec::new() };
@@ -390,6 +454,12 @@ impl RiskReport {
         (!losses.is_empty()).then(|| losses.iter().sum())
     }
 
+    /// The least and the most that the losses of all objects with costs can be together.
+    fn loss_bounds(&self) -> Option<(f64, Option<f64>)> {
+        let losses = self.objects.iter().filter_map(|object| object.loss);
+        losses.map(|loss| (loss.least, loss.most)).reduce(|a, b| (a.0 + b.0, a.1.zip(b.1).map(|(a, b)| a + b)))
+    }
+
     /// Whether the losses may be larger than stated, because a rate of an object with costs may be.
     fn is_at_least(&self) -> bool {
         self.objects.iter().any(|object| object.expected_annual_loss.is_some() && object.is_at_least)
@@ -412,6 +482,9 @@ impl RiskReport {
             .key("hazard", self.hazard.facts())
             .key("objects", self.objects.iter().map(ObjectRisk::facts).collect::<Vec<_>>())
             .key("expected_annual_loss", self.expected_annual_loss())
+            .key("expected_annual_loss_lower", self.loss_bounds().map(|loss| loss.0))
+            .key("expected_annual_loss_upper", self.loss_bounds().and_then(|loss| loss.1))
+            .key("is_bound", self.objects.iter().any(|one| one.loss.is_some_and(|loss| loss.is_bound())))
             .key("is_at_least", self.is_at_least())
             .key("portfolio", self.portfolio.as_ref().map(|portfolio| portfolio.facts(self.currency.as_deref())))
             .key("ranking", self.measures.as_ref().map(|measures| measures.ranking_facts()))
@@ -462,7 +535,9 @@ impl RiskReport {
                 text += &format!("  verdict     not known: {why}\n");
             }
             if let (Some(loss), Some(currency)) = (object.expected_annual_loss, &self.currency) {
-                text += &format!("  loss        {}{} {currency} a year\n", least(object.is_at_least), number(loss, 4));
+                let bounds = object.loss.map_or(String::new(), |loss| loss.words(currency));
+                let least = least(object.is_at_least);
+                text += &format!("  loss        {least}{} {currency} a year{bounds}\n", number(loss, 4));
             }
             if !object.not_counted.is_empty() && object.expected_annual_loss.is_some() {
                 text += &format!("  not counted {}\n", object.not_counted.join(", "));

@@ -162,7 +162,7 @@ fn likeliest(report: &RiskReport, years: &str) -> Option<(String, String)> {
     let (object, rate) = rates.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
     let most = |other: &ObjectRisk| {
         let rates = other.state(LimitState::Overturns)?.rates;
-        rates.annual_rate.map_or(rates.annual_rate_upper, |rate| Some(rate + rates.below_first))
+        rates.annual_rate_upper.and(rates.cautious())
     };
     let is_open = |other: &&ObjectRisk| {
         other.id != object.id && other.may_overturn_more() && most(other).is_none_or(|most| most > rate)
@@ -387,7 +387,12 @@ fn verdicts(report: &RiskReport) -> String {
     worst.sort_by(|a, b| b.1.ratio().total_cmp(&a.1.ratio()));
     let once = |rate: f64| once_in(rate).unwrap_or_else(|| "never".to_owned());
     sentences.extend(worst.iter().take(MAX_SENTENCES).map(|(object, limit)| {
-        let does = if limit.limit_state == LimitState::Overturns { "overturns" } else { "is damaged" };
+        let does = match (limit.limit_state == LimitState::Overturns, limit.is_most) {
+            (true, false) => "overturns",
+            (true, true) => "may overturn up to",
+            (false, false) => "is damaged",
+            (false, true) => "may be damaged up to",
+        };
         let (more, than) = more_often(limit.ratio());
         let (found, accepted) = (once(limit.annual_rate.unwrap_or(0.0)), once(limit.accepted));
         let sure = match object.is_certain {

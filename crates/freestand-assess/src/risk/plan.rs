@@ -32,6 +32,8 @@ pub(super) struct Worth {
     cost_present_value: f64,
     /// The least that it can be; `None` where nothing bounds the rates with the option.
     pub(super) benefit_present_value: Option<f64>,
+    /// By the stated losses, of which the least that the benefit can be may be far below.
+    estimate: f64,
     /// Whether the benefit may be larger.
     pub(super) is_at_least: bool,
     /// Annual loss that the option leaves.
@@ -73,6 +75,7 @@ impl Worth {
             .key("cost", self.cost)
             .key("cost_present_value", self.cost_present_value)
             .key("benefit_present_value", self.benefit_present_value)
+            .key("benefit_present_value_estimate", self.benefit_present_value.map(|_| self.estimate))
             .key("benefit_cost_ratio", self.ratio())
             .key("net_present_value", self.net())
             .key("is_at_least", self.is_at_least)
@@ -149,7 +152,7 @@ pub(crate) fn measures(
         let renewed = renewed_cost(option.cost, option.life_years, discount, horizon)
             .map_err(|error| wrong(error.to_string(), "correct the life, or the horizon"));
         let Some(cost_present_value) = problems.keep(renewed) else { continue };
-        let Avoided { after, least, is_at_least } = avoided(&object.curves, &option.effect, cost, &hazard.hazard);
+        let Avoided { after, least, best, is_at_least } = avoided(&object.curves, &option.effect, cost, &hazard.hazard);
         ranking.push(Worth {
             id: option.id.clone(),
             option: option.option.clone(),
@@ -157,6 +160,7 @@ pub(crate) fn measures(
             cost: option.cost,
             cost_present_value,
             benefit_present_value: least.map(|least| years * least),
+            estimate: years * best,
             is_at_least,
             after,
         });

@@ -10,9 +10,9 @@ use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
 use crate::result::{
-    Answers, Assessment, AtWall, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions,
-    FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer, Sliding,
-    SlidingVerdict, Slipped, Softening, Stacked,
+    Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision, FallsAnswer,
+    FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer,
+    Sliding, SlidingVerdict, Slipped, Softening, Stacked, Unstated,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -102,7 +102,7 @@ fn by_severity(context: &Context, trial: &Trial) -> Vec<usize> {
 pub(super) fn assessment(
     context: &Context,
     trial: &Trial,
-    softening: Option<Softening>,
+    (softening, braked): (Option<Softening>, Option<Braked>),
 ) -> Result<Assessment, Problems> {
     let member = trial.member;
     let mut assessed = blank(member.item, &context.study.assessment);
@@ -145,12 +145,24 @@ pub(super) fn assessment(
         assessed.notes.extend(unknown_wall_shock(trial, at_wall));
     }
     note_failures(trial, &mut assessed.notes);
-    assessed.rolled = rolled(trial);
+    assessed.rolled = rolled(context, trial);
+    assessed.braked = braked;
     if let Some(rolled) = &assessed.rolled {
         let around = &member.item.surroundings;
         let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
         let verb = if matches!(trial.subject.way, Way::Slides(_)) { "slides" } else { "rolls" };
         assessed.why = format!("{} {}", roll_words(verb, rolled, has_wall), assessed.why);
+        if let Some(braked) = assessed.braked.filter(|_| [Decision::Leave, Decision::NoVerdict].contains(&decision)) {
+            let (loose, why) = super::braked::decide(&trial.subject.way, rolled, &braked, member.accepted_ratio);
+            assessed.why.push_str(&format!(" {why}"));
+            assessed.decision = loose;
+        }
+    }
+    if let Some(unstated) = context.study.unstated(trial.subject.level_ratio)
+        && assessed.decision == Decision::Leave
+    {
+        (assessed.decision, assessed.unstated) = (Decision::NoVerdict, Some(unstated));
+        assessed.why.push_str(&unstated_words(unstated));
     }
     assessed.slipped = slipped(trial);
     if let Some(slipped) = &assessed.slipped {
@@ -203,7 +215,7 @@ pub(super) fn assessment(
     } else if trial.asks(context, Model::Rigid) {
         assessed.sliding = Some(slides(context, trial, floor.pfa_g_max));
     }
-    if decision == Decision::Restrain {
+    if assessed.decision == Decision::Restrain {
         assessed.restraint = context.restraint(trial);
         if let Some(p) = assessed.p_overturn.filter(|_| answers.falls != FallsAnswer::Stays) {
             let overturned = (p.value * f64::from(answers.worlds)).round() as usize;
@@ -236,7 +248,7 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
 }
 
 /// How it rolls or slides; `None`: it rocks, or every history failed.
-fn rolled(trial: &Trial) -> Option<Rolled> {
+fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
     let gliding = trial.subject.way.glides()?;
     followed(trial).next()?;
     let ways = || followed(trial).filter_map(|(_, axes)| Outcome::on_rigid(&trial.subject.way, axes).travelled());
@@ -249,6 +261,7 @@ fn rolled(trial: &Trial) -> Option<Rolled> {
         travel_m_p84: of(travel, QUANTILES[2]),
         is_at_least: ways().any(|way| way.is_at_least),
         clearance_m: gliding.clearance_m,
+        clearance_needed_m: trial.room_needed_m(context),
         stop_share: share(ways().map(|way| way.stop_speed_m_s.is_some())),
         stop_speed_m_s_p84: Some(of(stop_speed, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
         trip_speed_m_s: trip_speeds.fold(f64::INFINITY, f64::min),
@@ -357,6 +370,15 @@ fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems
         Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {}
     }
     Ok(notes)
+}
+
+/// Why an object is not left as it is in shaking that nobody stated.
+fn unstated_words(unstated: Unstated) -> String {
+    format!(
+        " But nobody stated {}: this is the answer for another one, and no verdict. Give {}.",
+        unstated.words(),
+        unstated.keys()
+    )
 }
 
 /// How far it rolls or slides, and what a stop does.
@@ -480,7 +502,7 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
     }
 }
 
-fn answers(context: &Context, trial: &Trial) -> Answers {
+pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
     let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.way {
         Way::Rolls(_) | Way::Slides(_) => stop_is_known(trial),

@@ -65,7 +65,20 @@ pub(super) enum Way {
     Stack(Upper),
 }
 
+/// How far an object may slide where the list gives no clearance \[m\]: what stands beside furniture is
+/// seldom nearer, and cables and pipes give way so far.
+const SLIDING_ROOM_M: f64 = 0.05;
+
 impl Way {
+    /// How far it may roll or slide; `None`: it rocks, or it rolls and the list does not say \[m\].
+    pub(super) fn room_m(&self) -> Option<f64> {
+        match self {
+            Self::Rolls(gliding) => gliding.clearance_m,
+            Self::Slides(gliding) => Some(gliding.clearance_m.unwrap_or(SLIDING_ROOM_M)),
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) => None,
+        }
+    }
+
     /// Whether a model can answer.
     pub(super) fn asks(&self, model: Model) -> bool {
         match self {
@@ -321,6 +334,13 @@ impl Subject {
     pub(super) fn before_wall(&self, of: &Surroundings, gap_m: f64) -> Self {
         let beside = Beside { wall_gap_m: Some(gap_m), ..Beside::new(of) };
         Self { way: beside.way(&self.axes), ..self.clone() }
+    }
+
+    /// The same object with its casters locked, or held where it would slide: it rocks.
+    pub(super) fn locked(&self, of: &Surroundings, settings: &Settings) -> Self {
+        let beside = Some(Beside::new(of)).filter(|_| settings.walls == WallUse::AsListed);
+        let way = beside.map_or(Way::Planar, |beside| beside.way(&self.axes));
+        Self { way, friction_ratio: None, ..self.clone() }
     }
 
     /// The object, or the names of what is missing.

@@ -22,7 +22,7 @@ use super::object::{Model, Subject};
 use super::pulse::Pulses;
 use super::respond::{Drawn, Outcome, histories_on_rigid, on_rigid, whole};
 use super::response::{
-    Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, pad_motion, pad_motion_of,
+    AxisMotion, Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, pad_motion, pad_motion_of,
     pads_demand_capacity, resolved,
 };
 use super::slip::{slipped, slips};
@@ -113,10 +113,15 @@ impl<'a> Trial<'a> {
     pub(super) fn probability(&self, context: &Context, question: Question, model: Model) -> Probability {
         let answers: Vec<Option<bool>> =
             self.lived.iter().filter_map(|lived| self.answer(lived, question, model)).collect();
+        Self::probability_of(context, &answers)
+    }
+
+    /// The probability of yes, with its interval, from the answers in the worlds in their order.
+    fn probability_of(context: &Context, answers: &[Option<bool>]) -> Probability {
         let hits = |answers: &[Option<bool>]| answers.iter().filter(|one| **one == Some(true)).count() as u32;
         let count = Count {
             worlds: answers.len() as u32,
-            hits: hits(&answers),
+            hits: hits(answers),
             unknown: answers.iter().filter(|one| one.is_none()).count() as u32,
         };
         let confidence = context.looks().confidence();
@@ -145,6 +150,30 @@ impl<'a> Trial<'a> {
         Side::of_models(&sides)
     }
 
+    /// Where the probability lies that it rolls or slides farther than it has room; open where it rocks or
+    /// no room is known.
+    pub(super) fn room_side(&self, context: &Context) -> Side {
+        let room_m = self.subject.way.room_m();
+        room_m.map_or(Side::Open, |room_m| side(self.beyond(context, room_m), self.member.accepted_ratio))
+    }
+
+    /// The probability that it rolls or slides farther than this \[m\].
+    fn beyond(&self, context: &Context, room_m: f64) -> Probability {
+        let answers: Vec<Option<bool>> =
+            self.lived.iter().map(|lived| Some(travel_m(lived.on_rigid()?) > room_m)).collect();
+        Self::probability_of(context, &answers)
+    }
+
+    /// The least room that would suffice: the upper end of the probability that it goes farther is below
+    /// the accepted one. With too few worlds for any, its largest travel; 0 where it rocks \[m\].
+    pub(super) fn room_needed_m(&self, context: &Context) -> f64 {
+        let mut travels: Vec<f64> = self.lived.iter().filter_map(|lived| Some(travel_m(lived.on_rigid()?))).collect();
+        travels.sort_by(f64::total_cmp);
+        let suffices = |room_m: f64| side(self.beyond(context, room_m), self.member.accepted_ratio) == Side::Below;
+        let least = travels.partition_point(|&room_m| !suffices(room_m));
+        travels.get(least).or(travels.last()).copied().unwrap_or(0.0)
+    }
+
     /// Whether worlds can still settle a question.
     pub(super) fn is_open(&self, question: Question) -> bool {
         question == Question::Falls || self.member.asks_shock && self.subject.capacity.is_some()
@@ -153,10 +182,16 @@ impl<'a> Trial<'a> {
     fn settle(&mut self, context: &Context) {
         let falls = self.side(context, Question::Falls);
         let shock = || !self.is_open(Question::Shock) || self.side(context, Question::Shock).is_settled();
-        let is_answered = falls == Side::Above || (falls == Side::Below && shock());
+        let room = || self.subject.way.room_m().is_none() || self.room_side(context).is_settled();
+        let is_answered = falls == Side::Above || (falls == Side::Below && shock() && room());
         let slipped = self.lived.iter().filter(|lived| lived.slips && lived.is_for_pads()).count();
         self.is_done = is_answered || slipped >= SLIPPING_WORLDS;
     }
+}
+
+/// How far it rolls or slides in a world, about the axis where it goes farther \[m\].
+fn travel_m(axes: &[AxisMotion]) -> f64 {
+    axes.iter().filter_map(|one| Some(one.roll?.travel_m)).fold(0.0, f64::max)
 }
 
 pub(super) fn side(p: Probability, accepted: f64) -> Side {

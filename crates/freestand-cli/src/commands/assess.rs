@@ -32,9 +32,9 @@ use crate::printer::{Printer, significant, table};
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  An inventory to fill in, then its assessment in the built-in building (30 storeys, Melbourne):
+  An inventory to fill in, then its assessment in a building of 7 storeys in Christchurch:
     freestand inventory template --csv > objects.csv
-    freestand assess --inventory objects.csv --out assessment
+    freestand assess --place Christchurch --storeys 7 --inventory objects.csv --out assessment
   With your own building and hazard; the study may also name the inventory:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment
   With the hazard of a place, in the building of the study:
@@ -94,7 +94,8 @@ pub(crate) struct ListArgs {
     /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
     #[arg(long, value_name = "MAP.toml")]
     columns: Option<PathBuf>,
-    /// Number of storeys, to place floors by their numbers [default: the study's]
+    /// Number of storeys: of the building where the study states none, else only to place floors by their
+    /// numbers [default: the study's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=500))]
     storeys: Option<u16>,
     /// Count every doubt about the list as an error
@@ -118,6 +119,8 @@ enum FailOn {
     Restrain,
     /// Put it on a softer pad
     Soften,
+    /// Lock it, tether it, or give it room
+    Lock,
     /// Data are missing
     NoVerdict,
     /// Leave it as it is
@@ -129,6 +132,7 @@ impl FailOn {
         match self {
             Self::Restrain => Decision::Restrain,
             Self::Soften => Decision::Soften,
+            Self::Lock => Decision::Lock,
             Self::NoVerdict => Decision::NoVerdict,
             Self::Leave => Decision::Leave,
         }
@@ -206,7 +210,8 @@ impl ListArgs {
         pages: Option<usize>,
         edits: Vec<Edit>,
     ) -> Result<(Study, ListRequest, Inventory), Failure> {
-        let overrides = Overrides { seed: global.seed, hazard: self.hazard.words(), ..Overrides::default() };
+        let overrides =
+            Overrides { seed: global.seed, hazard: self.hazard.words(), storeys: self.storeys, ..Overrides::default() };
         let mut study = match &self.study {
             Some(path) => load(path, &overrides)?,
             None => builtin(&overrides)?,

@@ -282,6 +282,35 @@ fn uploaded_files_name_uploaded_files() {
     }
 }
 
+/// A server with a folder for results begins after what is already there, and what an answer at once
+/// writes goes nowhere: not into the folder of an earlier server, not where the server was started.
+#[test]
+fn results_of_an_earlier_server_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let (start, results) = (folder.path().join("start"), folder.path().join("results"));
+    std::fs::create_dir_all(&start).unwrap();
+    let list = folder.path().join("list.csv");
+    std::fs::write(&list, "id,floor,height,thickness\nA,1,1800 mm,400 mm\n").unwrap();
+    let study = folder.path().join("study.toml");
+    let text = "[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n[worlds]\nfirst = 2\nmost = 2\n";
+    std::fs::write(&study, text).unwrap();
+    let mut written = Vec::new();
+    for earlier in 0..2 {
+        let page = Page::open_with(|command| command.current_dir(&start).arg("--folder").arg(&results));
+        let files = json!({"study": page.upload(&study), "inventory": [page.upload(&list)]});
+        let request = json!({"command": "assess", "files": files, "options": {"seed": earlier}});
+        let (status, answer) = page.run(&request);
+        assert_eq!(status, 200, "{answer}");
+        let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+        assert_eq!((status, &job["id"]), (202, &json!(format!("job-{}", earlier + 1))));
+        page.get(&format!("/api/v1/jobs/{}/events", job["id"].as_str().unwrap()));
+        written.push(std::fs::read(results.join("job-1/objects.csv")).unwrap());
+    }
+    assert_eq!(written[0], written[1]);
+    assert!(results.join("job-2/objects.csv").exists());
+    assert_eq!(std::fs::read_dir(&start).unwrap().count(), 0);
+}
+
 /// The document of a job is that of the command line; its objects come one by one, by their rank so
 /// far.
 #[test]

@@ -39,6 +39,25 @@ fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ra
     Followed { scale_ratio, found }
 }
 
+/// Steps down in the search for the scale that does not lift an object.
+const MAX_DOWN: usize = 200;
+
+/// The largest scale of a motion, to 0.1 %, at which the object was seen not to lift: below it no limit
+/// state is reached. It is exact where nothing but the horizontal motion lifts the object; otherwise the
+/// scale falls by a tenth until nothing lifts it. `None` where that cannot be told.
+pub(super) fn uplift_ratio(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking) -> Option<f64> {
+    const BELOW: f64 = 0.999;
+    let mut scale_ratio = BELOW * shaking.uplift_scale_ratio(one.factors);
+    for _ in 0..MAX_DOWN {
+        let class = followed(request, one, shaking, scale_ratio).run()?.class;
+        if !LimitState::Rocks.is_reached(class) {
+            return Some(scale_ratio);
+        }
+        scale_ratio /= 1.1;
+    }
+    None
+}
+
 /// Whether the work continues: an error if it was stopped.
 pub(super) type GoOn<'a> = &'a (dyn Fn() -> Result<(), Problems> + Sync);
 

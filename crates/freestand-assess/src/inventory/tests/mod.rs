@@ -495,3 +495,27 @@ fn what_is_around_an_object() {
     assert_eq!(said[3..6], unreadable);
     assert_eq!(said[6..], ["upper-alone J5"]);
 }
+
+#[test]
+fn round_objects_are_known_by_a_column_a_mark_or_their_name() {
+    let list = "id,item,shape,height mm,depth mm,width mm,diameter mm\n\
+        a,tank,cylinder,1000,400,400,\n\
+        b,pole,,1000,Ø400,,\n\
+        c,dewar on a base,,950,500,500 dia,\n\
+        d,Oxygen cylinder,,1520,230,230,\n\
+        e,bookcase,,1800,300,900,\n\
+        f,bin,,1000,,,400\n\
+        g,gas cylinder in a box,box,1520,230,230,\n\
+        h,Bottle rack,,1500,400,400,\n";
+    let inventory = read(list).unwrap().inventory;
+    let round: Vec<&str> = inventory.items.iter().filter(|item| item.is_round).map(|item| item.id.as_str()).collect();
+    assert_eq!(round, ["a", "b", "c", "d", "f"]);
+    for (place, side) in [(1, 0.4), (2, 0.5), (5, 0.4)] {
+        let item = &inventory.items[place];
+        assert_eq!((item.thickness_m, item.width_m), (Some(side), Some(side)), "{}", item.id);
+    }
+    // The name alone is a doubt, and said.
+    let doubted: Vec<(&str, &[u32])> =
+        inventory.findings.iter().map(|finding| (finding.kind.name(), finding.rows.as_slice())).collect();
+    assert_eq!(doubted, [("round", [5].as_slice())]);
+}

@@ -79,7 +79,7 @@ proptest! {
         let headings = ["id", "item", "level_ratio", "height [mm]", "thickness [mm]", "k1", "k2", "k3", "k4"];
         writer.write_record(headings).unwrap();
         for (n, cells) in rows.iter().enumerate() {
-            let guarded = cells.iter().map(|text| super::super::cell::guarded(text));
+            let guarded = cells.iter().map(|text| freestand_input::formula::guarded(text).into_owned());
             let fixed = [format!("n{n}"), "x".to_owned(), "0.5".to_owned(), "1800".to_owned(), "600".to_owned()];
             writer.write_record(fixed.into_iter().chain(guarded)).unwrap();
         }

@@ -105,6 +105,8 @@ struct PlanFile {
 struct PlannedStudy {
     file: String,
     is_builtin: bool,
+    place_is_assumed: bool,
+    building_is_assumed: bool,
     seed: Option<u64>,
     pages: usize,
     library: Option<String>,
@@ -200,6 +202,8 @@ fn write(request: &PlanRequest, key: String, dir: &Path, force: bool) -> Result<
     let planned = PlannedStudy {
         file: kept.study_name(study.source.as_deref())?,
         is_builtin: study.is_builtin,
+        place_is_assumed: study.place_is_assumed,
+        building_is_assumed: study.building_is_assumed,
         seed,
         pages: settings.pages,
         library: name(&settings.library)?,
@@ -294,6 +298,8 @@ impl PlannedStudy {
         } else {
             load_study(&path, &overrides)?
         };
+        // The copies hold the built-in study where nobody stated anything.
+        (study.place_is_assumed, study.building_is_assumed) = (self.place_is_assumed, self.building_is_assumed);
         let settings = &mut study.assessment;
         settings.seed = self.seed.unwrap_or(settings.seed);
         settings.pages = self.pages;

@@ -41,7 +41,7 @@ pub(crate) const COLUMNS: &[Column] = &[
     // The verdict.
     Column {
         kind: Kind::Decision,
-        ..text("decision", "the verdict: restrain, soften, no-verdict or leave; empty: not assessed yet", |l| {
+        ..text("decision", "the verdict: restrain, soften, lock, no-verdict or leave; empty: not assessed yet", |l| {
             of_text(l, |found| Some(found.decision.name()))
         })
     },
@@ -163,6 +163,16 @@ pub(crate) const COLUMNS: &[Column] = &[
     ranked("slide_m_p84", "m", "the same that 84 % of the worlds do not exceed", |l| {
         slide(l, |rolled| rolled.travel_m_p84, |space| space.walk_m_p84)
     }),
+    number(
+        "clearance_needed_m",
+        "m",
+        "room on every side that would suffice for its travel; only where it rolls or slides",
+        |l| of(l, |found| Some(found.rolled?.clearance_needed_m)),
+    ),
+    share("p_overturn_locked", "probability that it falls when it is locked; only where it lacks room", |l| {
+        of(l, |found| Some(found.braked?.overturn.value))
+    }),
+    share("p_overturn_locked_high", "upper end of its interval", |l| of(l, |found| Some(found.braked?.overturn.high))),
     count("falls_lower", "worlds in which an object with another one on it falls first", |l| {
         stacked(l, |stacked| stacked.lower_falls)
     }),

@@ -22,6 +22,7 @@ use freestand_study::places::places;
 use freestand_study::recorded::{MotionFiles, read_all};
 use freestand_study::resolve::{Overrides, load};
 use serde_json::{Map, Value, json};
+use tempfile::TempDir;
 
 use crate::commands::Cli;
 use crate::failure::{self, Failure};
@@ -165,7 +166,8 @@ fn check(request: &Request) -> Result<(), Refusal> {
 fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Refusal> {
     let seen = Seen::new(request);
     let run = || -> Result<Reply, Wrong> {
-        let cli = parsed(request)?;
+        let mut cli = parsed(request)?;
+        let scratch = scratch(request, &mut cli)?;
         let follow = match &request.history {
             History::Of { motion } => Some(Follow::Named(motion.clone())),
             other => other.is_wanted().then_some(Follow::Telling),
@@ -192,6 +194,7 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         };
         let session = Arc::new(session.with_rows(rows));
         let done = cli.command.run(&cli.global, &Printer::keeping(Arc::clone(&session)));
+        drop(scratch);
         let kept = session.take();
         match done {
             Ok(_) | Err(Failure::StoppedAfterWriting) => Ok(written(request, kept, &seen)?),
@@ -199,6 +202,21 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         }
     };
     run().map_err(|wrong| seen.refusal(&wrong))
+}
+
+/// A folder for the files of a live request that writes some, which nobody will read: without it they
+/// would land in the folder in which the server was started.
+fn scratch(request: &Request, cli: &mut Cli) -> Result<Option<TempDir>, Failure> {
+    if request.folder.is_some() || !cli.command.writes_a_folder() {
+        return Ok(None);
+    }
+    let unmade = |error: std::io::Error| {
+        Problem::new(ProblemKind::Io, format!("a folder for temporary files cannot be made: {error}"))
+            .hint("check that the folder for temporary files can be written and has room")
+    };
+    let folder = TempDir::with_prefix("freestand-live-").map_err(unmade)?;
+    cli.global.out = Some(folder.path().join("results"));
+    Ok(Some(folder))
 }
 
 /// The document, with what goes beside it.
