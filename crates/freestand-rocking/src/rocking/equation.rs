@@ -124,25 +124,12 @@ impl Edge {
         v * self.threshold + self.side * u
     }
 
-    /// ½ω² that a rotation from 0 to y takes on a base at rest.
-    fn climb(&self, y: f64) -> f64 {
-        let alpha = self.pivot.slenderness_angle_rad;
-        if self.linearised {
-            return self.p2 * (alpha * y - 0.5 * y * y);
-        }
-        self.p2 * ((alpha - y).cos() - alpha.cos())
-    }
-
-    /// |ω| with which a block with the rotation y and the velocity w lands on a base at rest.
-    pub(super) fn speed_on_floor(&self, y: f64, w: f64) -> f64 {
-        (w * w + 2.0 * self.climb(y)).max(0.0).sqrt()
-    }
-
-    /// Whether a block with the rotation y and the velocity w does not reach its balance point on a base
+    /// Whether a block that leaves the floor with the velocity w does not reach its balance point on a base
     /// at rest.
-    pub(super) fn swings_back(&self, y: f64, w: f64) -> bool {
+    pub(super) fn swings_back(&self, w: f64) -> bool {
         let alpha = self.pivot.slenderness_angle_rad;
-        y < alpha && 0.5 * w * w + self.climb(y) < self.climb(alpha)
+        let climb = if self.linearised { 0.5 * alpha * alpha } else { 1.0 - alpha.cos() };
+        0.5 * w * w < self.p2 * climb
     }
 
     /// The longest step over which the series converges fast.

@@ -290,8 +290,8 @@ pub enum Outcome {
     Rocked,
     /// At the end the object is past its balance point and a wall holds it, or it bounces there.
     Leaned,
-    /// The history ended before it was certain what becomes of the object: it was neither at rest nor
-    /// down, and either the motion went on or it moved fast enough to pass its balance point.
+    /// The history ended while the object was neither at rest nor down; on cushions, with energy enough
+    /// to fall.
     Unresolved,
     /// |θ| reached π/2.
     Overturned,

@@ -479,7 +479,7 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         self.steady = self.settle
             && self.quiet
             && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss
-            && self.edges.iter().all(|edge| edge.swings_back(0.0, after));
+            && self.edges.iter().all(|edge| edge.swings_back(after));
         self.phase = if after > REST_OMEGA_RAD_S {
             Phase::Moving { edge: next, y: 0.0, w: after, start: Start::Moving }
         } else if let Some(lifted) =
@@ -571,16 +571,10 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         }
     }
 
-    /// Whether it is certain that the block, with the rotation y and the velocity w about an edge on a
-    /// base at rest, does not fall: neither about this edge nor, after an impact, about the other.
-    fn stays_up(&self, edge: usize, y: f64, w: f64) -> bool {
-        let (own, other) = (&self.edges[edge], &self.edges[1 - edge]);
-        own.swings_back(y, w) && other.swings_back(0.0, own.speed_on_floor(y, w))
-    }
-
     fn finish(self) -> Rocking {
         let is_certain = match self.phase {
-            Phase::Moving { edge, y, w, .. } => self.quiet && self.stays_up(edge, y, w),
+            // One that rocks practically for ever cannot fall any more.
+            Phase::Moving { .. } => self.steady,
             Phase::Rest | Phase::Leaning { .. } => true,
         };
         let mut result = self.result;

@@ -392,7 +392,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         (result.final_rotation_rad, result.final_omega_rad_s) = (self.y[THETA], self.y[OMEGA]);
         result.energy = self.ledger.close();
         if result.uplift_m > 0.0 {
-            let is_open = self.tail.is_open(&self.ledger, self.is_held());
+            let is_open = self.tail.is_open(&self.ledger);
             result.outcome = if is_open { Outcome::Unresolved } else { Outcome::Rocked };
         }
         if result.overturn_time_s.is_some() {

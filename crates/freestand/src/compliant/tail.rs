@@ -64,11 +64,8 @@ impl Tail {
     }
 
     /// Whether the history ended before it was certain that the object stays upright.
-    pub(crate) fn is_open(&self, ledger: &Ledger, is_held: bool) -> bool {
-        if self.is_over {
-            return false;
-        }
-        if self.is_quiet { !self.stays_up(ledger) } else { !is_held }
+    pub(crate) fn is_open(&self, ledger: &Ledger) -> bool {
+        !self.is_over && !self.stays_up(ledger)
     }
 
     /// Whether the object has too little energy to fall on a floor that stands still.

@@ -129,19 +129,19 @@ impl Slider {
             return;
         }
         let moved = [0, 1].map(|way| 0.5 * (before[way] + self.velocity[way]) * step_s);
-        for way in 0..2 {
-            self.place[way] += moved[way];
+        for (place, moved) in self.place.iter_mut().zip(moved) {
+            *place += moved;
         }
         let result = &mut self.result;
         result.path_m += moved[0].hypot(moved[1]);
         result.speed_max_m_s = result.speed_max_m_s.max(self.velocity[0].hypot(self.velocity[1]));
         result.peak_m = result.peak_m.max(self.place[0].hypot(self.place[1]));
-        for way in 0..2 {
-            let [left_m, right_m] = self.clearances_m;
-            let is_beyond = left_m.is_some_and(|room_m| self.place[way] <= -room_m && moved[way] < 0.0)
-                || right_m.is_some_and(|room_m| self.place[way] >= room_m && moved[way] > 0.0);
+        let [left_m, right_m] = self.clearances_m;
+        for ((place, moved), stop_speed) in self.place.into_iter().zip(moved).zip(&mut result.stop_speeds_m_s) {
+            let is_beyond = left_m.is_some_and(|room_m| place <= -room_m && moved < 0.0)
+                || right_m.is_some_and(|room_m| place >= room_m && moved > 0.0);
             if is_beyond {
-                result.stop_speeds_m_s[way].get_or_insert((moved[way] / step_s).abs());
+                stop_speed.get_or_insert((moved / step_s).abs());
             }
         }
     }

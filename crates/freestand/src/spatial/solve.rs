@@ -370,7 +370,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     }
 
     fn finish(self) -> Ended {
-        let is_open = self.tail.is_open(&self.ledger, self.is_held());
+        let is_open = self.tail.is_open(&self.ledger);
         Ended {
             end_time_s: self.time_s,
             bodies: self.track.finish(self.world, &self.y, self.fallen),
