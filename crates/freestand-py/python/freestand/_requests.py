@@ -506,6 +506,7 @@ def check_object(
     thickness_m: float,
     *,
     width_m: float | None = None,
+    shape: str | None = None,
     cg_height_m: float | None = None,
     mass_kg: float | None = None,
     stiffness_n_m: float | None = None,
@@ -545,14 +546,15 @@ def check_object(
     a dictionary), or `motions` of its floor. With a study, `place` (with `site` and `return_period_years`)
     replaces the hazard of the study and keeps its building. A study that states no hazard has that of the
     built-in study, Melbourne; `answer` names the place that was used. `cushion` is an entry of the cushion
-    library. `friction` is one value or the two ends of a range. `wall_gap_m` is behind the object and
+    library. `shape` is "box" or "cylinder", of which `thickness_m` is the diameter; a cylinder is never said to
+    stand. `friction` is one value or the two ends of a range. `wall_gap_m` is behind the object and
     `neighbour_gap_m` on both sides of it; 0 means that they touch. `casters` is "no", "free" or "braked".
     `upper_…` describe the object on top of this one.
     """
     named = [] if motions is None else _motions(motions)
     values = given(
-        height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, mass_kg=mass_kg,
-        stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
+        height_m=height_m, thickness_m=thickness_m, width_m=width_m, shape=shape, cg_height_m=cg_height_m,
+        mass_kg=mass_kg, stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
         tolerance_duration_s=tolerance_duration_s,
         hazard=words(place=place, site=site, return_period_years=return_period_years), pga_g=pga_g,
         scales=data("scales", scales), floor=None if floor is None else str(floor), level_ratio=level_ratio,
