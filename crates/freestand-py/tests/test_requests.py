@@ -198,7 +198,7 @@ def test_fragility_and_risk():
                    options=RISK / "options.csv", budget="2000 AUD", horizon_years=40, discount_ratio=0.03)  # fmt: skip
     same(ours.to_dict(), theirs)
     for wrong, said in (
-        ({}, "there is no hazard curve"), ({"hazard_power": "k0=1e-4 /yr, k=2.5, reference=1 m/s"}, "hazard_im"),
+        ({}, "there is no hazard curve"), ({"hazard_code": "as1170.4"}, "site"),
         ({"hazard_code": "as1170.4", "hazard_im": "pgx"}, "pgx"),
     ):  # fmt: skip
         with pytest.raises(fs.BadValue, match=said) as raised:

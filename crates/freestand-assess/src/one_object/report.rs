@@ -29,15 +29,15 @@ pub(super) fn report(
     let counts = counts(&found, &tally, &request.object.surroundings);
     let withstands =
         request.object.tolerance.map(|one| Withstands { peak_g: one.peak_m_s2 / G0_M_S2, duration_s: one.duration_s });
+    let is_given = matches!(request.earthquake, Earthquake::Motions { .. });
     let answer = Answer {
-        kind: AnswerKind::of(&counts, found.accepted_ratio),
+        kind: AnswerKind::of(&counts, found.accepted_ratio, found.p_overturn.filter(|_| !is_given)),
         earthquake: shaken.told.clone(),
         floor: floor(request, row, &shaken.study),
         counts,
         probability: found.p_overturn,
         withstands,
     };
-    let is_given = matches!(request.earthquake, Earthquake::Motions { .. });
     let mut warnings = shaken.warnings.clone();
     warnings.extend(row.warnings.iter().cloned());
     let failed = found.response.as_ref().map_or(tally.worlds as usize, |response| response.failed);

@@ -102,6 +102,7 @@ pub(super) fn item(index: usize) -> Item {
         surroundings: Default::default(),
         notes: String::new(),
         doubts: Vec::new(),
+        to_confirm: Vec::new(),
         carried: vec![format!("A{index}"), "-12".to_owned()],
     }
 }
@@ -247,6 +248,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         rolled: (index % 4 == 2).then_some(Rolled {
             travel_m_median: 0.21,
             travel_m_p84: 0.35,
+            is_at_least: false,
             clearance_m: Some(0.3),
             clearance_needed_m: 0.42,
             stop_share: 0.25,

@@ -8,7 +8,7 @@ use freestand_assess::fragility::{
     At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, KeepRuns, Limits, METHODS, Measure, Method,
     RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
-use freestand_assess::risk::load_changed;
+use freestand_assess::risk::{LEFT_OUT, load_changed};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -294,7 +294,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
             RunObjects::Given(Box::new(GivenObject { motions, ..object }))
         }
         None => {
-            let (of_study, _, of_list) = runs.list.read(global, None, Vec::new())?;
+            let (of_study, _, of_list) = runs.list.read(global, None)?;
             (study, inventory) = (of_study, of_list);
             has_errors = inventory.has_errors();
             if let Some(path) = &study.source {
@@ -377,6 +377,9 @@ fn write(
         go_on()?;
         files.table(&name("fragility"), || fit.table())?;
         files.table(&name("empirical"), || fit.empirical_table())?;
+    }
+    if let Some(table) = report.left_out_table()? {
+        files.table(LEFT_OUT.trim_end_matches(".csv"), || Ok(table))?;
     }
     go_on()?;
     let json = document(FRAGILITY_SCHEMA, facts, warnings)?;

@@ -234,7 +234,11 @@ fn flags_that_do_not_go_together_are_refused() {
     let law = "k0=1e-4 /yr, k=2.5, reference=1 m/s";
     let of_floor = refused(folder.path(), &with(&["--hazard-im", "pfv", "--hazard-power", law]));
     assert!(of_floor.contains("curves.csv:2: the hazard is that of pfv of the floor"), "{of_floor}");
-    assert!(refused(folder.path(), &with(&["--hazard-power", law])).contains("needs --hazard-im"));
+    let two = "id,im,im_unit,at,limit_state,kind,median,beta\na,pgv,m/s,ground,overturns,step,1,\n\
+               b,pga,g,ground,overturns,step,1,\n";
+    write(folder.path(), "two.csv", two);
+    let unnamed = refused(folder.path(), &["risk", "--fragility", "two.csv", "--hazard-power", law]);
+    assert!(unnamed.contains("several intensity measures"), "{unnamed}");
     assert!(refused(folder.path(), &with(&["--hazard-im", "pgx", "--hazard-power", law])).contains("\"pgx\" is not"));
     let both = [&base[..], &["--hazard", &hazard, "--hazard-power", law]].concat();
     assert!(

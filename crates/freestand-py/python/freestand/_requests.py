@@ -73,8 +73,9 @@ def rock(
 
     `restitution` in (0, 1] replaces Housner's ratio, `restitution_factor` multiplies it; `model` is
     "rigid" (default) or "linear", `accuracy` "fast", "standard" (default) or "tight". Without a motion give
-    `initial_rotation_rad` or `initial_velocity_rad_s`, and `duration_s`; after the last sample the floor
-    does not move. `base="compliant"` follows the object on its cushions (`cg_rise_m`, `contacts`, `at_m`,
+    `initial_rotation_rad` or `initial_velocity_rad_s`. After the last sample the floor does not move, and
+    the object is followed until it rests or lies; `duration_s` ends that, and the outcome may then be
+    `unresolved`. `base="compliant"` follows the object on its cushions (`cg_rise_m`, `contacts`, `at_m`,
     `tangential_…` apply to it alone); `sliding` follows an object that slides or rolls. With
     `history=True` the result has arrays over time.
     """
@@ -795,7 +796,8 @@ def risk(
 
     The fragilities are `fragility` (the file fragility.csv) or are fitted to `outcomes`. The hazard is one of
     `hazard` (a file), `hazard_power` ("k0=1e-4 /yr, k=2.5, reference=1 m/s") and `hazard_code` (with `site` and
-    `hazard_factor`); the last two need `hazard_im`, such as "pgv". `inventory` holds costs and accepted rates,
+    `hazard_factor`); `hazard_im`, such as "pgv", is that of the last two, and by default that of the curves.
+    `inventory` holds costs and accepted rates,
     `options` what can be bought, `budget` is an amount such as "20000 AUD". Tables are accepted as in `fragility`.
     """
     values = given(

@@ -124,6 +124,27 @@ impl Edge {
         v * self.threshold + self.side * u
     }
 
+    /// ½ω² that a rotation from 0 to y takes on a base at rest.
+    fn climb(&self, y: f64) -> f64 {
+        let alpha = self.pivot.slenderness_angle_rad;
+        if self.linearised {
+            return self.p2 * (alpha * y - 0.5 * y * y);
+        }
+        self.p2 * ((alpha - y).cos() - alpha.cos())
+    }
+
+    /// |ω| with which a block with the rotation y and the velocity w lands on a base at rest.
+    pub(super) fn speed_on_floor(&self, y: f64, w: f64) -> f64 {
+        (w * w + 2.0 * self.climb(y)).max(0.0).sqrt()
+    }
+
+    /// Whether a block with the rotation y and the velocity w does not reach its balance point on a base
+    /// at rest.
+    pub(super) fn swings_back(&self, y: f64, w: f64) -> bool {
+        let alpha = self.pivot.slenderness_angle_rad;
+        y < alpha && 0.5 * w * w + self.climb(y) < self.climb(alpha)
+    }
+
     /// The longest step over which the series converges fast.
     pub(super) fn max_step_s(&self) -> f64 {
         MAX_STEP / self.p2.sqrt()

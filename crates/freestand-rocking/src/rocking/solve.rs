@@ -476,7 +476,10 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             return Err(RockingError::TooManyImpacts { time_s, limit: MAX_IMPACTS });
         }
         let loss = -self.restitution[0].max(self.restitution[1]).ln();
-        self.steady = self.settle && self.quiet && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss;
+        self.steady = self.settle
+            && self.quiet
+            && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss
+            && self.edges.iter().all(|edge| edge.swings_back(0.0, after));
         self.phase = if after > REST_OMEGA_RAD_S {
             Phase::Moving { edge: next, y: 0.0, w: after, start: Start::Moving }
         } else if let Some(lifted) =
@@ -568,8 +571,22 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         }
     }
 
+    /// Whether it is certain that the block, with the rotation y and the velocity w about an edge on a
+    /// base at rest, does not fall: neither about this edge nor, after an impact, about the other.
+    fn stays_up(&self, edge: usize, y: f64, w: f64) -> bool {
+        let (own, other) = (&self.edges[edge], &self.edges[1 - edge]);
+        own.swings_back(y, w) && other.swings_back(0.0, own.speed_on_floor(y, w))
+    }
+
     fn finish(self) -> Rocking {
+        let is_certain = match self.phase {
+            Phase::Moving { edge, y, w, .. } => self.quiet && self.stays_up(edge, y, w),
+            Phase::Rest | Phase::Leaning { .. } => true,
+        };
         let mut result = self.result;
+        if !is_certain {
+            result.outcome = Outcome::Unresolved;
+        }
         let (edge, y, w) = match self.phase {
             Phase::Rest => (RIGHT, 0.0, 0.0),
             Phase::Moving { edge, y, w, .. } => (edge, y, w),
