@@ -546,7 +546,7 @@ def check_object(
     Name the earthquake in one of four ways: `place`, `pga_g` (of the ground), `study` (a path, TOML text or
     a dictionary), or `motions` of its floor. With a study, `place` (with `site` and `return_period_years`)
     replaces the hazard of the study and keeps its building. A study that states no hazard has that of the
-    built-in study, Melbourne; `answer` names the place that was used. `cushion` is an entry of the cushion
+    built-in study, Melbourne: `place_is_assumed` is then true, and `answer` names the place. An empty one is refused. `cushion` is an entry of the cushion
     library. `shape` is "box" or "cylinder", of which `thickness_m` is the diameter; a cylinder is never said to
     stand. `friction` is one value or the two ends of a range. `wall_gap_m` is behind the object and
     `neighbour_gap_m` on both sides of it; 0 means that they touch. `casters` is "no", "free" or "braked".
