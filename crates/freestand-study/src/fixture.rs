@@ -242,7 +242,7 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
     };
     let peak = match outcome {
         Outcome::NoUplift => 0.0,
-        Outcome::Rocked => ratio * pivot.slenderness_angle_rad,
+        Outcome::Rocked | Outcome::Unresolved => ratio * pivot.slenderness_angle_rad,
         Outcome::Overturned | Outcome::Leaned => FRAC_PI_2,
     };
     let cg_rise_m = pivot.cg_rise_m(peak.min(pivot.slenderness_angle_rad));
