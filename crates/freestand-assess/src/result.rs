@@ -117,6 +117,10 @@ pub struct Answers {
     pub restitution_p16_p84: [f64; 2],
     /// The motions that the worlds use in turn, where they are too few for `leave`.
     pub few_motions: Option<FewMotions>,
+    /// The fewest worlds that could carry `leave`, where that is more than [`Self::worlds_cap`].
+    pub worlds_needed: Option<u32>,
+    /// Whether it is round: no model follows it, and the answers are those of the square prism around it.
+    pub is_round: bool,
 }
 
 /// Motions that are too few for `leave`, however many worlds use them.

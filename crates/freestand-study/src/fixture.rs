@@ -50,6 +50,7 @@ pub(crate) fn study() -> Study {
         is_builtin: false,
         place_is_assumed: false,
         building_is_assumed: false,
+        assumed: Vec::new(),
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
             target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),

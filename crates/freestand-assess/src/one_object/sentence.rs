@@ -35,10 +35,13 @@ impl AnswerKind {
         let share = f64::from(counts.overturned) / f64::from(counts.asked.max(1));
         let falls = probability.map_or(counts.overturned == counts.asked, |p| p.low > 0.5);
         match (counts.overturned, counts.lifted) {
+            // No model follows it, and it falls where the square prism stands.
+            (0, _) if counts.is_round => Self::MayFall,
             (0, _) if counts.rolled.is_some() && counts.slides => Self::Slides,
             (0, _) if counts.rolled.is_some() => Self::Rolls,
             (0, 0) => Self::DoesNotRock,
             (0, _) => Self::Rocks,
+            _ if counts.is_round && share < 0.5 => Self::MayFall,
             _ if share <= accepted_ratio => Self::ProbablyStands,
             _ if falls => Self::Falls,
             _ => Self::MayFall,
@@ -159,6 +162,8 @@ pub(super) struct Counts {
     pub(super) slides: bool,
     /// Whether a wall or a neighbour was named.
     pub(super) has_wall: bool,
+    /// Whether it is round: the counts are those of the square prism around it.
+    pub(super) is_round: bool,
 }
 
 /// What an object withstands.
@@ -240,6 +245,18 @@ impl Answer {
     /// What shows it.
     fn evidence(&self) -> String {
         let Counts { motions, lifted, asked, overturned, uplift_m_max, floor_g_max, lift_g, .. } = self.counts;
+        if self.counts.is_round && self.kind == AnswerKind::MayFall {
+            let verb = ("overturns", "overturn");
+            let counted = match overturned {
+                0 if self.earthquake == Told::Motions => "none overturns".to_owned(),
+                0 => format!("none of {asked} {} overturns", self.earthquake.noun()),
+                _ => self.count(overturned, asked, verb),
+            };
+            return format!(
+                "it is round, and not calculated in three dimensions; {counted} the square prism around it, which stands \
+                 more firmly"
+            );
+        }
         match self.kind {
             // A peak may pass the threshold on its way to no uplift: across an edge, or on pads.
             AnswerKind::DoesNotRock if floor_g_max >= lift_g => match self.earthquake {

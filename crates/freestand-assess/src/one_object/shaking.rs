@@ -96,6 +96,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             study.ground = Ground::OnFloors;
             study.building = None;
             (study.place_is_assumed, study.building_is_assumed) = (false, false);
+            study.assumed.clear();
             study.levels = vec![Level { name: "floor".to_owned(), level_ratio: Some(0.0), motions: levels }];
             as_given(&mut study.assessment, motions.len())?;
             Shaken { study, told: Told::Motions, words, warnings }
@@ -214,6 +215,7 @@ mod tests {
             height_m: 2.0,
             thickness_m: 0.3,
             width_m: None,
+            is_round: false,
             cg_height_m: None,
             mass_kg: None,
             rests_on: None,

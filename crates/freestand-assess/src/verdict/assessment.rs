@@ -515,7 +515,12 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
         exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
     };
     let [rigid, compliant] = [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
-    let falls = FallsAnswer::of(trial.side(context, Question::Falls));
+    let is_round = trial.member.item.is_round;
+    let falls = match FallsAnswer::of(trial.side(context, Question::Falls)) {
+        // A cylinder rolls round its rim, and falls where the square prism stands.
+        FallsAnswer::Stays if is_round => FallsAnswer::Close,
+        falls => falls,
+    };
     let shock = match (&trial.subject.capacity, is_known) {
         (None, _) => ShockAnswer::Unknown,
         (Some(_), true) => ShockAnswer::of(trial.side(context, Question::Shock)),
@@ -545,6 +550,10 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
         rigid,
         compliant,
         restitution_p16_p84: [QUANTILES[0], QUANTILES[2]].map(|q| quantile(restitutions(), q)),
+        is_round,
+        worlds_needed: context
+            .fewest_worlds(accepted)
+            .filter(|needed| context.worlds.records().is_none() && trial.cap() < *needed),
         few_motions: context.worlds.records().and_then(|n| FewMotions::of(n, context.fewest_records(accepted))),
     }
 }

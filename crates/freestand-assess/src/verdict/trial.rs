@@ -537,6 +537,11 @@ impl Context<'_> {
         self.looks().fewest_records(accepted_ratio, self.least_correlation()).ok()?
     }
 
+    /// The smallest number of independent worlds that could show that an object stays.
+    pub(super) fn fewest_worlds(&self, accepted_ratio: f64) -> Option<u32> {
+        self.looks().fewest_worlds(accepted_ratio).ok()
+    }
+
     fn looks(&self) -> Looks {
         self.study.assessment.worlds.looks
     }

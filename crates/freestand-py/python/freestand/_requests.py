@@ -38,6 +38,7 @@ def check_object(
     thickness_m: float,
     *,
     width_m: float | None = None,
+    shape: str | None = None,
     cg_height_m: float | None = None,
     mass_kg: float | None = None,
     stiffness_n_m: float | None = None,
@@ -75,7 +76,8 @@ def check_object(
 
     Name the earthquake in one of four ways: `place`, `pga_g`, `study`, or `motions`. With a study, `place`
     (with `site` and `return_period_years`) replaces the hazard of the study and keeps its building. A study
-    that states no hazard has that of the built-in study, Melbourne; `answer` names the place that was used.
+    that states no hazard has that of the built-in study, Melbourne: `place_is_assumed` is then true, and `answer`
+    names the place. An empty one is refused.
 
     Parameters
     ----------
@@ -83,6 +85,8 @@ def check_object(
         Size of the object in the direction in which it rocks [m].
     width_m, cg_height_m, mass_kg : float, optional
         Size across the thickness [m], height of the centre of gravity [m], mass [kg].
+    shape : str, optional
+        "box" or "cylinder", of which `thickness_m` is the diameter; a cylinder is never said to stand.
     stiffness_n_m : float, optional
         Stiffness of everything under one edge [N/m].
     cushion : str, optional
@@ -133,8 +137,8 @@ def check_object(
     named = [] if motions is None else several(motions)
     sizes_m(height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, upper_height_m=upper_height_m)
     values = given(
-        height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, mass_kg=mass_kg,
-        stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
+        height_m=height_m, thickness_m=thickness_m, width_m=width_m, shape=shape, cg_height_m=cg_height_m,
+        mass_kg=mass_kg, stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
         tolerance_duration_s=tolerance_duration_s,
         hazard=words(place=place, site=site, return_period_years=return_period_years), pga_g=pga_g,
         scales=data("scales", scales), floor=None if floor is None else str(floor), level_ratio=level_ratio,

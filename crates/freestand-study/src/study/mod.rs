@@ -43,6 +43,8 @@ pub struct Study {
     pub place_is_assumed: bool,
     /// Whether nobody stated the building: it is that of the built-in study.
     pub building_is_assumed: bool,
+    /// Everything about the shaking that nobody stated.
+    pub assumed: Vec<Assumed>,
     /// The study as TOML text: what `source` held, or the built-in study.
     pub toml: String,
     /// The motions at the base of the building.
@@ -73,6 +75,11 @@ pub struct Study {
 }
 
 impl Study {
+    /// What was assumed about the shaking at a level, in words; on the ground no building matters.
+    pub fn assumed_at(&self, level_ratio: f64) -> impl Iterator<Item = &str> {
+        self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0).map(|one| one.words.as_str())
+    }
+
     /// What nobody stated of the shaking at a level; `None`: everything is stated. On the ground no building
     /// matters.
     pub fn unstated(&self, level_ratio: f64) -> Option<Unstated> {
@@ -96,6 +103,15 @@ impl Study {
     pub fn restraint_target(&self) -> Option<&Target> {
         self.assessment.restraint_code.as_ref().or_else(|| self.ground.code_spectrum())
     }
+}
+
+/// A value that nobody stated.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Assumed {
+    /// Whether it is one of the building.
+    pub of_building: bool,
+    /// The value, and what it stands for: `site class C, because no site was given`.
+    pub words: String,
 }
 
 /// What a study leaves to the built-in study.

@@ -42,7 +42,7 @@ fn records_are_looked_at_in_whole_passes() {
     assert_eq!(looks.worlds_in_passes(0.1, 2000).unwrap(), [2000], "one pass at least");
     assert_eq!(looks.worlds_in_passes(0.02, 500).unwrap(), [500, 1000], "1280 at most");
     assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 12).unwrap(), [24]);
-    assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 8).unwrap(), [16], "32 would be above 30");
+    assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 8).unwrap(), [24], "32 would be above 30");
     assert!(looks.worlds_in_passes(0.1, 0).is_err());
 }
 

@@ -274,6 +274,8 @@ struct OfStudy {
     said: JobReport,
     hazard: Option<String>,
     building: String,
+    /// What nobody stated of the place and the building, and of the objects.
+    assumed: Vec<String>,
     toml: String,
 }
 
@@ -284,6 +286,7 @@ impl OfStudy {
             said: said(study, &head::head(study, inventory)),
             hazard: head::hazard(study),
             building: head::building(study),
+            assumed: head::silent(study, inventory),
             toml: study.toml.clone(),
         })
     }
@@ -730,6 +733,7 @@ impl RunsReport {
             .key("tolerance_rotation_ratio", self.rotation_ratio)
             .key("inputs", inputs)
             .key("no_study", said.and_then(|said| said.no_study.clone()))
+            .key("assumptions", self.study.as_ref().map(|study| study.assumed.clone()))
             .key("place_is_assumed", said.map(|said| said.place_is_assumed))
             .key("building_is_assumed", said.map(|said| said.building_is_assumed))
             .key("place_name", said.and_then(|said| said.place_name.clone()))
