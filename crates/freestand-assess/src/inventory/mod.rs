@@ -14,6 +14,7 @@ mod cell;
 mod cells;
 mod columns;
 mod convert;
+mod costs;
 mod csv_file;
 mod edits;
 mod encoding;
@@ -52,6 +53,7 @@ use serde::{Deserialize, Serialize};
 
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
+pub use costs::{CellsRequest, costs_of_list};
 pub use edits::Edit;
 pub use floors::Floors;
 pub use kept::{items_from_lines, lines_of_items};

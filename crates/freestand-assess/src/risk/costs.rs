@@ -10,7 +10,7 @@ use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
-use crate::inventory::{Rating, rating};
+use crate::inventory::{CellsRequest, Rating, costs_of_list, rating};
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
@@ -151,9 +151,26 @@ fn check_unit(table: &Table, name: &str, units: &[&str]) -> Result<(), Problem> 
 ///
 /// # Errors
 /// Two currencies; every row with a number below 0, or with an id that is missing or appears twice.
-pub(crate) fn load_costs(path: &Path) -> Result<Costs, Problems> {
+pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
     let bytes = load(path)?;
-    read_costs(&bytes, path)
+    let file = InputFile::new(path, &bytes);
+    if !list.is_given() && is_table(&bytes, path) {
+        return Ok(Costs { file, ..read_costs(&bytes, path)? });
+    }
+    let (table, warnings) = costs_of_list(path, list)?;
+    let costs = read_costs(&table, path)?;
+    let warnings = costs.warnings.iter().cloned().chain(warnings).collect();
+    Ok(Costs { file, warnings, ..costs })
+}
+
+/// Whether a file has the names of costs themselves; any other is read as a list as people keep it.
+fn is_table(bytes: &[u8], path: &Path) -> bool {
+    let is_workbook = bytes.starts_with(b"PK");
+    match Table::read(bytes, path, HINT, &mut RowProblems::default()) {
+        Ok(table) => table.column("id").is_some() && COLUMNS.iter().skip(3).any(|name| table.column(name).is_some()),
+        // What is wrong with a table is said of the table.
+        Err(_) => !is_workbook && costs_of_list(path, &CellsRequest::default()).is_err(),
+    }
 }
 
 fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {

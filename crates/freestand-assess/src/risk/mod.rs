@@ -29,6 +29,7 @@ use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
     At, FragilityReport, FragilityRequest, ObjectCurves, ObjectFragility, fragility_watched, go_on, load_curves,
 };
+use crate::inventory::CellsRequest;
 
 use costs::{Options, curve_id, load_options};
 use objects::{LossBounds, ObjectRisk};
@@ -150,6 +151,8 @@ pub struct RiskRequest {
     pub site_deg: Option<(f64, f64)>,
     /// Costs and accepted rates.
     pub inventory: Option<PathBuf>,
+    /// How the cells of that list are read.
+    pub list: CellsRequest,
     /// Options.
     pub options: Option<PathBuf>,
     /// The most that options may cost, with its currency.
@@ -236,7 +239,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         let of_file = matches!(request.curves, RiskCurves::File(_));
         check_measure(&hazard, one, path, of_file.then_some(one.line))?;
     }
-    let costs = request.inventory.as_deref().map(load_costs).transpose()?;
+    let costs = request.inventory.as_deref().map(|path| load_costs(path, &request.list)).transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
     warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());

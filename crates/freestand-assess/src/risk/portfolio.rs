@@ -412,6 +412,7 @@ mod tests {
             },
             hazard_at: None,
             site_deg: None,
+            list: Default::default(),
             inventory: Some(path("c.csv")),
             options: None,
             budget: None,

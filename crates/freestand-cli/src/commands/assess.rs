@@ -220,7 +220,7 @@ impl ListArgs {
             (self.library.is_some(), "--library"),
             (self.cushion_library.is_some(), "--cushion-library"),
         ];
-        given.into_iter().find_map(|(is_given, flag)| is_given.then_some(flag)).or(self.cells.given())
+        given.into_iter().find_map(|(is_given, flag)| is_given.then_some(flag))
     }
 
     /// The study with the flags in place of its keys, how the list is read, and the list.

@@ -246,8 +246,10 @@ impl Exports {
         ];
         let idle = idle.into_iter().filter_map(|(is_idle, flag)| is_idle.then_some(flag));
         refuse_idle(idle, "no program of --format uses it (--realizations is for pelicun with --demand)")?;
+        let list = args.runs.cells().request()?;
         let request = |&format| ExportRequest {
             format,
+            list: list.clone(),
             demand: args.demand.clone(),
             realizations: args.realizations,
             beta,

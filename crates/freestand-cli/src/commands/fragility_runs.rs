@@ -22,6 +22,7 @@ use super::Done;
 use super::assess::{ListArgs, watched};
 use super::block::ShapeArgs;
 use super::fragility::{Exports, FragilityArgs, curves_text, stopped};
+use super::list::CellsArgs;
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -129,6 +130,11 @@ impl RunArgs {
         self.height.is_some() || self.thickness.is_some() || !self.motion.is_empty() || self.list.study.is_some()
     }
 
+    /// How the cells of the list are read.
+    pub(crate) fn cells(&self) -> &CellsArgs {
+        &self.list.cells
+    }
+
     /// The list of the objects.
     pub(crate) fn inventory(&self) -> Option<&PathBuf> {
         self.list.inventory.as_ref()
@@ -215,6 +221,8 @@ impl RunArgs {
     /// Refuses flags of a list where nothing reads one.
     pub(super) fn refuse_list(&self) -> Result<(), Failure> {
         let flag = self.list.of_list().or(self.worlds.map(|_| "--worlds"));
+        // Beside outcomes, an inventory has the costs.
+        let flag = flag.or(self.list.cells.given().filter(|_| self.list.inventory.is_none()));
         flag.map_or(Ok(()), |flag| {
             let message = format!("{flag} is for an inventory in the building of a study, and none is run");
             Err(Failure::usage(message, "leave it out, or give --inventory or a study in place of one object"))

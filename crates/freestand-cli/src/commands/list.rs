@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_assess::inventory::Edit;
+use freestand_assess::inventory::{CellsRequest, Edit};
 use freestand_input::problem::Problems;
 
 /// How the cells of a list are read.
@@ -31,6 +31,14 @@ impl CellsArgs {
         let read = |text: &String| problems.keep(Edit::parse(text).map_err(|one| one.named("edit")));
         let edits = self.edit.iter().filter_map(read).collect();
         problems.finish(Some(edits))
+    }
+
+    /// How the costs of a list are read.
+    ///
+    /// # Errors
+    /// What is not a cell and its text.
+    pub(crate) fn request(&self) -> Result<CellsRequest, Problems> {
+        Ok(CellsRequest { sheet: self.sheet.clone(), columns: self.columns.clone(), edits: self.edits()? })
     }
 
     /// A flag that is given.

@@ -16,6 +16,7 @@ use freestand_output::json::document;
 use super::Done;
 use super::assess::watched;
 use super::fragility::{PLACES, stopped};
+use super::list::CellsArgs;
 use crate::args::{GlobalArgs, refuse_idle};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
@@ -90,9 +91,11 @@ pub(crate) struct RiskArgs {
     #[arg(long, value_name = "LON,LAT", read = coordinates, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     site_coordinates: Option<Given<(f64, f64)>>,
 
-    /// Costs and accepted rates of objects (CSV)
+    /// Costs and accepted rates of objects: the inventory (CSV or XLSX)
     #[arg(long, value_name = "FILE", help_heading = "Money")]
     inventory: Option<PathBuf>,
+    #[command(flatten, next_help_heading = "Money")]
+    list: CellsArgs,
     /// Options, such as straps or pads: id, option, cost [AUD], median_factor or curves (CSV)
     #[arg(long, value_name = "FILE", help_heading = "Money")]
     options: Option<PathBuf>,
@@ -178,6 +181,11 @@ fn refuse_unread(args: &RiskArgs) -> Result<(), Failure> {
 }
 
 fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure> {
+    let list = args.list.request()?;
+    if let (None, Some(flag)) = (&args.inventory, args.list.given()) {
+        let message = format!("{flag} says how an inventory is read, and none is given");
+        return Err(Failure::usage(message, "give --inventory, or leave it out"));
+    }
     let mut values = Values::default();
     let measure = values.read(&args.hazard_im);
     let hazard_factor = values.read(&args.hazard_factor);
@@ -211,6 +219,7 @@ fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure>
         hazard_at: args.at,
         site_deg,
         inventory: args.inventory.clone(),
+        list,
         options: args.options.clone(),
         budget,
         horizon_years,
