@@ -64,7 +64,11 @@ impl StateRisk {
         let least = if self.rates.is_at_least() { "at least " } else { "" };
         let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
         // The runs leave bounds, or motions above the last point of the hazard do, or the ends of a step.
-        let bounds = if self.rates.is_bound() && annual_rate_lower < 0.99 * rate {
+        let is_said =
+            self.ci95.zip(at_most(0.0)).is_some_and(|((_, high), most)| self.rates.is_bound() && most <= 1.01 * high);
+        let bounds = if is_said {
+            None
+        } else if self.rates.is_bound() && annual_rate_lower < 0.99 * rate {
             let least = number(annual_rate_lower, 3);
             Some(match at_most(0.0) {
                 Some(most) => format!("; between {least} and {} a year", number(most, 3)),

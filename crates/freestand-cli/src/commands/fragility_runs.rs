@@ -85,9 +85,9 @@ pub(crate) struct RunArgs {
     /// How the runs are chosen
     #[arg(long, value_parser = choice(METHODS), default_value = name_of(METHODS, Method::Incremental), help_heading = "The runs")]
     method: Method,
-    /// `adaptive`, or a grid "from:to:count" or a list. For ida these are factors on the motions, such
-    /// as "0.5:5:10"; for stripes intensities by the first measure, such as "0.1 m/s:2 m/s:12"
-    /// [default: adaptive]
+    /// `adaptive`, or a grid "from:to:count" of equal ratios, or a list. For ida these are factors on the
+    /// motions, such as "0.5:5:10"; for stripes intensities by the first measure, such as
+    /// "0.1 m/s:2 m/s:12" [default: adaptive]
     #[arg(long, conflicts_with = "outcomes", value_name = "adaptive|GRID", help_heading = "The runs")]
     scales: Option<String>,
     /// Largest factor on a motion [default: 10]

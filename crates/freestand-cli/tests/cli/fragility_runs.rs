@@ -173,6 +173,21 @@ fn stripes_have_the_same_levels_and_a_cloud_its_motions() {
     assert!(cloud["objects"][0]["goodness"]["ks"].is_null());
 }
 
+/// Stripes without intensities take some from the uplift on, so close together that little of a rate is
+/// between two of them.
+#[test]
+fn stripes_choose_their_intensities() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let found = document(folder, &call(&motions, &["--method", "stripes", "--bootstrap", "0"]));
+    let levels: Vec<f64> = found["scales"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    // A factor of 1.1, and rounding.
+    assert!(levels.len() > 5 && levels.windows(2).all(|pair| pair[1] / pair[0] < 1.1 + 1e-9), "{levels:?}");
+    let rocks = &found["objects"][0]["curves"][0];
+    let below = rocks["capacity"].as_array().unwrap().iter().filter(|one| one["to"].as_f64() == Some(levels[0]));
+    assert_eq!(below.count(), 0, "nothing rocks at the lowest: {rocks}");
+}
+
 #[test]
 fn what_cannot_be_run_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -182,7 +197,6 @@ fn what_cannot_be_run_is_refused() {
     assert!(said(&["--im", "pgx"]).contains("\"pgx\" is not an intensity measure"));
     assert!(said(&["--im", "pfv,pfv"]).contains("twice"));
     assert!(said(&["--scales", "1, 20"]).contains("scaled by 20, above the largest scale of 10"));
-    assert!(said(&["--method", "stripes"]).contains("stripes need the intensities"));
     assert!(said(&["--method", "cloud", "--scales", "1,2"]).contains("a cloud uses every motion unscaled"));
     assert!(said(&["--scales", "0:5:6"]).contains("not above 0"));
     assert!(said(&["--outcomes", "o.csv"]).contains("--outcomes contains the runs"));

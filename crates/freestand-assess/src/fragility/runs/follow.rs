@@ -104,13 +104,7 @@ fn stripes(
     measures: &[(Measure, At)],
     levels: &[f64],
 ) -> Result<Vec<f64>, Problems> {
-    let first = measures.first().filter(|_| !levels.is_empty());
-    let Some((measure, at)) = first else {
-        let unit = measures.first().map_or("m/s", |(measure, _)| measure.unit());
-        let example = if unit == "1" { "0.5:4:8".to_owned() } else { format!("0.1 {unit}:2 {unit}:12") };
-        let hint = format!("give the intensities by the first measure as `scales = \"{example}\"`");
-        return Err(Problem::value("stripes need the intensities of their levels", hint).of(&["scales"]).into());
-    };
+    let Some((measure, at)) = measures.first() else { return Ok(Vec::new()) };
     let of_one = shaking.intensity(*measure, 0, *at, one.factors).ok_or_else(|| {
         let message = format!("the motion {} has no {}", shorten(&shaking.name), measure.name());
         Problem::value(message, "give a measure that every motion has").of(&["im"])

@@ -1,13 +1,14 @@
 //! Fragilities from runs: objects under motions at many scales.
 //!
 //! `changed` has objects that options change, `shaking` the motions and their measures, `follow` the
-//! runs, `kept` the finished runs on disk, `table` their outcomes in the form that the fit reads,
+//! runs, `levels` the intensities of stripes, `kept` the finished runs on disk, `table` their outcomes in the form that the fit reads,
 //! `quality` how well each measure predicts the outcome, `figures` the figures.
 
 mod changed;
 mod figures;
 mod follow;
 mod kept;
+mod levels;
 mod quality;
 mod shaking;
 mod table;
@@ -308,6 +309,12 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     let Prepared { mut objects, floors, left_out } = prepare(request, &measures, go_on)?;
     check_ground(&measures, &floors)?;
     check_shocks(request.fit, &objects)?;
+    let chosen = match (request.method, &request.scales) {
+        (Method::Stripes, None) => Some(levels::chosen(request, &objects, &floors, &measures, &go_on)?),
+        _ => None,
+    };
+    let with_levels = chosen.map(|levels| RunsRequest { scales: Some(levels), ..request.clone() });
+    let request = with_levels.as_ref().unwrap_or(request);
     let motions: Vec<usize> = floors.iter().map(Vec::len).collect();
     let of = |one: &ObjectRuns| motions.get(one.floor).copied().unwrap_or(0);
     let total = objects.iter().map(of).sum();
