@@ -494,11 +494,11 @@ await story('no list yet: an example, a template, a table to type in', {}, async
 await story('objects arrive one by one, with the time that is left', {}, async (page) => {
   await uploaded(page);
   const events = [];
-  page.on('response', async (response) => { if (response.url().endsWith('/events')) events.push(await response.text().catch(() => '')); });
+  page.on('response', (response) => { if (response.url().endsWith('/events')) events.push(response.text().catch(() => '')); });
   await page.click('#assess');
   await page.waitForSelector('#left, #ended:not(:empty)', LONG);
   await assessed(page, 4);
-  const names = events.join('').match(/event: \w+/g).map((one) => one.slice(7));
+  const names = (await Promise.all(events)).join('').match(/event: \w+/g).map((one) => one.slice(7));
   // Between the first object and the last one there is progress: they do not come at once.
   const between = names.slice(names.indexOf('object'), names.lastIndexOf('object'));
   assert.ok(between.includes('progress'), `${names}`);
