@@ -46,7 +46,9 @@ export function enlarged(history: History): number {
 }
 
 /** Shapes whose outline is not a box; the box is what is calculated. */
-const VASE = [[0.36, 0], [0.64, 0], [0.62, 0.1], [0.66, 0.2], [1, 0.48], [0.94, 0.66], [0.7, 0.9], [0.72, 1], [0.28, 1], [0.3, 0.9], [0.06, 0.66], [0, 0.48], [0.34, 0.2], [0.38, 0.1]] as const;
+const VASE = [[0.36, 0], [0.64, 0], [0.62, 0.1], [0.66, 0.2], [1, 0.48], [0.92, 0.66], [0.66, 0.88], [0.7, 0.93], [1, 1], [0, 1], [0.3, 0.93], [0.34, 0.88], [0.08, 0.66], [0, 0.48], [0.34, 0.2], [0.38, 0.1]] as const;
+/** From here down a vase is its foot: it ends at the edges about which it turns. */
+const FOOT = 0.9;
 const BOTTLE = [[0.4, 0], [0.6, 0], [0.6, 0.08], [0.92, 0.16], [1, 0.22], [1, 1], [0, 1], [0, 0.22], [0.08, 0.16], [0.4, 0.08]] as const;
 const STATUE = [[0.42, 0], [0.58, 0], [0.62, 0.08], [0.56, 0.13], [0.76, 0.22], [0.8, 0.7], [1, 0.7], [1, 1], [0, 1], [0, 0.7], [0.2, 0.7], [0.24, 0.22], [0.44, 0.13], [0.38, 0.08]] as const;
 const OUTLINES: Record<string, readonly (readonly [number, number])[]> = { vase: VASE, 'gas-bottle': BOTTLE, statue: STATUE };
@@ -62,7 +64,7 @@ function outline(context: CanvasRenderingContext2D, shape: string | undefined, w
   const [first] = points;
   context.moveTo(first![0] * w, first![1] * h);
   points.forEach(([x, y], i) => {
-    if (shape !== 'vase') return context.lineTo(x * w, y * h);
+    if (shape !== 'vase' || y > FOOT) return context.lineTo(x * w, y * h);
     const [nx, ny] = points[(i + 1) % points.length]!;
     context.quadraticCurveTo(x * w, y * h, ((x + nx) / 2) * w, ((y + ny) / 2) * h);
   });
@@ -243,6 +245,21 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
     context.textAlign = 'left';
     context.globalAlpha = 1;
   }
+}
+
+/** The colours of a picture on paper, whatever those of the screen are. */
+const PAPER: Look = { ink: '#000', mu: '#444', ln: '#ccc', ac: '#00558c', re: '#a84300', obj: '#eee', fl: '#bbb', pa: '#fff', reb: '#fff', ed: '#666' };
+const PAPER_PX = 800;
+
+/** The object at a time as a picture for a sheet of paper; null where the browser draws nothing. */
+export function onPaper(history: History, time: number, units: Units, shape?: string): string | null {
+  const canvas = document.createElement('canvas');
+  Object.assign(canvas.style, { position: 'absolute', left: `${-2 * PAPER_PX}px`, width: `${PAPER_PX}px` });
+  document.body.append(canvas);
+  stage(canvas, history, time, [], 1, units, PAPER, false, shape);
+  const url = canvas.width > 0 ? canvas.toDataURL('image/png') : null;
+  canvas.remove();
+  return url;
 }
 
 /** Rotation over the balance angle, the acceleration of the floor behind it, impacts as ticks. */

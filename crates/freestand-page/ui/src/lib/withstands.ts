@@ -14,5 +14,5 @@ export function meaning(g: number, known: Withstands[]): string {
     ...(less ? [t('means.more', { what: named(less), g: gShown(less.peak_g) })] : []),
     ...(more ? [t('means.less', { what: named(more), g: gShown(more.peak_g) })] : []),
   ];
-  return parts.length > 0 ? t('means', { g: gShown(g), parts: parts.join('; ') }) : '';
+  return parts.length > 0 ? t('means', { g: gShown(g), parts: parts.join(' ') }) : '';
 }

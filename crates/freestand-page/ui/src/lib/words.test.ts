@@ -19,5 +19,6 @@ it('makes sentences of remarks', () => {
 it('names no flag, known or not', () => {
   expect(plain('give --out-of-the-blue or --height')).toBe(`give “Out of the blue” or “${t('height')}”`);
   expect(sentence('freestand place list shows all places; give --place')).toBe(`Give “${t('place')}”.`);
+  expect(plain('`cg_height` is odd')).toBe(`“${t('cg-height')}” is odd`);
   expect(plain('sheet--old.csv, 3 -- 4')).toBe('sheet--old.csv, 3 -- 4');
 });

@@ -15,10 +15,10 @@ export function ordinal(n: number): string {
   return t(rule === 'one' || rule === 'two' || rule === 'few' ? `ordinal.${rule}` : 'ordinal.other', { n });
 }
 
-/** A message of the program with names of fields in place of flags: who fills in a form has no command line. */
+/** A message of the program with names of fields in place of flags and keys: who fills in a form has no command line. */
 export function plain(text: string): string {
-  return text.replace(/'--([a-z-]+) <\w+>'|(?<![\w-])--([a-z][a-z-]*)/g, (_, whole?: string, bare?: string) => {
-    const name = whole ?? bare ?? '';
+  return text.replace(/'--([a-z-]+) <\w+>'|(?<![\w-])--([a-z][a-z-]*)|`([a-z][a-z_]*)`/g, (_, whole?: string, bare?: string, key?: string) => {
+    const name = whole ?? bare ?? key?.replaceAll('_', '-') ?? '';
     const word = name === 'floor' ? 'level' : name;
     const label = word in en ? t(word as Word).replace(/:.*/, '') : name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
     return `“${label}”`;
