@@ -1,9 +1,10 @@
 //! Resolves `[outputs]`.
 
 use super::{Resolver, or};
-use crate::options::{HistoryOptions, OutputsOptions, Written};
+use crate::options::{HistoryOptions, OutputsOptions};
 use crate::study::{HistoryChoice, Level, Objects, Outputs, TitleBlock};
 use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::toml_reader::Written;
 
 impl Resolver<'_> {
     pub(super) fn outputs(
