@@ -26,7 +26,9 @@ sub { font-size: .72em; line-height: 0; }
   .sub { margin-bottom: .5rem; }
   .sheet { flex-wrap: nowrap; gap: .9rem; }
   .sheet > div { flex-basis: 0; }
-  .sign { margin-top: 2.4rem; }
+  .sheet svg { max-height: 52mm; }
+  .confirm { padding: 0 .6rem .3rem; margin: .4rem 0; }
+  .sign { margin-top: 1.5rem; break-inside: avoid; }
 }
 ";
 

@@ -22,7 +22,7 @@ const US_UNITS: [&str; 17] = [
 impl UnitSystem {
     /// Every value with its name and its meaning.
     pub const ALL: [(Self, &'static str, &'static str); 2] =
-        [(Self::Si, "si", "mm, m, kg, N, kN"), (Self::Us, "us", "in., lb, lbf, lbf·ft")];
+        [(Self::Si, "si", "mm, m, kg, N, kN"), (Self::Us, "us", "in, lb, lbf, lbf·ft")];
 
     /// The system of a quantity as it was typed; `None` for a bare number.
     ///
@@ -50,12 +50,12 @@ impl UnitSystem {
         if balance > 0 { Self::Us } else { Self::Si }
     }
 
-    /// A length as engineers read it: `914.4 mm`, `1.646 m`; `36 in.`
+    /// A length as engineers read it: `914.4 mm`, `1.646 m`; `36 in`
     pub fn length(self, length_m: f64) -> String {
         match self {
             Self::Si if length_m.abs() < 1.0 => format!("{} mm", number(1e3 * length_m, 4)),
             Self::Si => format!("{} m", number(length_m, 4)),
-            Self::Us => format!("{} in.", number(from_si("in", length_m), 4)),
+            Self::Us => format!("{} in", number(from_si("in", length_m), 4)),
         }
     }
 
@@ -113,10 +113,7 @@ mod tests {
     #[test]
     fn both_systems() {
         // 24 in = 0.6096 m; 800 lb = 362.87 kg; 148 lbf = 658.3 N; 819 lbf ft = 1110.4 N m.
-        assert_eq!(
-            (UnitSystem::Us.length(0.6096), UnitSystem::Si.length(0.6096)),
-            ("24 in.".into(), "609.6 mm".into())
-        );
+        assert_eq!((UnitSystem::Us.length(0.6096), UnitSystem::Si.length(0.6096)), ("24 in".into(), "609.6 mm".into()));
         assert_eq!(UnitSystem::Us.mass(362.873_896), "800 lb");
         assert_eq!(UnitSystem::Us.force_in_both(658.3), "148 lbf (658 N)");
         assert_eq!(UnitSystem::Si.force_in_both(658.3), "658 N (148 lbf)");

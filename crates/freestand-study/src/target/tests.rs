@@ -268,7 +268,7 @@ fn the_lists_of_words_agree() {
 fn a_place_brings_its_code_and_its_hazard() {
     let cases: [(&str, f64, &str); 4] = [
         ("Sydney", 0.2944, "site De, Z = 0.08 (Sydney), 500 years, kpZ = 0.08 g"),
-        ("wellington", 1.172, "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g"),
+        ("wellington", 1.172, "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g, a fault 0 km away"),
         ("Los Angeles", 1.5808, "site D, SDS = 1.581 g, SD1 = 0.7979 g (Los Angeles), TL = 8 s"),
         ("athens", 0.48, "type 1, ground B, a_g = 0.16 g (Athens, approximate)"),
     ];

@@ -99,9 +99,9 @@ fn cards_choice(head: &Head, pages: usize) -> String {
     if pages == 0 {
         return String::new();
     }
-    let checked = if head.cards { " checked" } else { "" };
+    let checked = if head.cards { " checked=\"checked\"" } else { "" };
     format!(
-        "<p class=\"choice\"><label><input type=\"checkbox\" id=\"print-cards\"{checked}> Print the cards of the objects \
+        "<p class=\"choice\"><label><input type=\"checkbox\" id=\"print-cards\"{checked}/> Print the cards of the objects \
          too</label></p>\n"
     )
 }
