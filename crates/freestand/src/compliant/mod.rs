@@ -429,11 +429,23 @@ pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<(), Complia
     Err(CompliantError::Value { name, requirement: "at least 0 and finite", value })
 }
 
+/// The largest ratio of tangential to normal stiffness. That of a pad is near one or below; a history takes steps that
+/// shrink with its root, so that one of 1e9 would take hours for an object that does not slide.
+const MAX_TANGENTIAL_RATIO: f64 = 1000.0;
+
+pub(crate) fn tangential_ratio(value: f64) -> Result<(), CompliantError> {
+    if value > 0.0 && value <= MAX_TANGENTIAL_RATIO {
+        return Ok(());
+    }
+    let requirement = "positive and at most 1000";
+    Err(CompliantError::Value { name: "ratio of tangential to normal stiffness", requirement, value })
+}
+
 /// Returns an error for input from which no history can be calculated.
 fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> Result<(), CompliantError> {
     positive("mass", base.mass_kg)?;
     positive("gravity", options.gravity_m_s2)?;
-    positive("ratio of the tangential stiffness", base.tangential_stiffness_ratio)?;
+    tangential_ratio(base.tangential_stiffness_ratio)?;
     not_negative("tangential damping", base.tangential_damping_n_s_m)?;
     if let Some(friction) = base.friction_ratio {
         not_negative("friction", friction)?;

@@ -51,7 +51,7 @@ use self::track::{Seen, tilts, yaw};
 use crate::compliant::pad::Pad;
 use crate::compliant::{
     ASSUMED_TANGENTIAL_RATIO, CompliantAccuracy, CompliantEffort, CompliantError, EdgeSide, EnergyAudit, not_negative,
-    positive,
+    positive, tangential_ratio,
 };
 use crate::cushion::Cushion;
 use crate::motion::Motion;
@@ -154,7 +154,7 @@ impl Support {
     }
 
     fn check(&self) -> Result<(), CompliantError> {
-        positive("ratio of the tangential stiffness", self.tangential_stiffness_ratio)?;
+        tangential_ratio(self.tangential_stiffness_ratio)?;
         self.friction_ratio.map_or(Ok(()), |friction| not_negative("friction", friction))
     }
 
