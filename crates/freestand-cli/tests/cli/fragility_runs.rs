@@ -315,7 +315,8 @@ fn a_list_without_a_study_says_whose_building_it_is() {
     let output = execute(folder, &[&call[..], &["--json"]].concat());
     assert_eq!(output.status.code(), Some(1), "a cell could not be read");
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let sentence = "Nobody stated the building: this is a 30-storey tower in Wellington, not your building. Give storeys.";
+    let sentence =
+        "Nobody stated the building: this is a 30-storey tower in Wellington, not your building. Give storeys.";
     assert_eq!((&found["no_study"], &found["warnings"][0]), (&sentence.into(), &sentence.into()));
     assert!(found["hazard"].as_str().unwrap().starts_with("Wellington (NZS 1170.5"), "{}", found["hazard"]);
     assert_eq!(found["building"], "tower, 30 storeys, 96 m high");

@@ -63,7 +63,10 @@ fn an_assessment_says_whose_building_it_is_and_what_to_do() {
     let done = execute(here, &["assess", "--inventory", "list.csv"]);
     let text = String::from_utf8(done.stdout).unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    assert!(text.starts_with("Nobody stated the place and the building: this is a 30-storey tower in Melbourne"), "{text}");
+    assert!(
+        text.starts_with("Nobody stated the place and the building: this is a 30-storey tower in Melbourne"),
+        "{text}"
+    );
     for said in [
         "restrain          1  fix it to the building",
         "   1  pole  =Pole  roof   restrain  falls 100 %",
