@@ -7,7 +7,7 @@ use freestand::block::Block;
 use freestand::rocking::{Base, Restitution, RockingModel, RockingOptions};
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::facts::{Facts, Value};
-use freestand_study::rock::{ACCURACIES, MODELS, problem};
+use freestand_study::rock::{ACCURACIES, MODELS, problem, until};
 use freestand_study::spectrum::{
     Grid, SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects, spectrum as calculated,
 };
@@ -185,6 +185,7 @@ pub(crate) fn spectrum<'py>(
         restitution: restitution(&mut given, blocks),
         accuracy: given.choice("accuracy", ACCURACIES).unwrap_or_default(),
         walls,
+        until: until(None),
         ..RockingOptions::default()
     };
     let sensitivity = given.flag("sensitivity");

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use clap::Args;
 use freestand::block::Block;
-use freestand::rocking::{Base, RockingOptions, Until};
+use freestand::rocking::{Base, RockingOptions};
 use freestand_assess::one_object::Follow;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -13,8 +13,7 @@ use freestand_input::words::counted;
 use freestand_study::at_place::{AtPlace, LastGround, motions_at};
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::restitution::checked;
-use freestand_study::rock::{RockReport, RockRequest, problem, rock};
-use freestand_study::run::LONGEST_TAIL_S;
+use freestand_study::rock::{RockReport, RockRequest, problem, rock, until};
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum};
 use serde::Serialize;
 
@@ -236,11 +235,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         restitution: args.rocking.restitution(&[], &mut values),
         accuracy: args.rocking.accuracy,
         walls,
-        // Motions of a place are those of a study, which follows its objects until they are at rest.
-        until: match args.motion.is_empty() {
-            true => Until::Settled { at_most_s: LONGEST_TAIL_S },
-            false => Until::EndOfMotion,
-        },
+        until: until(None),
         ..RockingOptions::default()
     };
     if args.friction.is_some() && !args.sliding.is_given() {

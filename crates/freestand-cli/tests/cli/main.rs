@@ -24,11 +24,13 @@ mod motions;
 mod object;
 mod processing;
 mod program;
+mod rates;
 mod records;
 mod restrain;
 mod risk;
 mod rocking_cases;
 mod run;
+mod same_answer;
 #[cfg(feature = "page")]
 mod serve;
 #[cfg(unix)]

@@ -38,6 +38,7 @@ def check_object(
     thickness_m: float,
     *,
     width_m: float | None = None,
+    shape: str | None = None,
     cg_height_m: float | None = None,
     mass_kg: float | None = None,
     stiffness_n_m: float | None = None,
@@ -75,7 +76,8 @@ def check_object(
 
     Name the earthquake in one of four ways: `place`, `pga_g`, `study`, or `motions`. With a study, `place`
     (with `site` and `return_period_years`) replaces the hazard of the study and keeps its building. A study
-    that states no hazard has that of the built-in study, Melbourne; `answer` names the place that was used.
+    that states no hazard has that of the built-in study, Melbourne: `place_is_assumed` is then true, and `answer`
+    names the place. An empty one is refused.
 
     Parameters
     ----------
@@ -83,6 +85,8 @@ def check_object(
         Size of the object in the direction in which it rocks [m].
     width_m, cg_height_m, mass_kg : float, optional
         Size across the thickness [m], height of the centre of gravity [m], mass [kg].
+    shape : str, optional
+        "box" or "cylinder", of which `thickness_m` is the diameter; a cylinder is never said to stand.
     stiffness_n_m : float, optional
         Stiffness of everything under one edge [N/m].
     cushion : str, optional
@@ -133,8 +137,8 @@ def check_object(
     named = [] if motions is None else several(motions)
     sizes_m(height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, upper_height_m=upper_height_m)
     values = given(
-        height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, mass_kg=mass_kg,
-        stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
+        height_m=height_m, thickness_m=thickness_m, width_m=width_m, shape=shape, cg_height_m=cg_height_m,
+        mass_kg=mass_kg, stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
         tolerance_duration_s=tolerance_duration_s,
         hazard=words(place=place, site=site, return_period_years=return_period_years), pga_g=pga_g,
         scales=data("scales", scales), floor=None if floor is None else str(floor), level_ratio=level_ratio,
@@ -169,6 +173,8 @@ def restrain(
     resonance_ratio: float | None = None,
     strength_ratio: float | None = None,
     building_ductility_ratio: float | None = None,
+    component: str | None = None,
+    anchor_inset_m: float | None = None,
     anchors_per_edge: int | None = None,
     compare: bool = False,
     **target: Unpack[TargetArguments],
@@ -193,6 +199,10 @@ def restrain(
         The building: number of storeys and height of a storey [m].
     importance_ratio, amplification_ratio, response_ratio, resonance_ratio, strength_ratio, building_ductility_ratio : float, optional
         Factors of the clause, in place of its usual values: docs/codes.md.
+    component : str, optional
+        What the object is in the tables of ASCE 7, such as "generator".
+    anchor_inset_m : float, optional
+        Distance of the anchors from the edge that they hold down [m].
     anchors_per_edge : int, optional
         Number of anchors that share the tension.
     compare : bool, default False
@@ -203,7 +213,8 @@ def restrain(
     Returns
     -------
     RestrainResult
-        `force_n`, `anchor_tension_n` and more; `save(path)` writes a sheet to print.
+        `force_n`, `anchor_tension_n` and more; `to_confirm` lists what an engineer has to confirm before the sheet is signed,
+        and `save(path)` writes that sheet to print.
 
     Examples
     --------
@@ -218,7 +229,7 @@ def restrain(
         level_ratio=level_ratio, storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio,
         amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
         strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
-        anchors_per_edge=anchors_per_edge, compare=compare or None,
+        component=component, anchor_inset_m=anchor_inset_m, anchors_per_edge=anchors_per_edge, compare=compare or None,
     )  # fmt: skip
     text, sheet = _freestand.restrain(values | study_given(study))
     result = RestrainResult(json.loads(text), sheet)
@@ -525,9 +536,9 @@ def risk(
     hazard : path, optional
         Hazard curve (CSV).
     hazard_power : str, optional
-        A hazard curve as "k0=1e-4 /yr, k=2.5, reference=1 m/s", in place of `hazard`; needs `hazard_im`.
+        A hazard curve as "k0=1e-4 /yr, k=2.5, reference=1 m/s", in place of `hazard`.
     hazard_code : str, optional
-        A code, with `site`, `hazard_factor` and `fault_distance_m`, in place of `hazard`; needs `hazard_im`.
+        A code, with `site`, `hazard_factor` and `fault_distance_m`, in place of `hazard`.
     hazard_im : str, optional
         Intensity measure of the hazard, such as "pgv".
     site : str, optional

@@ -46,7 +46,8 @@ def _structured(rows: list[dict[str, Any]]) -> npt.NDArray[Any]:
 class RockResult(Result):
     """The response of one object to one motion.
 
-    `outcome` is `no-uplift`, `rocked`, `leaned` or `overturned`. Lengths in m, rotations in rad, times in s;
+    `outcome` is `no-uplift`, `rocked`, `leaned`, `overturned` or, where `duration_s` ended it while the object
+    was neither at rest nor down, `unresolved`. Lengths in m, rotations in rad, times in s;
     `edge_acceleration_g` is the shock from the largest uplift by the paper's Eq. (5).
     """
 
@@ -459,6 +460,9 @@ class RestrainResult(Result):
     place: dict[str, Any] | None
     factors: dict[str, Any]
     assumptions: list[str]
+    component: str | None
+    anchor_inset_m: float
+    to_confirm: list[dict[str, Any]]
     others: list[Any]
     sheet: Any
 
@@ -657,7 +661,11 @@ class RiskResult(Result):
     hazard: dict[str, Any]
     objects: list[dict[str, Any]]
     expected_annual_loss: float | None
+    expected_annual_loss_lower: float | None
+    expected_annual_loss_upper: float | None
+    is_bound: bool
     is_at_least: bool
+    not_run: list[dict[str, Any]]
     portfolio: dict[str, Any] | None
     ranking: Any
     plan: Any

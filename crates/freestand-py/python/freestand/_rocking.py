@@ -41,14 +41,14 @@ def rock(
 ) -> RockResult:
     """How an object responds to a motion of its floor.
 
-    After the last sample the floor does not move.
+    After the last sample the floor does not move, and the object is followed until it rests or lies.
 
     Parameters
     ----------
     block : Block
         The object; with mass and cushion the result has the shock.
     motion : Motion, optional
-        Without one, give `initial_rotation_rad` or `initial_velocity_rad_s`, and `duration_s`.
+        Without one, give `initial_rotation_rad` or `initial_velocity_rad_s`.
     vertical : Motion, optional
         Vertical motion of the floor, positive upward, with the step and length of `motion`.
     restitution, restitution_factor : float, optional
@@ -62,7 +62,7 @@ def rock(
     initial_rotation_rad, initial_velocity_rad_s : float, optional
         How it begins [rad, rad/s].
     duration_s : float, optional
-        When to stop [s].
+        When to stop [s]; the outcome may then be `unresolved`.
     history : bool, default False
         Whether the result has arrays over time.
     walls : Walls, optional

@@ -32,6 +32,7 @@ pub(crate) mod pad;
 mod solve;
 pub(crate) mod step;
 pub(crate) mod stepper;
+pub(crate) mod tail;
 mod track;
 
 #[cfg(test)]
@@ -178,7 +179,8 @@ pub struct CompliantOptions {
     pub accuracy: CompliantAccuracy,
     /// Initial state.
     pub start: Start,
-    /// End time; `None`: the last sample. After the last sample the base comes to rest within one
+    /// End time; `None`: when the object has come to rest or fallen after the last sample, or
+    /// [`LONGEST_TAIL_S`](crate::rocking::LONGEST_TAIL_S) after that sample. After the last sample the base comes to rest within one
     /// time step \[s\].
     pub duration_s: Option<f64>,
     /// Points whose peak accelerations are requested: from the left edge, and above the base \[m\].

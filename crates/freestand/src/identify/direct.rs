@@ -77,6 +77,7 @@ fn cost(samples: &[f64], touch: f64, has_jump: bool) -> Option<f64> {
     }
     let found = solve(normal, right.clone())?;
     // A pad pushes from the first moment on.
-    let rises = found.iter().rev().nth(1).is_some_and(|slope| *slope >= 0.0) && found.first().is_some_and(|f| *f >= 0.0);
+    let rises =
+        found.iter().rev().nth(1).is_some_and(|slope| *slope >= 0.0) && found.first().is_some_and(|f| *f >= 0.0);
     rises.then(|| squares - found.iter().zip(&right).map(|(x, y)| x * y).sum::<f64>())
 }

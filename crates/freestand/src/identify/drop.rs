@@ -367,13 +367,8 @@ impl<'a> Contact<'a> {
     /// Every law behind the stated filter; those that are not wanted show how far the samples allow another one.
     fn fits(&self, gravity_m_s2: f64) -> Vec<Fit> {
         let data = self.data(gravity_m_s2);
-        let all = [
-            FittedLaw::Linear,
-            FittedLaw::Power,
-            FittedLaw::KelvinVoigt,
-            FittedLaw::HuntCrossley,
-            FittedLaw::Cubic,
-        ];
+        let all =
+            [FittedLaw::Linear, FittedLaw::Power, FittedLaw::KelvinVoigt, FittedLaw::HuntCrossley, FittedLaw::Cubic];
         let mut fits: Vec<Fit> = all.iter().filter_map(|&law| data.fit(law)).collect();
         // The curve contains the cubic law and the damped linear one.
         let nested = fits.iter().filter(|fit| matches!(fit.law, FittedLaw::Cubic | FittedLaw::KelvinVoigt));

@@ -25,7 +25,8 @@ fn table(points: &[(f64, f64)]) -> Cushion {
 
 /// Pads by name.
 fn pads() -> Vec<(&'static str, Cushion)> {
-    let tangent = |stiffness_n_m, bottoming_m| Cushion::new(ContactLaw::Tangent { stiffness_n_m, bottoming_m }).unwrap();
+    let tangent =
+        |stiffness_n_m, bottoming_m| Cushion::new(ContactLaw::Tangent { stiffness_n_m, bottoming_m }).unwrap();
     vec![
         ("hardening weakly", dense(|d| 1.8e6 * d + 1.5e12 * d.powi(3), 2e-3)),
         ("hardening", dense(|d| 1.2e6 * d + 6e12 * d.powi(3), 2e-3)),
@@ -133,7 +134,12 @@ fn campaign(drops: u64, states_corner: bool) {
             let mean = s.errors.iter().sum::<f64>() / s.errors.len().max(1) as f64;
             println!(
                 "{name:26} {:4} {:6} {:?}: given {} held {} flagged {} | half-width {:.4} mean error {mean:+.4}",
-                recorder.per_contact, recorder.noise_ratio, recorder.corner, s.given, s.held, s.flagged,
+                recorder.per_contact,
+                recorder.noise_ratio,
+                recorder.corner,
+                s.given,
+                s.held,
+                s.flagged,
                 median(&s.halves),
             );
         }
