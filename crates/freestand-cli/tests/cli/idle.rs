@@ -10,15 +10,12 @@ const RECORD: &str = "validation/rocking/records/synthfloor.csv";
 /// A mode of a command: the words of the command, and what selects the mode.
 const MODES: &[(&[&str], &str)] = &[
     (&["rock"], "--motion RECORD --scale 3 --height 1.8m --thickness 0.5m"),
-    (&["rock"], "--height 1.8m --thickness 0.5m --initial-rotation 0.1rad --duration 1s"),
     (&["rock"], "--motion RECORD --scale 8 --sliding --friction 0.25 --height 0.8m --thickness 0.6m"),
-    (&["rock"], "--motion RECORD --scale 3 --casters --height 0.8m --thickness 0.6m"),
     (
         &["rock"],
         "--height 1.8m --thickness 0.5m --mass 150kg --stiffness 4380N/mm --base compliant --cg-rise 10mm --duration 0.5s",
     ),
     (&["spectrum"], "--motion RECORD --scale 3 --heights 1.2m --thicknesses 0.3m"),
-    (&["spectrum"], "--motion RECORD --scale 3 --heights 1.2m --thicknesses 0.3m --mass 150kg --stiffness 4380N/mm"),
     (&["spectrum"], "--motion RECORD --scale 3 --heights 0.8m --thicknesses 0.6m --sliding --friction 0.25"),
     (&["spectrum"], "--place Wellington --count 1 --heights 1.2m --thicknesses 0.3m"),
     (&["shock"], "--height 2.3m --thickness 0.6m --mass 140kg --stiffness 4380N/mm --cg-rise 16mm"),
@@ -26,16 +23,10 @@ const MODES: &[(&[&str], &str)] = &[
     (&["shock-spectrum"], "--pulse half-sine --peak-acceleration 30g --duration 11ms --frequencies 1Hz"),
     (&["floor"], "--motion RECORD --storeys 5 --storey-height 3m"),
     (&["object"], "--height 1.8m --thickness 0.5m --motion RECORD --scale 3"),
-    (&["object"], "--height 1.8m --thickness 0.5m --pga 0.3g --worlds 40"),
-    (&["motion", "info"], "RECORD"),
-    (&["motion", "spectrum"], "RECORD --periods 1s"),
     (&["motion", "code-spectrum"], ""),
-    (&["motion", "code-spectrum"], "--code nzs1170.5 --site C --hazard-factor 0.4"),
     (&["cushion", "simulate"], "--stiffness 2190N/mm --mass 0.365kg --height 100mm"),
     (&["cushion", "simulate"], "--static --stiffness 1100N/mm"),
-    (&["cushion", "drop"], "validation/cushion/drop-001.csv"),
     (&["restrain"], "--height 1.8m --thickness 0.5m --mass 150kg --floor-acceleration 0.5g"),
-    (&["restrain"], "--height 1.8m --thickness 0.5m --mass 150kg --place Wellington"),
 ];
 
 /// Flags whose nonsense is accepted, each for its reason.
@@ -49,9 +40,10 @@ const EXCEPT: [&str; 7] = [
     "station-xml", // read where a record of a folder needs it; a note says where none does
 ];
 
-/// The flags of a command that take a value.
+/// The flags of a command that take a value, as the short help lists them: without the processing of
+/// records, which every command with records reads by one function.
 fn flags(command: &[&str]) -> Vec<String> {
-    let help = Command::new(PROGRAM).args(command).arg("--help").output().unwrap();
+    let help = Command::new(PROGRAM).args(command).arg("-h").output().unwrap();
     let help = String::from_utf8(help.stdout).unwrap();
     let flag = |line: &str| {
         let (name, value) = line.trim_start().strip_prefix("--")?.split_once(' ')?;
