@@ -555,7 +555,8 @@ fn unread(columns: &Understood) -> Vec<String> {
     let has = |column: Column| columns.get(column).is_some() || columns.get(Column::Dimensions).is_some();
     let is_round = columns.get(Column::Diameter).is_some();
     for (column, what) in [(Column::Height, "heights"), (Column::Thickness, "depths (thicknesses)")] {
-        if !has(column) && !(is_round && column == Column::Thickness) {
+        let has_side = is_round && column == Column::Thickness;
+        if !has(column) && !has_side {
             said.push(format!("the list has no column of {what} that is known: objects without it have no verdict"));
         }
     }

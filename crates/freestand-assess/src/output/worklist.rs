@@ -72,7 +72,7 @@ pub(super) fn task(line: &Line) -> Option<Task> {
         how: how(item, found, force),
         force_n: force.map(|force| force.force_n),
         anchor_tension_n: force.map(|force| force.anchor_tension_n),
-        why: found.why.clone(),
+        why: format!("{}{}", found.why, doubted(item)),
     })
 }
 
@@ -100,6 +100,12 @@ fn how(item: &Item, found: &Assessment, force: Option<&RestraintForce>) -> Strin
 fn give_room(found: &Assessment, or_else: &str) -> String {
     let needed_m = found.rolled.map_or(0.0, |rolled| rolled.clearance_needed_m);
     format!("{or_else} give it at least {} mm of room on every side.", number((1e3 * needed_m).ceil(), 6))
+}
+
+/// What is doubtful about the row of an object, behind the reason of its verdict.
+fn doubted(item: &Item) -> String {
+    let kinds: Vec<&str> = item.doubts.iter().map(|doubt| doubt.name()).collect();
+    if kinds.is_empty() { String::new() } else { format!(" Check the input: {}.", kinds.join(", ")) }
 }
 
 /// What to find out about an object without a verdict.
