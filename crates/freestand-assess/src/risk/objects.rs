@@ -61,7 +61,9 @@ impl StateRisk {
             let most = at_most(0.0).map(|upper| format!(", at most {} a year", number(upper, 3)));
             return format!("not known{}{}", least.unwrap_or_default(), most.unwrap_or_default());
         };
-        let least = if self.rates.is_at_least() { "at least " } else { "" };
+        // Where motions below the runs have no bound, the stated rate may be too large as well as too small.
+        let is_least = self.rates.begins_too_high() || self.rates.is_at_least() && annual_rate_lower >= 0.99 * rate;
+        let least = if is_least { "at least " } else { "" };
         let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
         // The runs leave bounds, or motions above the last point of the hazard do, or the ends of a step.
         let is_said =
@@ -72,7 +74,7 @@ impl StateRisk {
             let least = number(annual_rate_lower, 3);
             Some(match at_most(0.0) {
                 Some(most) => format!("; between {least} and {} a year", number(most, 3)),
-                None => format!("; {least} a year for certain"),
+                None => format!("; at least {least} a year"),
             })
         } else {
             at_most(1.01 * rate).map(|upper| format!("; up to {} a year", number(upper, 3)))
