@@ -338,6 +338,7 @@ await story('a phone: what is entered is near what it changes', { viewport: { wi
   await page.click('#advanced > summary');
   await page.locator('#friction').scrollIntoViewIfNeeded();
   // The answer in short stays in sight.
+  await page.waitForSelector('.brief');
   const brief = await page.$eval('.brief', (one) => one.getBoundingClientRect());
   assert.ok(brief.top >= 0 && brief.bottom <= 845, JSON.stringify(brief));
   await fits(page);
