@@ -199,8 +199,8 @@ fn the_worse_of_two_spectra_counts() {
         let study = format!("[ground]\nplace = \"Lisbon\"\n{kind}[building]\nstoreys = 2\n");
         let folder = crate::folder(&[("study.toml", &study)]);
         let flags = ["object", "--study", "study.toml", "--height", "1.2m", "--thickness", thickness, "--worlds", "40"];
-        let run = freestand_in(folder.path(), &[&flags[..], &["--json"]].concat());
-        let document: Value = serde_json::from_str(&run.stdout).unwrap();
+        let run = execute(folder.path(), &[&flags[..], &["--json"]].concat());
+        let document: Value = serde_json::from_slice(&run.stdout).unwrap();
         document["p_overturn"].as_f64().unwrap()
     };
     let mut differ = false;
