@@ -48,6 +48,9 @@ impl KeptMotions {
     }
 
     fn keep(&self, path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+        if fs::symlink_metadata(&self.folder).is_ok_and(|data| data.is_symlink()) {
+            return Err(std::io::ErrorKind::InvalidInput.into());
+        }
         fs::create_dir_all(&self.folder)?;
         // Created here, the file has the permissions that the umask of the user allows.
         let create = |path: &Path| fs::File::create_new(path);

@@ -6,8 +6,8 @@ use crate::inventory::{Item, Rating};
 use crate::result::{Assessment, Decision, Probability};
 
 /// The rule of [`Urgency`] in words; every output that shows the list prints it.
-pub(crate) const RULE: &str = "Order of the list: first what to restrain, then what to soften, what has no verdict, and \
-    what to leave. Within each: life safety (high first), probability of falling over, probability of exceeding the \
+pub(crate) const RULE: &str = "Order of the list: first what to restrain, then what to soften, what to lock, what has no \
+    verdict, and what to leave. Within each: life safety (high first), probability of falling over, probability of exceeding the \
     tolerance, property and function (high first), quantity (largest first), row of the list. An unrated object comes \
     after one rated low, and a probability that is not known counts as 0.";
 
@@ -78,6 +78,7 @@ mod tests {
         let list = [
             Urgency { decision: Decision::Restrain, ..LEAST },
             Urgency { decision: Decision::Soften, ..most },
+            Urgency { decision: Decision::Lock, ..most },
             Urgency { decision: Decision::NoVerdict, ..most },
             Urgency { life_safety: high, ..LEAST },
             Urgency { life_safety: low, ..LEAST },

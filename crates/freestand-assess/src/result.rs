@@ -1,8 +1,10 @@
 //! The result for one object: everything that its row, its page and the workbook show.
 
+use freestand_input::words::number;
 use serde::{Deserialize, Serialize};
 
 pub use freestand_study::result::Ranked;
+pub use freestand_study::study::Unstated;
 
 /// The verdict: what to do with an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -12,6 +14,8 @@ pub enum Decision {
     Restrain,
     /// Put it on a softer pad.
     Soften,
+    /// It stands, but it rolls or slides farther than it has room: lock or tether it, or give it room.
+    Lock,
     /// The data that a verdict needs are incomplete.
     NoVerdict,
     /// Leave it as it is.
@@ -20,13 +24,17 @@ pub enum Decision {
 
 impl Decision {
     /// All decisions, the most urgent first.
-    pub const ALL: [Self; 4] = [Self::Restrain, Self::Soften, Self::NoVerdict, Self::Leave];
+    pub const ALL: [Self; 5] = [Self::Restrain, Self::Soften, Self::Lock, Self::NoVerdict, Self::Leave];
+
+    /// How many there are.
+    pub const COUNT: usize = Self::ALL.len();
 
     /// The name in outputs.
     pub fn name(self) -> &'static str {
         match self {
             Self::Restrain => "restrain",
             Self::Soften => "soften",
+            Self::Lock => "lock",
             Self::NoVerdict => "no-verdict",
             Self::Leave => "leave",
         }
@@ -109,6 +117,10 @@ pub struct Answers {
     pub restitution_p16_p84: [f64; 2],
     /// The motions that the worlds use in turn, where they are too few for `leave`.
     pub few_motions: Option<FewMotions>,
+    /// The fewest worlds that could carry `leave`, where that is more than [`Self::worlds_cap`].
+    pub worlds_needed: Option<u32>,
+    /// Whether it is round: no model follows it, and the answers are those of the square prism around it.
+    pub is_round: bool,
 }
 
 /// Motions that are too few for `leave`, however many worlds use them.
@@ -248,18 +260,35 @@ pub struct AtWall {
 /// How far an object rolls or slides, and what a stop does to it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rolled {
-    /// Travel to one side as if nothing were in the way, median world \[m\].
+    /// Largest distance from where it stood as if nothing were in the way, median world \[m\].
     pub travel_m_median: f64,
     /// Travel that 84 % of the worlds do not exceed \[m\].
     pub travel_m_p84: f64,
+    /// Whether one horizontal component of its floor is all that is known: it travels at least so far.
+    pub is_at_least: bool,
     /// The way to its stop; `None`: nothing stops it \[m\].
     pub clearance_m: Option<f64>,
+    /// The least room on every side that would suffice: the upper end of the probability that it goes
+    /// farther is below the accepted one; with too few worlds for that, its largest travel \[m\].
+    pub clearance_needed_m: f64,
     /// Share of the worlds in which it reaches its stop.
     pub stop_share: f64,
     /// Speed at the stop that 84 % of the worlds do not exceed; `None`: it does not reach it \[m/s\].
     pub stop_speed_m_s_p84: Option<f64>,
     /// The speed at which the stop overturns it, about the axis where it is smaller \[m/s\].
     pub trip_speed_m_s: f64,
+}
+
+/// An object that rolls or slides, locked or held so that it rocks instead, in the same worlds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Braked {
+    /// P(it falls) by the model that decides.
+    pub overturn: Probability,
+    /// Worlds.
+    pub worlds: u32,
+    /// Whether it stands: the upper end is below the accepted probability, and no shock of its
+    /// landings, as far as that is known, is too hard for it.
+    pub stands: bool,
 }
 
 /// Sliding while rocking: the worlds in which rocking needs more friction than the list gives.
@@ -282,6 +311,15 @@ pub struct BeforeWall {
 }
 
 impl Rolled {
+    /// How far it goes in words: no farther than its stop, and `at least` where one component of the floor
+    /// is all that is known.
+    pub(crate) fn reach_words(&self) -> String {
+        let to_stop_m = self.clearance_m.filter(|_| self.stop_share > 0.0).unwrap_or(f64::INFINITY);
+        let reach_m = self.travel_m_p84.min(to_stop_m);
+        let at_least = if self.is_at_least && reach_m < to_stop_m { "at least " } else { "" };
+        format!("{at_least}{} mm", number((1e3 * reach_m).ceil(), 6))
+    }
+
     /// Trip speed over the speed at the stop; above 1 the stop does not overturn it.
     pub fn trip_margin(&self) -> Option<f64> {
         Some(self.trip_speed_m_s / self.stop_speed_m_s_p84?)
@@ -476,6 +514,8 @@ pub struct Assessment {
     pub decision: Decision,
     /// Why, in one or two sentences.
     pub why: String,
+    /// What nobody stated of its shaking, where that alone keeps it from being left as it is.
+    pub unstated: Option<Unstated>,
     /// The tier that decided: 0 it rocks in no world, 2 histories on a rigid base, 3 also on the
     /// compliant base.
     pub tier: u8,
@@ -487,6 +527,8 @@ pub struct Assessment {
     pub at_wall: Option<AtWall>,
     /// On its casters, or sliding on its base; `None`: it does neither, or rocks as well.
     pub rolled: Option<Rolled>,
+    /// Locked, where it rolls or slides farther than it has room; `None`: that was not asked.
+    pub braked: Option<Braked>,
     /// Where it slides while it rocks; `None`: nowhere.
     #[serde(default)]
     pub slipped: Option<Slipped>,

@@ -28,10 +28,12 @@ impl Stop {
         Self(wanted)
     }
 
-    /// Also stops when the terminal is closed (SIGHUP), unless the program was started to
-    /// ignore that (`nohup`): for a program that leaves no files.
+    /// Also stops on Ctrl-\\ (SIGQUIT), and when the terminal is closed (SIGHUP), unless the program was
+    /// started to ignore that (`nohup`): for a program that leaves no files.
     #[cfg(feature = "page")]
     pub(crate) fn listen_to_hangup(&self) {
+        #[cfg(unix)]
+        let _ = flag::register(signal_hook::consts::SIGQUIT, Arc::clone(&self.0));
         #[cfg(unix)]
         if !is_ignored(signal_hook::consts::SIGHUP) {
             let _ = flag::register(signal_hook::consts::SIGHUP, Arc::clone(&self.0));

@@ -3,6 +3,7 @@
 //! remedy.
 
 pub mod file;
+pub mod formula;
 pub mod keys;
 pub mod problem;
 pub mod quantity;

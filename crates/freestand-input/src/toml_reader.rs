@@ -1,5 +1,6 @@
 //! Reads a TOML text value by value, each with its line, and collects problems.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use toml::Spanned;
@@ -8,7 +9,11 @@ use toml::de::{DeTable, DeValue};
 use crate::keys::KeyStyle;
 use crate::problem::{Problem, ProblemKind, Problems};
 use crate::quantity::{self, Dimension, Unit};
-use crate::words::nearest;
+use crate::words::{counted, nearest};
+
+/// The largest number of lines that are not TOML that are named one by one: a file of another kind
+/// has thousands.
+const MAX_TOLD: usize = 20;
 
 /// A value and its line.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,21 +87,28 @@ impl<'s> Reader<'s> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         self.set_text(text);
         let (document, errors) = DeTable::parse_recoverable(text);
+        let has_old_ends = text.replace("\r\n", "").contains('\r');
+        let mut lines = HashSet::new();
         for error in errors {
             let line = error.span().map(|span| self.line_of(span.start));
             // Further errors on the same line follow from the first.
-            if self.problems.problems.iter().any(|earlier| earlier.line == line) {
+            if !lines.insert(line) || lines.len() > MAX_TOLD {
                 continue;
             }
             // The parser uses backticks as quotation marks; in our messages they mark keys.
             let message = one_line(&error.message().replace('`', "\""));
             let problem = Problem::new(ProblemKind::Format, format!("not TOML: {message}"));
-            let hint = if text.replace("\r\n", "").contains('\r') {
+            let hint = if has_old_ends {
                 "save it with line ends LF or CR LF"
             } else {
                 "write a heading as [name], a key as name = value, and text in \"quotes\""
             };
             self.note(line, problem.hint(hint));
+        }
+        if let Some(more) = lines.len().checked_sub(MAX_TOLD).filter(|more| *more > 0) {
+            let message = format!("not TOML: {} like these", counted(more, "more line"));
+            let hint = "check that this is a study, and not a list of objects or a record";
+            self.note(None, Problem::new(ProblemKind::Format, message).hint(hint));
         }
         // In a text that is not TOML, other problems would only be consequences.
         self.problems.is_empty().then_some(document)
@@ -393,5 +405,25 @@ impl<'t, 'i> Section<'t, 'i> {
             let line = reader.line_of(name.span().start);
             reader.note(Some(line), Problem::value(what, hint));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file of another kind is told by its first lines and the number of the others.
+    #[test]
+    fn a_file_that_is_not_toml_is_told_in_a_few_lines() {
+        let text: String = (0..40_000).map(|i| format!("{i};cabinet;1800;300\n")).collect();
+        let mut reader = Reader::new(&text, None);
+        assert!(reader.document(&text).is_none());
+        let lines: Vec<Option<usize>> = reader.problems.into_iter().map(|problem| problem.line).collect();
+        let told: Vec<Option<usize>> = (1..=MAX_TOLD).map(Some).chain([None]).collect();
+        assert_eq!(lines, told);
+        let few = "a = 1\nb\nc = 2\n";
+        let mut reader = Reader::new(few, None);
+        assert!(reader.document(few).is_none());
+        assert_eq!(reader.problems.into_iter().map(|problem| problem.line).collect::<Vec<_>>(), [Some(2)]);
     }
 }

@@ -5,6 +5,7 @@
 
 use std::borrow::Cow;
 
+use freestand_input::formula::guarded;
 use freestand_input::quantity::{format_si, lookup};
 use freestand_input::words::{push_shortest, shortest, significant};
 use freestand_input::{Problem, ProblemKind};
@@ -256,7 +257,7 @@ pub fn csv_rows<'a>(rows: impl Iterator<Item = Facts<'a>>) -> Result<Vec<u8>, Pr
         for (_, value) in row.fields() {
             text.clear();
             match value {
-                Value::Text(value) => text.push_str(value),
+                Value::Text(value) => text.push_str(&guarded(value)),
                 Value::Number(value) | Value::NumberOr(Some(value), _) if value.is_finite() => {
                     push_shortest(&mut text, *value);
                 }

@@ -1,6 +1,7 @@
 //! The temporary places of outputs that are not complete yet, and the removal of what a killed
 //! process left there.
 
+use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io;
@@ -71,6 +72,46 @@ fn is_gone(process: u32) -> bool {
 pub fn real_path(path: &Path) -> PathBuf {
     let link = fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
     link.then(|| fs::canonicalize(path).ok()).flatten().unwrap_or_else(|| path.to_path_buf())
+}
+
+/// Refuses a link inside a folder of results: whoever made the folder could let it lead anywhere,
+/// and what is written or removed through it would be somebody's file.
+///
+/// # Errors
+/// `path` is a link, whether or not its target exists.
+pub fn refuse_link(path: &Path) -> Result<(), Problem> {
+    if !fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink()) {
+        return Ok(());
+    }
+    Err(Problem::new(ProblemKind::Io, "is a link, and nothing is written through a link in a folder of results")
+        .in_file(path)
+        .hint("remove the link, or name another folder with `out`"))
+}
+
+/// Refuses links among these names in a folder, and among the folders above them.
+///
+/// # Errors
+/// As [`refuse_link`].
+pub fn refuse_links<'n>(folder: &Path, names: impl IntoIterator<Item = &'n str>) -> Result<(), Problem> {
+    let mut seen = BTreeSet::new();
+    for name in names {
+        for part in Path::new(name).ancestors().filter(|part| !part.as_os_str().is_empty()) {
+            if !seen.insert(part) {
+                break;
+            }
+            refuse_link(&folder.join(part))?;
+        }
+    }
+    Ok(())
+}
+
+/// Refuses links among everything that lies in a folder, and a folder that is a link.
+///
+/// # Errors
+/// As [`refuse_link`].
+pub fn refuse_links_in(folder: &Path) -> Result<(), Problem> {
+    refuse_link(folder)?;
+    fs::read_dir(folder).into_iter().flatten().flatten().try_for_each(|entry| refuse_link(&entry.path()))
 }
 
 /// Refuses an output that would replace an input.

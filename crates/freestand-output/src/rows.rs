@@ -1,6 +1,7 @@
 //! Tables as CSV with commas and LF. Numbers are the shortest that read back the same; a missing
 //! value is an empty field.
 
+use freestand_input::formula::guarded_text_or_number;
 use freestand_input::words::{push_shortest, shortest};
 use freestand_input::{Problem, ProblemKind};
 use serde_json::Value;
@@ -8,15 +9,18 @@ use serde_json::Value;
 pub use crate::table::broken;
 use crate::table::{Holds, Table};
 
-/// Rows of text as CSV.
+/// Rows of numbers and texts as CSV. A text that a spreadsheet would take for a formula gets a leading `'`.
 ///
 /// # Errors
 /// None in practice: all rows have the same length, and writing to memory does not fail.
 pub fn csv(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Result<Vec<u8>, Problem> {
     let mut writer = csv_writer();
-    writer.write_record(header).map_err(broken)?;
+    writer.write_record(header.iter().map(|name| guarded_text_or_number(name).into_owned())).map_err(broken)?;
     for row in rows {
-        writer.write_record(row).map_err(broken)?;
+        for field in row {
+            writer.write_field(guarded_text_or_number(&field).as_ref()).map_err(broken)?;
+        }
+        writer.write_record(None::<&[u8]>).map_err(broken)?;
     }
     writer.into_inner().map_err(|error| broken(csv::Error::from(error.into_error())))
 }

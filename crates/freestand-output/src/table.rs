@@ -1,6 +1,7 @@
 //! A table that is written as CSV and, if wanted, as Parquet too: the text, and what each of its
 //! columns holds.
 
+use freestand_input::formula::unguarded;
 use freestand_input::{Problem, ProblemKind};
 
 use crate::parquet::{ColumnType, ParquetColumn, ParquetFile, ParquetValue};
@@ -121,7 +122,7 @@ fn value(cell: &str, holds: ColumnType) -> ParquetValue<'_> {
         ColumnType::Number => cell.parse().ok().map(ParquetValue::Number),
         ColumnType::Count => cell.parse().ok().map(ParquetValue::Count),
         ColumnType::Flag => cell.parse().ok().map(ParquetValue::Flag),
-        ColumnType::Text => Some(ParquetValue::Text(cell.into())),
+        ColumnType::Text => Some(ParquetValue::Text(unguarded(cell).into())),
     };
     read.unwrap_or(ParquetValue::Missing)
 }
@@ -205,6 +206,23 @@ mod tests {
         // A column without values holds numbers where its name has a unit.
         let types: Vec<_> = reader.metadata().row_group(0).columns().iter().map(|one| one.column_type()).collect();
         assert_eq!(types[6..], [parquet::basic::Type::DOUBLE, parquet::basic::Type::BYTE_ARRAY]);
+    }
+
+    #[test]
+    fn a_text_that_looks_like_a_formula_is_a_text_in_csv_and_unchanged_in_parquet() {
+        let rows = ["=cmd|' /C calc'!A0", "\t=1", "＝1", "-5", "rack"];
+        let one = table(rows.map(|id| Facts::default().key("id", id).key("share", -0.5))).unwrap();
+        let text = one.to_string();
+        assert_eq!(
+            text.lines().skip(1).map(|line| line.trim_matches('"')).collect::<Vec<_>>(),
+            ["'=cmd|' /C calc'!A0,-0.5", "'\t=1,-0.5", "'＝1,-0.5", "'-5,-0.5", "rack,-0.5"]
+        );
+        let mut file = tempfile::tempfile().unwrap();
+        file.write_all(&one.parquet("freestand.risk/1", []).unwrap()).unwrap();
+        let reader = SerializedFileReader::new(file).unwrap();
+        let id = |row: parquet::record::Row| row.get_column_iter().next().map(|(_, field)| field.clone());
+        let read: Vec<_> = reader.get_row_iter(None).unwrap().filter_map(|row| id(row.unwrap())).collect();
+        assert_eq!(read, rows.map(|id| Field::Str(id.to_owned())));
     }
 
     #[test]

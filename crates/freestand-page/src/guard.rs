@@ -4,6 +4,8 @@
 //! ours; nor does a form or a script of such a page, because `Origin` has to be ours and the token
 //! is in no cookie.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use hyper::header::{AUTHORIZATION, HOST, HeaderName, ORIGIN};
 use hyper::{HeaderMap, Request};
 
@@ -40,16 +42,24 @@ impl Token {
 /// The addresses at which this server is.
 #[derive(Clone)]
 pub(crate) struct Guard {
-    hosts: [String; 2],
-    origins: [String; 2],
+    hosts: Vec<String>,
+    origins: Vec<String>,
     token: Token,
+    /// Opens the page once: it is on the command line of the browser, where every user of the machine
+    /// can read it, and is worth nothing afterwards.
+    once: Arc<Mutex<Option<Token>>>,
 }
+
+/// The port that an address without one has: browsers leave it out.
+const DEFAULT_PORT: u16 = 80;
 
 impl Guard {
     pub(crate) fn new(port: u16, token: Token) -> Self {
-        let hosts = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
-        let origins = [format!("http://127.0.0.1:{port}"), format!("http://localhost:{port}")];
-        Self { hosts, origins, token }
+        const NAMES: [&str; 2] = ["127.0.0.1", "localhost"];
+        let bare = NAMES.iter().filter(|_| port == DEFAULT_PORT).map(|name| (*name).to_owned());
+        let hosts: Vec<String> = NAMES.iter().map(|name| format!("{name}:{port}")).chain(bare).collect();
+        let origins = hosts.iter().map(|host| format!("http://{host}")).collect();
+        Self { hosts, origins, token, once: Arc::default() }
     }
 
     /// Refuses what comes from elsewhere; before anything else is looked at.
@@ -69,6 +79,19 @@ impl Guard {
             return Err(forbidden("origin", "the request comes from another page"));
         }
         Ok(())
+    }
+
+    /// A new word that opens the page once, in place of an earlier one.
+    pub(crate) fn new_once(&self) -> std::io::Result<Token> {
+        let once = Token::random()?;
+        *self.once.lock().unwrap_or_else(PoisonError::into_inner) = Some(once.clone());
+        Ok(once)
+    }
+
+    /// The token, for whoever brings the word that opens the page once; the word is then used up.
+    pub(crate) fn open(&self, once: &str) -> Option<&Token> {
+        let mut kept = self.once.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.take_if(|kept| kept.is(once.as_bytes())).map(|_| &self.token)
     }
 
     /// Refuses whoever asks the program without the token.
@@ -104,6 +127,30 @@ fn only<'a>(headers: &'a HeaderMap, name: &HeaderName) -> Option<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_default_port_may_be_left_out() {
+        let asked = |port: u16, host: &str| {
+            let guard = Guard::new(port, Token::random().unwrap());
+            let request = Request::builder().header(HOST, host).header(ORIGIN, format!("http://{host}"));
+            guard.check_origin(&request.body(()).unwrap()).is_ok()
+        };
+        for host in ["127.0.0.1", "localhost"] {
+            assert!(asked(80, host) && asked(80, &format!("{host}:80")));
+            assert!(!asked(8080, host) && !asked(80, &format!("{host}:8080")) && asked(8080, &format!("{host}:8080")));
+        }
+        assert!(!asked(80, "example.org"));
+    }
+
+    #[test]
+    fn the_page_is_opened_once() {
+        let guard = Guard::new(8080, Token::random().unwrap());
+        assert!(guard.open("").is_none());
+        let (earlier, once) = (guard.new_once().unwrap(), guard.new_once().unwrap());
+        assert!(guard.open(earlier.text()).is_none());
+        assert_eq!(guard.open(once.text()).unwrap().text(), guard.token.text());
+        assert!(guard.open(once.text()).is_none());
+    }
 
     #[test]
     fn tokens_differ_and_are_compared_whole() {

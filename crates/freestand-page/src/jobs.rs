@@ -1,6 +1,6 @@
 //! Work that takes long: started by one request, followed by another, stopped by a third.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -102,6 +102,7 @@ struct Told {
 /// One job with everything that it has told.
 pub(crate) struct Job {
     pub(crate) id: String,
+    number: usize,
     pub(crate) cancel: Cancel,
     pub(crate) folder: PathBuf,
     /// Which work it does; only the same work continues it.
@@ -220,22 +221,23 @@ impl Jobs {
         self.all.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A new job, in the folder that `place` gives for its name, or in that of an earlier job that it
+    /// A new job, in a new folder in `results` with its name, or in that of an earlier job that it
     /// continues: only the same work continues a job, and only one that was stopped or has failed.
-    pub(crate) fn begin(
-        &self,
-        continues: Option<&str>,
-        work: Value,
-        place: impl FnOnce(&str) -> PathBuf,
-    ) -> Result<Arc<Job>, Refusal> {
+    /// The name has the first number for which there is no folder yet: the results of an earlier server
+    /// stay as they are.
+    pub(crate) fn begin(&self, continues: Option<&str>, work: Value, results: &Path) -> Result<Arc<Job>, Refusal> {
         let mut all = self.list();
         if all.iter().filter(|job| !job.is_ended()).count() >= MAX_RUNNING {
             let message = format!("{MAX_RUNNING} jobs are running already");
             return Err(Refusal::new(Status::TooMany, "busy", message, "wait for one of them, or cancel it"));
         }
-        let id = format!("job-{}", all.len() + 1);
-        let folder = match continues {
-            None => place(&id),
+        let next = all.last().map_or(1, |job| job.number + 1);
+        let (number, folder) = match continues {
+            None => new_folder(results, next).map_err(|error| {
+                let message = format!("no folder for the results can be made: {error}");
+                let hint = "check that the folder for results can be written and has room";
+                Refusal::new(Status::Defect, "io", message, hint)
+            })?,
             Some(earlier) => {
                 let earlier = all.iter().find(|job| job.id == earlier).ok_or_else(missing)?;
                 if !earlier.is_ended() {
@@ -251,11 +253,12 @@ impl Jobs {
                     let hint = "send the same command, options, files and edits, or leave `continues` out";
                     return Err(Refusal::new(Status::BadInput, "value", message, hint));
                 }
-                earlier.folder.clone()
+                (next, earlier.folder.clone())
             }
         };
         let job = Arc::new(Job {
-            id,
+            id: name(number),
+            number,
             cancel: Cancel::default(),
             folder,
             work,
@@ -280,6 +283,24 @@ impl Jobs {
     /// Whether no job is running.
     pub(crate) fn is_idle(&self) -> bool {
         self.list().iter().all(|job| job.is_ended())
+    }
+}
+
+fn name(number: usize) -> String {
+    format!("job-{number}")
+}
+
+/// Makes the first folder from this number on that does not exist.
+fn new_folder(results: &Path, from: usize) -> std::io::Result<(usize, PathBuf)> {
+    std::fs::create_dir_all(results)?;
+    let mut number = from;
+    loop {
+        let folder = results.join(name(number));
+        match std::fs::create_dir(&folder) {
+            Ok(()) => return Ok((number, folder)),
+            Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => number += 1,
+            Err(error) => return Err(error),
+        }
     }
 }
 

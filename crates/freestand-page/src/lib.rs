@@ -25,7 +25,7 @@ use serde_json::{Map, Value};
 pub use jobs::{Events, MAX_RUNNING};
 pub use reply::{Refusal, Status, columns};
 pub use routes::MAX_BODY_BYTES;
-pub use server::{Server, Settings};
+pub use server::{BindError, Server, Settings};
 pub use uploads::{MAX_FILE_BYTES, MAX_TOTAL_BYTES};
 
 /// What the server knows of the program behind it.

@@ -8,7 +8,7 @@ use std::time::Duration;
 use bytes::Bytes;
 use http_body_util::{BodyExt, Limited};
 use hyper::body::Incoming;
-use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue};
+use hyper::header::{CONTENT_DISPOSITION, CONTENT_TYPE, HeaderValue, LOCATION};
 use hyper::{Method, StatusCode};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
@@ -17,7 +17,7 @@ use crate::assets::asset;
 use crate::guard::Guard;
 use crate::jobs::Jobs;
 use crate::reply::{Answered, Content, Refusal, Status, document, not_allowed, nothing, refused, response, value};
-use crate::slots::Slots;
+use crate::slots::{Slot, Slots};
 use crate::uploads::Uploads;
 use crate::{Cancel, Edit, Events, History, Program, Request, Shape};
 
@@ -71,6 +71,9 @@ struct Asked {
     shape: Shape,
     #[serde(default)]
     slot: Option<String>,
+    /// The tab that asks: the newest request of a slot counts within it.
+    #[serde(default)]
+    tab: String,
     #[serde(default)]
     edits: Vec<Edit>,
     /// The job that this one continues.
@@ -97,6 +100,9 @@ pub(crate) async fn answer(site: Arc<Site>, request: hyper::Request<Incoming>) -
 async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<Answered, Refusal> {
     site.guard.check_origin(&request)?;
     let path = request.uri().path().to_owned();
+    if let Some(once) = path.strip_prefix("/open/") {
+        return opened(&site.guard, once);
+    }
     if path != "/api" && !path.starts_with("/api/") {
         return match (request.method(), asset(&path, request.headers())) {
             (&Method::GET | &Method::HEAD, Some(answer)) => Ok(answer),
@@ -131,6 +137,19 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
         (_, ["v1", "jobs", _, "files", _]) => Ok(not_allowed("GET")),
         _ => Err(unknown()),
     }
+}
+
+/// Sends whoever opens the page for the first time on to it, with the token behind the `#`.
+fn opened(guard: &Guard, once: &str) -> Result<Answered, Refusal> {
+    let used = || {
+        let hint = "open the address that freestand serve printed";
+        Refusal::new(Status::NotFound, "token", "this address opens the page only once", hint)
+    };
+    let token = guard.open(once).ok_or_else(used)?;
+    let place = HeaderValue::from_str(&format!("/#{}", token.text())).map_err(|_| used())?;
+    let mut answer = response(StatusCode::SEE_OTHER, "text/plain; charset=utf-8", Content::Whole(None));
+    answer.headers_mut().insert(LOCATION, place);
+    Ok(answer)
 }
 
 fn unknown() -> Refusal {
@@ -220,7 +239,7 @@ async fn live(site: Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
         let message = format!("{MAX_LIVE} requests are being answered already");
         return Err(Refusal::new(Status::TooMany, "busy", message, "wait for one of them"));
     };
-    let slot = asked.slot.clone();
+    let slot = asked.slot.as_ref().map(|name| Slot { tab: asked.tab.clone(), name: name.clone() });
     let request = understood(&site, asked, None)?;
     let entered = site.jobs.live.enter();
     let program = site.program;
@@ -303,9 +322,8 @@ async fn job(site: &Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
     let program = site.program;
     let checked = tokio::task::spawn_blocking(move || (program.check)(&request).map(|()| request)).await;
     request = checked.map_err(|_| defect())??;
-    let job = site.jobs.begin(continues.as_deref(), same, |id| {
-        site.folder.as_ref().map_or_else(|| site.uploads.beside(id), |folder| folder.join(id))
-    })?;
+    let results = site.folder.as_deref().unwrap_or(site.uploads.folder());
+    let job = site.jobs.begin(continues.as_deref(), same, results)?;
     request.folder = Some(job.folder.clone());
     let id = job.id.clone();
     tokio::spawn(async move {

@@ -11,6 +11,7 @@ use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::net::TcpListener;
 use tokio::runtime::Runtime;
+use tokio_io_timeout::TimeoutStream;
 
 use crate::Program;
 use crate::guard::{Guard, Token};
@@ -28,11 +29,23 @@ const MAX_CONNECTIONS: usize = 128;
 /// How long the head of a request may take.
 const HEAD_TIME: Duration = Duration::from_secs(10);
 
+/// How long a client may leave unread what is written to it.
+const WRITE_TIME: Duration = Duration::from_secs(15);
+
 /// How often it is looked whether the server is to end.
 const LOOK: Duration = Duration::from_millis(50);
 
 /// How long jobs may take to stop at the end.
 const LAST_TIME: Duration = Duration::from_secs(5);
+
+/// Why a server cannot be started.
+#[derive(Debug)]
+pub enum BindError {
+    /// The port, or the network.
+    Port(std::io::Error),
+    /// The folder for temporary files.
+    Folder(std::io::Error),
+}
 
 /// How to serve.
 #[derive(Debug, Clone, Default)]
@@ -57,18 +70,20 @@ impl Server {
     ///
     /// # Errors
     /// The port is taken, or no temporary folder can be made.
-    pub fn bind(settings: &Settings, program: Program) -> std::io::Result<Self> {
+    pub fn bind(settings: &Settings, program: Program) -> Result<Self, BindError> {
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(THREADS)
             .max_blocking_threads(BLOCKING_THREADS)
             .enable_io()
             .enable_time()
-            .build()?;
+            .build()
+            .map_err(BindError::Port)?;
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, settings.port));
-        let listener = runtime.block_on(TcpListener::bind(address))?;
-        let port = listener.local_addr()?.port();
-        let token = Token::random()?;
-        let site = Arc::new(Site::new(program, Guard::new(port, token.clone()), settings.folder.clone())?);
+        let listener = runtime.block_on(TcpListener::bind(address)).map_err(BindError::Port)?;
+        let port = listener.local_addr().map_err(BindError::Port)?.port();
+        let token = Token::random().map_err(BindError::Port)?;
+        let site = Site::new(program, Guard::new(port, token.clone()), settings.folder.clone());
+        let site = Arc::new(site.map_err(BindError::Folder)?);
         Ok(Self { runtime, listener, site, port, token })
     }
 
@@ -85,6 +100,14 @@ impl Server {
     /// The address to open: the token is behind the `#`, which no browser sends.
     pub fn url(&self) -> String {
         format!("http://127.0.0.1:{}/#{}", self.port, self.token())
+    }
+
+    /// An address that opens the page once, for the command line of a browser.
+    ///
+    /// # Errors
+    /// The operating system gives no random numbers.
+    pub fn url_for_browser(&self) -> std::io::Result<String> {
+        Ok(format!("http://127.0.0.1:{}/open/{}", self.port, self.site.guard.new_once()?.text()))
     }
 
     /// The folder of the uploaded files: no request names a file elsewhere.
@@ -106,6 +129,8 @@ impl Server {
             std::thread::sleep(LOOK);
         }
         runtime.shutdown_timeout(Duration::from_millis(200));
+        // Work that is still going on holds the files.
+        site.uploads.remove();
     }
 }
 
@@ -125,10 +150,13 @@ async fn accept(listener: TcpListener, site: Arc<Site>) {
                 let site = Arc::clone(&site);
                 async move { Ok::<_, Infallible>(answer(site, request).await) }
             });
+            // Whoever does not read what is written to them gives their place to others.
+            let mut stream = TimeoutStream::new(stream);
+            stream.set_write_timeout(Some(WRITE_TIME));
             let mut builder = http1::Builder::new();
             builder.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME);
             // A connection that breaks off concerns nobody else.
-            let _ = builder.serve_connection(TokioIo::new(stream), service).await;
+            let _ = builder.serve_connection(TokioIo::new(Box::pin(stream)), service).await;
             drop(place);
         });
     }

@@ -30,9 +30,21 @@ pub const MAX_TOTAL_BYTES: u64 = 256 << 20;
 /// short enough to drop a client that has stopped sending.
 const PIECE_TIME: Duration = Duration::from_secs(10);
 
+/// The beginning of the names of the folders of servers.
+const PREFIX: &str = "freestand-page-";
+
+/// The file in such a folder that its server locks.
+const LOCK: &str = "server.lock";
+
+/// Age at which a folder without a locked file is a leftover: a server that starts has just made its
+/// folder and not locked it yet.
+const LEFTOVER_AGE: Duration = Duration::from_secs(10);
+
 /// The files; each is in a folder of its own, under the name that the user gave it.
 pub(crate) struct Uploads {
     folder: TempDir,
+    /// Locked as long as the server lives.
+    _lock: File,
     kept: Mutex<Kept>,
 }
 
@@ -53,9 +65,25 @@ pub(crate) struct Uploaded {
 }
 
 impl Uploads {
+    /// In a new folder; those that servers left which were killed are removed.
     pub(crate) fn new() -> std::io::Result<Self> {
-        let folder = tempfile::Builder::new().prefix("freestand-page-").tempdir()?;
-        Ok(Self { folder, kept: Mutex::default() })
+        clear_leftovers(&std::env::temp_dir());
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(PREFIX);
+        // Uploaded files and results concern nobody else on the machine.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o700));
+        let folder = builder.tempdir()?;
+        let lock = File::create_new(folder.path().join(LOCK))?;
+        // Where files cannot be locked, what a killed server leaves stays.
+        let _ = lock.try_lock();
+        Ok(Self { folder, _lock: lock, kept: Mutex::default() })
+    }
+
+    /// Removes everything, also while work still holds the files.
+    pub(crate) fn remove(&self) {
+        // At the end there is nobody to tell.
+        let _ = std::fs::remove_dir_all(self.folder.path());
     }
 
     /// The folder of everything.
@@ -88,11 +116,6 @@ impl Uploads {
             made.or_else(|_| std::fs::copy(&from, own).map(|_| ())).map_err(|error| unwritten(&error))?;
         }
         Ok(paths)
-    }
-
-    /// A folder beside the files, for the results of jobs.
-    pub(crate) fn beside(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
     }
 
     /// The path of a file.
@@ -128,7 +151,7 @@ impl Uploads {
                 bytes += chunk.len() as u64;
                 staged.write_all(&chunk).map_err(|error| unwritten(&error))?;
             }
-            uploaded.push(self.keep(staged, name, bytes, hex(&sha.finalize()), program)?);
+            uploaded.push(self.keep(staged, name, bytes, hex(&sha.finalize()), program).await?);
         }
         if uploaded.is_empty() {
             let hint = "choose one file or more";
@@ -137,7 +160,7 @@ impl Uploads {
         Ok(uploaded)
     }
 
-    fn keep(
+    async fn keep(
         &self,
         staged: tempfile::NamedTempFile,
         name: String,
@@ -162,7 +185,29 @@ impl Uploads {
             kept.files.push((id.clone(), path.clone()));
             (id, path)
         };
-        Ok(Uploaded { id, name, bytes, sha256, kind: (program.kind)(&path) })
+        // Reading a large file takes seconds, in which the threads of the server answer others.
+        let kind = program.kind;
+        let kind = tokio::task::spawn_blocking(move || kind(&path)).await.unwrap_or(Kind::Unknown);
+        Ok(Uploaded { id, name, bytes, sha256, kind })
+    }
+}
+
+/// Removes the folders of servers that were killed: their lock is free. A folder of another user cannot
+/// be opened, and a link is not followed.
+fn clear_leftovers(temporary: &Path) {
+    for entry in std::fs::read_dir(temporary).into_iter().flatten().flatten() {
+        let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+        if !is_folder || !entry.file_name().to_string_lossy().starts_with(PREFIX) {
+            continue;
+        }
+        let lock = File::open(entry.path().join(LOCK));
+        let is_old = |lock: &File| {
+            let made = lock.metadata().and_then(|data| data.modified()).ok();
+            made.and_then(|made| made.elapsed().ok()).is_some_and(|age| age >= LEFTOVER_AGE)
+        };
+        if lock.is_ok_and(|lock| is_old(&lock) && lock.try_lock().is_ok()) {
+            let _ = std::fs::remove_dir_all(entry.path());
+        }
     }
 }
 
@@ -222,7 +267,43 @@ fn unwritten(error: &std::io::Error) -> Refusal {
 
 #[cfg(test)]
 mod tests {
-    use super::clean;
+    use super::*;
+
+    #[test]
+    fn the_folder_of_a_killed_server_is_removed_and_no_other() {
+        let temporary = tempfile::tempdir().unwrap();
+        let folder = |name: &str, age: Duration| {
+            let path = temporary.path().join(name);
+            std::fs::create_dir(&path).unwrap();
+            let lock = File::create_new(path.join(LOCK)).unwrap();
+            lock.set_modified(std::time::SystemTime::now() - age).unwrap();
+            lock
+        };
+        let (old, young) = (LEFTOVER_AGE * 2, Duration::ZERO);
+        let alive = folder("freestand-page-alive", old);
+        alive.try_lock().unwrap();
+        drop(folder("freestand-page-killed", old));
+        drop(folder("freestand-page-starting", young));
+        drop(folder("somebody-else", old));
+        std::fs::create_dir(temporary.path().join("freestand-page-of-another-kind")).unwrap();
+        clear_leftovers(temporary.path());
+        let left = std::fs::read_dir(temporary.path()).unwrap().map(|entry| entry.unwrap().file_name());
+        let mut left: Vec<_> = left.map(|name| name.into_string().unwrap()).collect();
+        left.sort_unstable();
+        let expected = ["freestand-page-alive", "freestand-page-of-another-kind", "freestand-page-starting"];
+        assert_eq!(left, [&expected[..], &["somebody-else"]].concat());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn uploads_are_private() {
+        use std::os::unix::fs::PermissionsExt;
+        let uploads = Uploads::new().unwrap();
+        let mode = std::fs::metadata(uploads.folder()).unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o700);
+        uploads.remove();
+        assert!(!uploads.folder().exists());
+    }
 
     #[test]
     fn names_are_no_paths() {

@@ -71,6 +71,11 @@ fn overrides(given: &mut Given<'_, '_>) -> Overrides {
     Overrides { seed: given.whole("seed", 0), hazard: given.words("hazard"), ..Overrides::default() }
 }
 
+/// A number of storeys that an override can hold; a larger one is refused where the list is read.
+fn storeys(request: &ListRequest) -> Option<u16> {
+    u16::try_from(request.storeys?).ok()
+}
+
 /// The verdicts about an inventory, written into a folder: the document of the command.
 #[pyfunction]
 pub(crate) fn assess(
@@ -82,7 +87,7 @@ pub(crate) fn assess(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<String> {
     let mut given = Given::new(values);
-    let overrides = overrides(&mut given);
+    let mut overrides = overrides(&mut given);
     let request = ListRequest {
         sheet: given.text("sheet"),
         columns: given.path("columns"),
@@ -91,6 +96,7 @@ pub(crate) fn assess(
         assess_anchored: given.flag("assess_anchored"),
         edits: Vec::new(),
     };
+    overrides.storeys = storeys(&request);
     let job = Job {
         resume: given.flag("resume"),
         force: given.flag("force"),

@@ -110,6 +110,10 @@ pub(crate) fn check_object(
     let tolerance = tolerance.map(|of_g| Withstood { peak_m_s2: of_g * G0_M_S2, duration_s });
     let (height, thickness) = (given.positive("height_m"), given.positive("thickness_m"));
     let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
+    let shape = given.text("shape");
+    if let Some(other) = shape.as_deref().filter(|shape| !["box", "cylinder"].contains(shape)) {
+        given.push(Problem::value(format!("shape \"{other}\" is not known"), "give \"box\" or \"cylinder\""));
+    }
     let mass_kg = given.positive("mass_kg");
     let friction_ratio = given.range("friction");
     let surroundings = surroundings(&mut given);
@@ -145,6 +149,7 @@ pub(crate) fn check_object(
             height_m,
             thickness_m,
             width_m,
+            is_round: shape.as_deref() == Some("cylinder"),
             cg_height_m,
             mass_kg,
             rests_on,

@@ -86,7 +86,7 @@ def test_objects_are_a_table(assessed):
     assert len(table) == 2 and list(table["id"]) == ["a", "b"]
     assert table["height_m"].tolist() == [2.0, 0.8]
     frame = table.to_pandas()
-    assert set(frame["decision"]) <= {"leave", "restrain", "soften", "no-verdict"}
+    assert set(frame["decision"]) <= {"leave", "lock", "restrain", "soften", "no-verdict"}
     assert (frame["p_overturn"] >= 0).all()
 
 

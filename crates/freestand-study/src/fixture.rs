@@ -48,6 +48,9 @@ pub(crate) fn study() -> Study {
     Study {
         source: None,
         is_builtin: false,
+        place_is_assumed: false,
+        building_is_assumed: false,
+        assumed: Vec::new(),
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
             target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),
@@ -241,7 +244,7 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
     };
     let peak = match outcome {
         Outcome::NoUplift => 0.0,
-        Outcome::Rocked => ratio * pivot.slenderness_angle_rad,
+        Outcome::Rocked | Outcome::Unresolved => ratio * pivot.slenderness_angle_rad,
         Outcome::Overturned | Outcome::Leaned => FRAC_PI_2,
     };
     let cg_rise_m = pivot.cg_rise_m(peak.min(pivot.slenderness_angle_rad));

@@ -60,6 +60,30 @@ pub(crate) fn with_hazard(toml: &str, removed: &[&str], words: &Words) -> Result
     Ok(study.to_string())
 }
 
+/// The text with this number of storeys in `[building]`, and with this height of each; without a name where
+/// it is that of another building.
+///
+/// # Errors
+/// A text that is not TOML, or in which `building` is not a table.
+pub(crate) fn with_storeys(
+    toml: &str,
+    storeys: u16,
+    height: Option<&str>,
+    is_renamed: bool,
+) -> Result<String, Problem> {
+    let mut study = parse(toml)?;
+    let building = study.entry("building").or_insert_with(toml_edit::table);
+    let Some(building) = building.as_table_like_mut() else { return Err(broken("building is not a table")) };
+    if is_renamed {
+        building.remove("name");
+    }
+    building.insert("storeys", value(i64::from(storeys)));
+    if let Some(height) = height {
+        building.insert("storey_height", value(height));
+    }
+    Ok(study.to_string())
+}
+
 /// The text with another value of a key; keys of `in_place_of` are removed, because they state the
 /// same quantity in another way.
 ///

@@ -140,7 +140,7 @@ impl UpliftCell {
             // Only the rocking before remains to compare: where an error has become visible in it,
             // the overturning is in doubt.
             Outcome::Overturned => Sensitivity { ratio: None, sensitive: lower.max(speed) > DOUBTFUL_RATIO },
-            Outcome::Rocked | Outcome::Leaned => {
+            Outcome::Rocked | Outcome::Leaned | Outcome::Unresolved => {
                 let peak = self.rocking.peak_rotation_rad;
                 let ratio = amplified(peak, changed.peak_rotation_rad, peak);
                 // A block at the threshold that does not rise may rise under the changed motion: it

@@ -158,6 +158,7 @@ mod tests {
         let runs = [0.1, 0.2].map(|intensity| Run { motion: Some(0), intensity, class, weight: 1.0 });
         let curve = |limit_state, kind| Curve { limit_state, kind };
         ObjectFragility {
+            capacities: Vec::new(),
             id: "a".to_owned(),
             outcomes: Outcomes::new(&runs).unwrap(),
             unresolved: 0,

@@ -4,13 +4,17 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use freestand::fragility::{Curve, CurveKind, Fit, FitKind, LimitState};
+use freestand::risk::Capacity;
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::significant;
+use freestand_input::words::{shortest, significant};
 
 use super::measure::{At, MEASURES, Measure};
 use super::table::{Row, RowProblems, Table};
+
+/// The column of `fragility.csv` with [`capacities_text`].
+pub(crate) const CAPACITY: &str = "capacity";
 
 const HINT: &str =
     "the columns are id,im,im_unit,at,limit_state,kind,median,beta, and lower,upper for a step or bounds";
@@ -26,6 +30,9 @@ pub struct ObjectCurves {
     pub at: At,
     /// From harmless to severe.
     pub curves: Vec<Curve>,
+    /// Between which intensities of the runs the capacities are, for each limit state; empty where only
+    /// the curves are known.
+    pub(crate) capacities: Vec<(LimitState, Vec<Capacity>)>,
     /// The line of its first curve in the file, from 1.
     pub line: usize,
 }
@@ -35,6 +42,40 @@ impl ObjectCurves {
     pub(crate) fn curve(&self, state: LimitState) -> Option<CurveKind> {
         self.curves.iter().find(|curve| curve.limit_state == state).map(|curve| curve.kind)
     }
+
+    /// Between which intensities of the runs the capacities of a limit state are; empty where that is not
+    /// known.
+    pub(crate) fn capacities(&self, state: LimitState) -> &[Capacity] {
+        self.capacities.iter().find(|one| one.0 == state).map_or(&[], |one| &one.1)
+    }
+}
+
+/// Capacities in a cell: `<0.05..0.1=0.25; 0.2..0.4=0.5; 0.4..=0.25`, from..to=share of the motions, with
+/// `<` where `to` is the lowest intensity of the runs.
+pub(crate) fn capacities_text(found: &[Capacity]) -> String {
+    let end = |x: Option<f64>| x.map_or(String::new(), shortest);
+    let one = |one: &Capacity| {
+        format!("{}{}..{}={}", if one.is_lowest { "<" } else { "" }, end(one.from), end(one.to), shortest(one.share))
+    };
+    found.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
+/// The capacities of a cell; `None` if it is not written like that.
+fn capacities_of(text: &str, factor: f64) -> Option<Vec<Capacity>> {
+    let end = |text: &str| match text {
+        "" => Some(None),
+        text => text.parse::<f64>().ok().filter(|x| *x > 0.0 && x.is_finite()).map(|x| Some(factor * x)),
+    };
+    let one = |text: &str| {
+        let text = text.trim();
+        let (ends, share) = text.strip_prefix('<').unwrap_or(text).split_once('=')?;
+        let (from, to) = ends.split_once("..")?;
+        let share = share.parse::<f64>().ok().filter(|share| (0.0..=1.0).contains(share))?;
+        let (from, to) = (end(from)?, end(to)?);
+        let is_rising = from.zip(to).is_none_or(|(from, to)| from <= to) && (from.is_some() || to.is_some());
+        is_rising.then_some(Capacity { from, to, share, is_lowest: text.starts_with('<') })
+    };
+    text.split(';').map(one).collect()
 }
 
 /// Differences of probabilities below this are not reported.
@@ -120,6 +161,12 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
             limit_state.ok_or_else(|| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
         let kind = kind_of(&table, row, (kind, median, beta), factor)?;
         let curve = Curve { limit_state, kind };
+        let found = table.given(row, CAPACITY).map(|column| {
+            let hint = "write it as freestand fragility does, or leave the cell empty";
+            let wrong = || bad(column, "a list of capacities such as \"0.1..0.2=0.5; 0.2..=0.5\"", hint);
+            capacities_of(table.text(row, column), factor).ok_or_else(wrong)
+        });
+        let found = found.transpose()?.map(|found| (limit_state, found));
         let number = *places.entry(name.to_owned()).or_insert(objects.len());
         match objects.get_mut(number) {
             None => objects.push(ObjectCurves {
@@ -127,6 +174,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
                 measure,
                 at: place,
                 curves: vec![curve],
+                capacities: found.into_iter().collect(),
                 line: row.line,
             }),
             Some(object) if object.measure != measure || object.at != place => {
@@ -137,6 +185,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
             }
             Some(object) => {
                 object.curves.push(curve);
+                object.capacities.extend(found);
                 object.curves.sort_by_key(|curve| curve.limit_state);
             }
         }
@@ -239,6 +288,23 @@ mod tests {
         assert!(said.starts_with("shelf: ") && said.contains("they cross at 0.494 m/s"), "{said}");
         assert!(of("0.6,0.3", "0.5,0.3").unwrap().contains("they do not cross"));
         assert_eq!(of("0.3,0.3", "0.6,0.3"), None);
+    }
+
+    /// Capacities of a cell are those that were written, in the unit of the measure.
+    #[test]
+    fn capacities_are_written_and_read() {
+        let text = "<..10=0.125; <5..10=0.125; 20..40=0.5; 40..=0.25";
+        let head = format!("{HEAD},capacity");
+        let row = |cell: &str| format!("{head}\na,pgv,cm/s,ground,overturns,lognormal,30,0.3,{cell}\n");
+        let curves = read_text(&row(text)).unwrap();
+        let found = curves[0].capacities(LimitState::Overturns);
+        assert_eq!(capacities_text(found), "<..0.1=0.125; <0.05..0.1=0.125; 0.2..0.4=0.5; 0.4..=0.25");
+        assert_eq!((found[1].is_lowest, found[2].is_lowest, found[3].to), (true, false, None));
+        assert!(read_text(&row("")).unwrap()[0].capacities.is_empty());
+        for wrong in ["x", "2..1=0.5", "1..2=2", "..=1", "1..2"] {
+            let problem = read_text(&row(wrong)).unwrap_err();
+            assert!(problem.to_string().contains("f.csv:2: column 9") && problem.hint.is_some(), "{problem}");
+        }
     }
 
     #[test]

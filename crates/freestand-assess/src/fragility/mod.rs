@@ -14,6 +14,7 @@ use freestand::fragility::{
     Bootstrap, CurveKind, Fit, FitKind, Goodness, LimitState, NoInterval, OutcomeClass, Outcomes, ShockFitError,
     ShockRun, TwoStage, bootstrap, capacity_spread, clopper_pearson, empirical, fit_curves, fit_shock, goodness,
 };
+use freestand::risk::{Capacity, capacities};
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
@@ -24,6 +25,7 @@ use freestand_output::table::Table;
 use freestand_study::run::{Progress, Step, no_progress};
 use rayon::prelude::*;
 
+use curves::{CAPACITY, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
@@ -121,6 +123,8 @@ pub struct ObjectFragility {
     pub reasons: Vec<String>,
     /// Its curves.
     pub fit: Fit,
+    /// Between which intensities of the runs the capacities are, for each limit state.
+    pub(crate) capacities: Vec<(LimitState, Vec<Capacity>)>,
     /// The probability of exceeding the tolerance, from the shocks.
     pub two_stage: Option<TwoStage>,
     /// Why the outcomes of runs were fitted instead of their shocks.
@@ -208,8 +212,8 @@ fn fitted(
     let is_wanted = || go_on(progress).is_ok();
     let shocks = if limits.iter().any(Option::is_some) { table.shocks() } else { Vec::new() };
     // Within an object the samples are calculated in parallel.
-    let each = table.objects.iter().zip(table.by_object()?).zip(limits).enumerate();
-    let objects = each.map(|(i, ((id, outcomes), limits))| {
+    let each = table.objects.iter().zip(table.by_object()?).zip(table.uplifts()).zip(limits).enumerate();
+    let objects = each.map(|(i, (((id, outcomes), uplifts), limits))| {
         go_on(progress)?;
         let mut states = outcomes.limit_states();
         let all = states.clone();
@@ -236,8 +240,10 @@ fn fitted(
             .flatten();
         go_on(progress)?;
         let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
+        let found = |state: LimitState| (state, capacities(&outcomes, state, &uplifts));
         Ok(ObjectFragility {
             id: id.clone(),
+            capacities: fit.curves.iter().map(|curve| found(curve.limit_state)).collect(),
             outcomes,
             unresolved,
             reasons: table.reasons.get(i).cloned().unwrap_or_default(),
@@ -409,7 +415,17 @@ fn whole(sum: f64) -> f64 {
 impl ObjectFragility {
     /// Its curves, for a hazard.
     pub(crate) fn curves(&self, measure: Measure, at: At) -> ObjectCurves {
-        ObjectCurves { id: self.id.clone(), measure, at, curves: self.fit.curves.clone(), line: 0 }
+        let (curves, capacities) = (self.fit.curves.clone(), self.capacities.clone());
+        ObjectCurves { id: self.id.clone(), measure, at, curves, capacities, line: 0 }
+    }
+
+    fn capacities_of(&self, state: LimitState) -> &[Capacity] {
+        self.capacities.iter().find(|one| one.0 == state).map_or(&[], |one| &one.1)
+    }
+
+    fn capacity_facts(&self, state: LimitState) -> Vec<Facts<'static>> {
+        let one = |one: &Capacity| Facts::default().key("from", one.from).key("to", one.to).key("share", one.share);
+        self.capacities_of(state).iter().map(one).collect()
     }
 
     /// How it was fitted.
@@ -448,6 +464,7 @@ impl ObjectFragility {
                     .key("why_no_ci95", self.lacks_interval(curve.limit_state).map(why_no_interval))
                     .key("lower", curve.kind.lower())
                     .key("upper", curve.kind.upper())
+                    .key("capacity", self.capacity_facts(curve.limit_state))
             })
             .collect();
         let shock = self.two_stage.map(|two_stage| {
@@ -606,6 +623,7 @@ impl FragilityReport {
                     .key("fit", object.fit_name())
                     .key("motions", object.outcomes.motions())
                     .key("runs", object.runs())
+                    .key(CAPACITY, capacities_text(object.capacities_of(curve.limit_state)))
             })
         }))
     }

@@ -1,6 +1,6 @@
 //! The table of outcomes: runs or counts of objects, at intensities.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
 use freestand::fragility::{OutcomeClass, Outcomes, Run, ShockRun};
@@ -17,6 +17,9 @@ use super::table::{Row, RowProblems, Table};
 
 const HINT: &str = "write one row per run under \"object,motion,pfv [m/s],outcome\", or counts under \
                     \"object,pfv [m/s],no_uplift,rocked,exceeded,overturned\"";
+/// The column with the intensity at which the motion of a run just lifts its object.
+pub(super) const UPLIFT: &str = "uplift_intensity";
+
 /// The outcome of a run that could not be followed.
 pub(super) const UNRESOLVED: &str = "unresolved";
 const COUNTS: [&str; 4] = ["no_uplift", "rocked", "exceeded", "overturned"];
@@ -32,6 +35,8 @@ pub(crate) struct OutcomeRun {
     /// Its shock \[g\]; `None` if it is not known, or if the rotation is below
     /// [`LEAST_ROTATION_RATIO`].
     pub(crate) shock_g: Option<f64>,
+    /// The intensity at which its motion just lifts the object; `None` if it is not known.
+    pub(crate) uplift: Option<f64>,
 }
 
 /// A table of outcomes.
@@ -126,6 +131,11 @@ impl OutcomeTable {
             let message = "the column \"edge_acceleration\" is not in g".to_owned();
             table.header_problem(message).hint("write edge_acceleration [g]")
         })?;
+        let uplift = table.column(UPLIFT);
+        let unit = uplift.and_then(|uplift| table.headings.get(uplift)).map(|heading| heading.unit.as_deref());
+        let uplift_factor = unit.map_or(Ok(1.0), |unit| self.measure.factor_from(unit)).map_err(|problem| {
+            table.header_problem(format!("the column \"{UPLIFT}\": {}", problem.message)).hint(HINT)
+        })?;
         for row in &table.rows {
             reading.problems.row()?;
             // Every cell is read before the row is dropped, so that all its problems are reported.
@@ -137,9 +147,10 @@ impl OutcomeTable {
             let weight = problems.keep(table.optional(row, weight));
             let shock = problems.keep(table.optional(row, shock));
             let rotation = problems.keep(table.optional(row, rotation));
+            let uplift = problems.keep(table.optional(row, uplift));
             let (Some(object), Some(motion), Some(intensity)) = (object, motion, intensity) else { continue };
             let (Some(class), Some(weight)) = (class, weight) else { continue };
-            let (Some(shock), Some(rotation)) = (shock, rotation) else { continue };
+            let (Some(shock), Some(rotation), Some(uplift)) = (shock, rotation, uplift) else { continue };
             let shock = shock.filter(|_| rotation.is_none_or(|ratio| ratio >= LEAST_ROTATION_RATIO));
             let object = self.object(reading, object, row.line);
             let motion = reading.motions.place(motion);
@@ -154,7 +165,9 @@ impl OutcomeTable {
                 continue;
             };
             let run = Run { motion: Some(motion), intensity, class, weight: weight.unwrap_or(1.0) };
-            self.runs.push(OutcomeRun { object, line: row.line, run, shock_g: shock.map(|shock| to_g * shock) });
+            let shock_g = shock.map(|shock| to_g * shock);
+            let uplift = uplift.filter(|uplift| *uplift > 0.0).map(|uplift| uplift_factor * uplift);
+            self.runs.push(OutcomeRun { object, line: row.line, run, shock_g, uplift });
         }
         Ok(())
     }
@@ -183,7 +196,7 @@ impl OutcomeTable {
             for (class, count) in OutcomeClass::ALL.into_iter().zip(counts) {
                 let Some(Some(weight)) = count else { continue };
                 let run = Run { motion: None, intensity, class, weight };
-                self.runs.push(OutcomeRun { object, line: row.line, run, shock_g: None });
+                self.runs.push(OutcomeRun { object, line: row.line, run, shock_g: None, uplift: None });
             }
         }
         Ok(())
@@ -260,6 +273,18 @@ impl OutcomeTable {
         Ok(outcomes)
     }
 
+    /// For each object the intensities at which its motions just lift it, in the order of its motions;
+    /// `None` where that is not known.
+    pub(super) fn uplifts(&self) -> Vec<Vec<Option<f64>>> {
+        let mut found: Vec<BTreeMap<usize, Option<f64>>> = vec![BTreeMap::new(); self.objects.len()];
+        for one in self.runs.iter().filter(|one| one.run.weight > 0.0) {
+            let (Some(known), Some(motion)) = (found.get_mut(one.object), one.run.motion) else { continue };
+            let least = known.entry(motion).or_insert(one.uplift);
+            *least = least.zip(one.uplift).map(|(a, b)| a.min(b));
+        }
+        found.into_iter().map(|known| known.into_values().collect()).collect()
+    }
+
     /// Refuses shocks that are not above 0 or are above the ceiling.
     pub(super) fn check_shocks(&self, ceiling_g: f64) -> Result<(), Problems> {
         let mut problems = RowProblems::default();
@@ -278,7 +303,7 @@ impl OutcomeTable {
     /// For each object the shocks of its runs that rocked and did not overturn, with their lines.
     pub(super) fn shocks(&self) -> Vec<Vec<(usize, ShockRun)>> {
         let mut shocks = vec![Vec::new(); self.objects.len()];
-        for OutcomeRun { object, line, run, shock_g } in &self.runs {
+        for OutcomeRun { object, line, run, shock_g, .. } in &self.runs {
             let rocked = matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded) && run.weight > 0.0;
             if let (true, Some(shock_g), Some(of_object)) = (rocked, *shock_g, shocks.get_mut(*object)) {
                 of_object.push((*line, ShockRun { intensity: run.intensity, shock_g, weight: run.weight }));
@@ -434,7 +459,8 @@ mod tests {
         let problems = read(&format!("object,motion,pga [g],outcome\n{rows}")).unwrap_err();
         let places: Vec<Option<usize>> = problems.problems.iter().map(|problem| problem.line).collect();
         assert_eq!(places, [Some(3), Some(2), Some(4), Some(4), Some(4)], "{problems}");
-        let many = read(&format!("object,pga [g],rocked,overturned\n{}", "a,NaN,1,x\n".repeat(30))).unwrap_err();
+        let rows: String = (0..30).map(|i| format!("a,-{i},1,x{i}\n")).collect();
+        let many = read(&format!("object,pga [g],rocked,overturned\n{rows}")).unwrap_err();
         assert_eq!(many.len(), 21);
         assert!(many.problems[20].to_string().starts_with("o.csv: and 40 more problems"), "{many}");
         let twice = "object,motion,pgv [m/s],outcome\n".to_owned() + &"a,m,0.2,rocked\n".repeat(4);

@@ -86,44 +86,9 @@ pub(super) enum Flow {
     Enough,
 }
 
-/// In a CSV a text that a spreadsheet would take for a formula gets a leading `'`, and so does such
-/// a text that has one already, so that [`unguarded`] restores it.
-pub(super) fn guarded(text: &str) -> String {
-    if is_formula_like(text.trim_start_matches('\'')) { format!("'{text}") } else { text.to_owned() }
-}
-
-/// The text from which [`guarded`] made this; any other text is unchanged.
-pub(super) fn unguarded(text: &str) -> &str {
-    match text.strip_prefix('\'') {
-        Some(rest) if is_formula_like(rest.trim_start_matches('\'')) => rest,
-        _ => text,
-    }
-}
-
-fn is_formula_like(text: &str) -> bool {
-    text.starts_with(['=', '+', '-', '@'])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn what_looks_like_a_formula_is_guarded_and_restored() {
-        for (text, in_csv) in [
-            ("=1+1", "'=1+1"),
-            ("@x", "'@x"),
-            ("-", "'-"),
-            ("'=1", "''=1"),
-            ("'quoted'", "'quoted'"),
-            ("rack", "rack"),
-            ("", ""),
-            ("'", "'"),
-        ] {
-            assert_eq!(guarded(text), in_csv);
-            assert_eq!(unguarded(in_csv), text);
-        }
-    }
 
     #[test]
     fn a_cell_holds_as_much_as_in_a_spreadsheet() {

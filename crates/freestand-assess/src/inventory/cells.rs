@@ -7,6 +7,7 @@ use super::cell::Cell;
 use super::headings::order_of;
 use super::numbers::{Decimal, Number, Piece, joined, pieces, plain};
 use super::problems::Kind;
+use super::round::without_diameter;
 use super::units::{CellUnit, NoUnit, find};
 use super::vocabulary::{is_missing, without_approximation};
 
@@ -149,7 +150,8 @@ pub(super) fn quantity(
         let si = unit.read(text).map_err(|_| Wrong::new(Kind::Unreadable))?;
         return Ok(Measured { si, text: with_symbol(text, unit, si), is_approximate: false, is_bare: true });
     }
-    let (text, is_approximate) = without_approximation(text);
+    let round = (dimension == Dimension::Length).then(|| without_diameter(text).0);
+    let (text, is_approximate) = without_approximation(round.as_deref().unwrap_or(text));
     let mut found = spread_or_one(text, dimension, unit, choice)?;
     found.is_approximate |= is_approximate;
     Ok(found)
@@ -348,6 +350,8 @@ pub(super) struct Sizes {
     pub(super) thickness: Option<f64>,
     /// No letters and no heading said which is which.
     pub(super) is_order_guessed: bool,
+    /// A side is called a diameter.
+    pub(super) is_round: bool,
     pub(super) is_approximate: bool,
     pub(super) is_bare: bool,
 }
@@ -407,7 +411,7 @@ pub(super) fn sizes(
     if let ([first, second], true) = (values.as_slice(), has_round) {
         let is_first = sides.first().is_some_and(|side| side.letter == Some('O'));
         let (round, height) = if is_first { (*first, *second) } else { (*second, *first) };
-        return Ok(Sizes { height: Some(height), width: Some(round), thickness: Some(round), ..found });
+        return Ok(Sizes { height: Some(height), width: Some(round), thickness: Some(round), is_round: true, ..found });
     }
     let order = in_cell.as_deref().or(order);
     if sides.iter().all(|side| side.letter.is_none())

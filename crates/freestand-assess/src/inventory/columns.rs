@@ -105,6 +105,10 @@ pub enum Column {
     Notes,
     /// Height, width and depth in one cell.
     Dimensions,
+    /// What its base is: a rectangle, or round.
+    Shape,
+    /// The diameter of a round base.
+    Diameter,
 }
 
 /// What the cells of a column hold.
@@ -185,7 +189,7 @@ const fn of(spec: ColumnSpec, holds: Holds) -> ColumnSpec {
 use Dimension::{Acceleration, Length, Mass, Ratio, Stiffness, Time, Velocity};
 
 /// All columns, in the order of the template and of [`Column`].
-pub static COLUMNS: [ColumnSpec; 50] = [
+pub static COLUMNS: [ColumnSpec; 52] = [
     said(
         text(Column::Id, "id"),
         "Identifier of the object, unique in the file; without it the row number is used",
@@ -372,6 +376,16 @@ pub static COLUMNS: [ColumnSpec; 50] = [
         of(text(Column::Dimensions, "dimensions"), Holds::Sizes),
         "Height, width and depth in one cell, in place of their own columns",
         "1800 x 600 x 450 mm",
+    )),
+    alternative(said(
+        text(Column::Shape, "shape"),
+        "Shape of its base: box, or cylinder where it is round",
+        "cylinder",
+    )),
+    alternative(said(
+        quantity(Column::Diameter, "diameter", Length, "mm"),
+        "Diameter of a round base, in place of thickness and width",
+        "400",
     )),
 ];
 

@@ -2,7 +2,8 @@
 
 use freestand_input::problem::{Problem, ProblemKind};
 
-use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row, unguarded};
+use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row};
+use freestand_input::formula::unguarded;
 
 /// Longest row \[bytes\]: more than all columns of a sheet with a few words each.
 const MAX_ROW_BYTES: u64 = 4 << 20;

@@ -12,13 +12,15 @@ use freestand_input::words::nearest;
 use freestand_study::cushion::{self, EdgeCushion};
 use freestand_study::shape::Shape;
 
+use super::cell::Cell;
 use super::columns::{COLUMNS, Column};
 use super::floors::{FloorFinder, Found};
 use super::plausible;
 use super::problems::Kind;
+use super::round::names_round_object;
 use super::template::EXAMPLE;
 use super::values::Values;
-use super::vocabulary::{casters, names_wheels};
+use super::vocabulary::{Wheels, casters, names_wheels};
 use super::{Casters, Consequences, Item, Surroundings, UpperBody};
 use freestand_study::restitution::checked;
 
@@ -37,8 +39,9 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     let support = support(values, reading.lookup, mass_kg);
     let quantity = values.whole(Column::Quantity).unwrap_or(1);
     let (floor, level_ratio) = floor(values, reading);
-    let rests_on = values.text(Column::RestsOn);
-    let surroundings = surroundings(values, &rests_on);
+    let (casters, stands_on) = values.casters(Column::Casters);
+    let rests_on = Some(values.text(Column::RestsOn)).filter(|text| !text.is_empty()).unwrap_or(stands_on);
+    let surroundings = surroundings(values, &rests_on, casters);
     let mut item = Item {
         row: values.row.number,
         section: reading.section.to_owned(),
@@ -61,6 +64,7 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
         width_m: size.width_m,
         base_thickness_m: size.base_thickness_m,
         base_width_m: size.base_width_m,
+        is_round: size.is_round,
         cg_height_m: size.cg_height_m,
         mass_kg,
         cushion: support.cushion,
@@ -76,6 +80,7 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
         surroundings,
         notes: values.text(Column::Notes),
         doubts: Vec::new(),
+        to_confirm: Vec::new(),
         carried,
     };
     for (kind, column) in plausible::doubts(&item) {
@@ -89,10 +94,14 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
 }
 
 /// What is around it and on it. What it stands on says whether it rolls, where no column does.
-fn surroundings(values: &mut Values<'_>, rests_on: &str) -> Surroundings {
-    let wheels = casters(rests_on).filter(|_| names_wheels(rests_on));
-    let stated = values.casters(Column::Casters);
-    if stated.is_none() && wheels == Some(Casters::Free) {
+fn surroundings(values: &mut Values<'_>, rests_on: &str, stated: Option<Casters>) -> Surroundings {
+    let wheels = match names_wheels(rests_on).then(|| casters(rests_on)) {
+        Some(Wheels::Said(found)) => Some(found),
+        Some(Wheels::Some) => Some(Casters::Free),
+        _ => None,
+    };
+    let is_said = matches!(casters(rests_on), Wheels::Said(_));
+    if stated.is_none() && wheels == Some(Casters::Free) && !is_said {
         values.report(Column::RestsOn, Kind::Casters, None);
     }
     Surroundings {
@@ -166,6 +175,11 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
             if is_assumed {
                 values.report(Column::Floor, Kind::FloorNumbering, None);
             }
+            match finder.identity(text) {
+                Some((1, _)) => values.findings.note("a basement moves like the ground: level 0", values.row.number),
+                Some((4, _)) => values.report(Column::Floor, Kind::Mezzanine, None),
+                _ => {}
+            }
             (text.to_owned(), Some(ratio))
         }
         _ if is_section => (name, None),
@@ -174,12 +188,8 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
             (name, None)
         }
         Found::NoStoreys => {
-            let said = "cannot be placed: nothing says how many storeys the building has".to_owned();
-            values.wrong(
-                Column::Floor,
-                Kind::FloorUnknown,
-                &Problem::value(said, "give `storeys`, or a study with the building"),
-            );
+            // One number is missing, however many rows need it.
+            values.report_once(Column::Floor, Kind::StoreysMissing);
             (name, None)
         }
     }
@@ -208,6 +218,7 @@ struct Size {
     base_thickness_m: Option<f64>,
     base_width_m: Option<f64>,
     cg_height_m: Option<f64>,
+    is_round: bool,
     /// The object about both axes, as far as they are known.
     blocks: Vec<Block>,
 }
@@ -221,8 +232,10 @@ fn size(values: &mut Values<'_>) -> Size {
         base_thickness_m: values.positive(Column::BaseThickness),
         base_width_m: values.positive(Column::BaseWidth),
         cg_height_m: values.positive(Column::CgHeight),
+        is_round: false,
         blocks: Vec::new(),
     };
+    round(values, &mut size, all.is_round);
     let Some(height_m) = size.height_m else { return size };
     if size.cg_height_m.is_some_and(|cg_height_m| cg_height_m >= height_m) {
         values.report(Column::CgHeight, Kind::OutOfRange, Some("is not below the top of the object".to_owned()));
@@ -256,6 +269,34 @@ fn size(values: &mut Values<'_>) -> Size {
         values.findings.note(squat, values.row.number);
     }
     size
+}
+
+/// A round base: its sides are those of the square around it.
+fn round(values: &mut Values<'_>, size: &mut Size, is_marked: bool) {
+    let diameter_m = values.positive(Column::Diameter);
+    let sides = [Column::Thickness, Column::Width];
+    let is_marked = is_marked || diameter_m.is_some() || sides.into_iter().any(|column| values.is_diameter(column));
+    if let (Some(diameter_m), Some(thickness_m)) = (diameter_m, size.thickness_m)
+        && (diameter_m - thickness_m).abs() > 0.02 * diameter_m
+    {
+        values.report(Column::Diameter, Kind::TwoColumns, Some("differs from the sides of the object".to_owned()));
+    }
+    size.thickness_m = size.thickness_m.or(diameter_m);
+    let shape = values.shape();
+    let is_equal = match (size.thickness_m, size.width_m) {
+        (Some(thickness), Some(width)) => (thickness - width).abs() <= 0.02 * width,
+        (sides, _) => sides.is_some(),
+    };
+    let item = values.columns.get(Column::Item).and_then(|one| values.row.get(one.index)).map(Cell::shown);
+    let is_named = is_equal && item.is_some_and(|item| names_round_object(&item));
+    size.is_round = shape.unwrap_or(is_marked || is_named);
+    if size.is_round {
+        size.width_m = size.width_m.or(size.thickness_m);
+        size.thickness_m = size.thickness_m.or(size.width_m);
+        if shape.is_none() && !is_marked {
+            values.report(Column::Item, Kind::Round, None);
+        }
+    }
 }
 
 fn refuse_block(values: &mut Values<'_>, column: Column, error: &BlockError) {

@@ -224,7 +224,7 @@ pub(super) fn plain(text: &str) -> String {
 pub(super) fn is_plausible(column: Column, value: f64) -> bool {
     let range = match column {
         Column::Height => 0.1..=6.0,
-        Column::Thickness | Column::Width | Column::BaseThickness | Column::BaseWidth => 0.05..=6.0,
+        Column::Thickness | Column::Width | Column::Diameter | Column::BaseThickness | Column::BaseWidth => 0.05..=6.0,
         Column::CgHeight => 0.02..=5.0,
         Column::Mass => 0.5..=100e3,
         Column::Tolerance => 0.3 * 9.80665..=1000.0 * 9.80665,

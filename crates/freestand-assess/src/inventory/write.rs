@@ -7,9 +7,10 @@ use rust_xlsxwriter::{
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Dimension;
 
-use super::cell::{MAX_CELL_CHARS, MAX_ROWS, guarded};
+use super::cell::{MAX_CELL_CHARS, MAX_ROWS};
 use super::columns::{Column, Holds};
 use super::headings::{HeadingUnit, meaning};
+use freestand_input::formula::guarded;
 
 /// Name of the sheet with the objects.
 pub(super) const SHEET: &str = "Inventory";
@@ -56,7 +57,7 @@ pub(super) fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
         csv::WriterBuilder::new().flexible(true).terminator(csv::Terminator::Any(b'\n')).from_writer(Vec::new());
     let failed =
         |error: &dyn std::fmt::Display| Problem::new(ProblemKind::Io, format!("cannot write the CSV: {error}"));
-    let headings: Vec<String> = table.headings.iter().map(|heading| guarded(heading)).collect();
+    let headings: Vec<String> = table.headings.iter().map(|heading| guarded(heading).into_owned()).collect();
     writer.write_record(&headings).map_err(|error| failed(&error))?;
     for row in &table.rows {
         let mut cells: Vec<String> = row.iter().map(Written::in_csv).collect();
@@ -70,7 +71,7 @@ impl Written {
     fn in_csv(&self) -> String {
         match self {
             Self::Empty => String::new(),
-            Self::Text(text) => guarded(text),
+            Self::Text(text) => guarded(text).into_owned(),
             Self::Number(value) => format!("{value}"),
         }
     }

@@ -14,7 +14,7 @@ use freestand_study::study::{Ground, Study};
 
 /// Version of the text that is hashed; raise it with every change of that text or of the content of
 /// a part.
-const FORMAT: u32 = 6;
+const FORMAT: u32 = 7;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.
@@ -29,6 +29,7 @@ pub(crate) fn resume_key(study: &Study, inventory: &Inventory, part: usize) -> S
         "part": part,
         "rows": inventory.items.len(),
         "study": study_text(&study.toml),
+        "unstated": [study.place_is_assumed, study.building_is_assumed],
         "seed": study.ground.seed(),
         "motions": study.ground.names(&study.levels),
         "recorded": recorded(study),

@@ -97,6 +97,14 @@ pub struct JobReport {
     pub removed: Vec<String>,
     /// The sentence that says whose building this is, where no study was given.
     pub no_study: Option<String>,
+    /// Whether nobody stated the place, or the hazard in another way.
+    pub place_is_assumed: bool,
+    /// Whether nobody stated the building.
+    pub building_is_assumed: bool,
+    /// What was assumed, one sentence each.
+    pub assumptions: Vec<String>,
+    /// For how many objects the list leaves a column empty, so that something is assumed.
+    pub assumed_columns: serde_json::Value,
     /// What the study calls the building.
     pub building_name: Option<String>,
     /// The place whose hazard was used.
@@ -382,7 +390,15 @@ fn report(portfolio: &Portfolio, study: &Study, inventory: &Inventory, head: &He
 /// What a report says about the study and the list, whatever became of the objects.
 pub(crate) fn said(study: &Study, head: &Head) -> JobReport {
     JobReport {
+        assumptions: head.assumptions.clone(),
+        assumed_columns: head
+            .assumed_columns
+            .iter()
+            .map(|(column, objects)| ((*column).to_owned(), json!(objects)))
+            .collect(),
         no_study: head.no_study.clone(),
+        place_is_assumed: study.place_is_assumed,
+        building_is_assumed: study.building_is_assumed,
         building_name: study.building_name.clone(),
         place_name: study.ground.code_spectrum().and_then(Target::place_name),
         place: head.one_line.clone(),

@@ -35,7 +35,7 @@ pub(super) struct Portfolio<'a> {
     /// Rocking histories that this run computed.
     pub(super) histories: u64,
     /// Objects by decision, in the order of [`Decision::ALL`].
-    pub(super) decisions: [usize; 4],
+    pub(super) decisions: [usize; Decision::COUNT],
     /// Objects by tier.
     pub(super) tiers: [usize; 4],
     /// Objects with a history that failed.
@@ -84,7 +84,7 @@ pub(super) fn assess<'a>(
         computed: 0,
         interrupted: false,
         histories: 0,
-        decisions: [0; 4],
+        decisions: [0; Decision::COUNT],
         tiers: [0; 4],
         failed: 0,
         only_falling: 0,

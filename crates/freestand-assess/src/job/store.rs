@@ -12,7 +12,7 @@ use crate::inventory::Inventory;
 use crate::result::Assessment;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::folder::write_file;
-use freestand_output::paths::io_problem;
+use freestand_output::paths::{io_problem, refuse_links_in};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::Dimensions;
 use serde::Serialize;
@@ -93,8 +93,11 @@ impl Store {
     /// same run are kept if `resume` is set.
     pub(crate) fn open(folder: &Path, key: &str, resume: bool) -> Result<Self, Problem> {
         let failed = |error: io::Error| io_problem(folder, "cannot write the finished parts", &error);
+        refuse_links_in(folder)?;
         fs::create_dir_all(folder).map_err(failed)?;
-        let lock = fs::File::create(folder.join(LOCK)).map_err(failed)?;
+        // Whatever has this name is not truncated.
+        let open = fs::OpenOptions::new().write(true).create(true).truncate(false).open(folder.join(LOCK));
+        let lock = open.map_err(failed)?;
         // Some file systems cannot lock files: there, two runs cannot be told apart.
         if let Err(fs::TryLockError::WouldBlock) = lock.try_lock() {
             return Err(Problem::new(ProblemKind::Io, "another run is writing into this folder")
@@ -112,6 +115,7 @@ impl Store {
 
     /// The folder of the shards of a plan, which is made where it does not exist.
     pub(super) fn of_shards(folder: &Path) -> Result<Self, Problem> {
+        refuse_links_in(folder)?;
         fs::create_dir_all(folder).map_err(|error| io_problem(folder, "cannot write the finished parts", &error))?;
         Ok(Self { folder: folder.to_path_buf(), _lock: None })
     }
@@ -192,4 +196,38 @@ impl Store {
 fn is_ours(name: &str) -> bool {
     let number = name.strip_suffix(".jsonl").or(name.strip_suffix(".csv")).unwrap_or("");
     name == PLAN || (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::symlink;
+
+    /// Through a link, the lock would truncate the user's file and the clearing would remove files that
+    /// happen to have numbers for names.
+    #[test]
+    fn links_in_the_folder_of_the_parts_are_refused() {
+        let parent = tempfile::tempdir().unwrap();
+        let (others, progress) = (parent.path().join("others"), parent.path().join("progress"));
+        fs::create_dir_all(&others).unwrap();
+        for name in ["000001.jsonl", LOCK, PLAN] {
+            fs::write(others.join(name), "mine").unwrap();
+        }
+        let untouched =
+            || ["000001.jsonl", LOCK, PLAN].iter().all(|name| fs::read_to_string(others.join(name)).unwrap() == "mine");
+        symlink(&others, &progress).unwrap();
+        assert!(Store::open(&progress, "key", false).is_err() && Store::of_shards(&progress).is_err() && untouched());
+        fs::remove_file(&progress).unwrap();
+        fs::create_dir_all(&progress).unwrap();
+        for name in [LOCK, PLAN, "000001.jsonl"] {
+            symlink(others.join(name), progress.join(name)).unwrap();
+            assert!(Store::open(&progress, "key", true).is_err() && Store::of_shards(&progress).is_err(), "{name}");
+            fs::remove_file(progress.join(name)).unwrap();
+            assert!(untouched(), "{name}");
+        }
+        // What lies in the place of the lock is not truncated.
+        fs::write(progress.join(LOCK), "mine").unwrap();
+        assert!(Store::open(&progress, "key", false).is_ok());
+        assert_eq!(fs::read_to_string(progress.join(LOCK)).unwrap(), "mine");
+    }
 }

@@ -59,6 +59,8 @@ pub struct Object {
     pub thickness_m: f64,
     /// Horizontal size across it \[m\]; `None`: it rocks about one axis only.
     pub width_m: Option<f64>,
+    /// Whether its base is round; its sides are then those of the square around it.
+    pub is_round: bool,
     /// Height of the centre of gravity \[m\]; `None`: half the height.
     pub cg_height_m: Option<f64>,
     /// Mass \[kg\].

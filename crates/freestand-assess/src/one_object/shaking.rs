@@ -10,7 +10,7 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{counted, number};
 use freestand_study::places::{Confidence, Place, near};
-use freestand_study::resolve::{Overrides, load, resolve_with};
+use freestand_study::resolve::{Overrides, load, nothing_stated, resolve_with};
 use freestand_study::study::assessment::{Settings, Spread};
 use freestand_study::study::{Ground, Level, Study};
 use freestand_study::target::Target;
@@ -45,13 +45,13 @@ impl Shaken {
 /// # Errors
 /// Everything that is wrong with it.
 pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
-    let overrides = |hazard| Overrides { seed: request.seed, hazard, ..Overrides::default() };
-    let building = building(&request.floor);
+    let Floor { storeys, storey_height_m, .. } = request.floor;
+    let overrides = |hazard| Overrides { seed: request.seed, hazard, storeys, storey_height_m, ..Overrides::default() };
     let made = |text: &str, hazard| resolve_with(text, None, Path::new(""), &overrides(hazard));
     let mut shaken = match &request.earthquake {
         Earthquake::Place(hazard) => {
             check_hazard(hazard)?;
-            let study = made(&building, hazard.clone())?;
+            let study = nothing_stated(&overrides(hazard.clone()))?;
             let mut shaken = of_study(study, hazard.get("site").is_some(), None);
             shaken.warnings = warnings(&shaken.study, &request.floor);
             shaken
@@ -60,8 +60,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             // a_g S is the value of the spectrum at T = 0: EN 1998-1:2004, Eq. (3.2).
             let soil = SpectrumShape::recommended(SPECTRUM.0, SPECTRUM.1).soil_factor_ratio;
             let text = format!(
-                "[ground]\ncode = \"eurocode8\"\nspectrum_type = 1\nsite = \"B\"\nground_acceleration = \"{} m/s2\"\n\
-                 {building}",
+                "[ground]\ncode = \"eurocode8\"\nspectrum_type = 1\nsite = \"B\"\nground_acceleration = \"{} m/s2\"\n",
                 peak_m_s2 / soil
             );
             let peak_g = peak_m_s2 / G0_M_S2;
@@ -82,7 +81,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             of_study(made(text, hazard.clone())?, true, Some("the study".to_owned()))
         }
         Earthquake::Motions { motions, .. } => {
-            let mut study = made("", Default::default())?;
+            let mut study = nothing_stated(&overrides(Words::default()))?;
             let mut warnings = Vec::new();
             let mut levels = Vec::new();
             for read in motions {
@@ -96,6 +95,8 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             };
             study.ground = Ground::OnFloors;
             study.building = None;
+            (study.place_is_assumed, study.building_is_assumed) = (false, false);
+            study.assumed.clear();
             study.levels = vec![Level { name: "floor".to_owned(), level_ratio: Some(0.0), motions: levels }];
             as_given(&mut study.assessment, motions.len())?;
             Shaken { study, told: Told::Motions, words, warnings }
@@ -116,13 +117,6 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
 fn looks_of(first: u32, most: u32, confidence: f64) -> Result<Looks, Problem> {
     Looks::new(first, most, confidence)
         .map_err(|error| Problem::value(format!("`worlds`: {error}"), "give a whole number, at least 1"))
-}
-
-/// `[building]`, as far as it is given; the rest as in the built-in study.
-fn building(floor: &Floor) -> String {
-    let storeys = floor.storeys.map(|storeys| format!("storeys = {storeys}\n"));
-    let height = floor.storey_height_m.map(|height_m| format!("storey_height = \"{height_m} m\"\n"));
-    format!("[building]\n{}{}", storeys.unwrap_or_default(), height.unwrap_or_default())
 }
 
 /// What is wrong with the hazard of a place, under its own keys and without the keys of a study.
@@ -221,6 +215,7 @@ mod tests {
             height_m: 2.0,
             thickness_m: 0.3,
             width_m: None,
+            is_round: false,
             cg_height_m: None,
             mass_kg: None,
             rests_on: None,

@@ -3,6 +3,7 @@
 use std::mem;
 
 use crate::inventory::Inventory;
+use freestand_input::formula::guarded;
 use freestand_input::problem::Problem;
 use freestand_input::words::push_shortest;
 use freestand_output::folder::OutputFolder;
@@ -77,16 +78,10 @@ impl CsvTable {
     }
 }
 
-/// A cell as a field. A spreadsheet takes a text that begins with one of `= + - @` for a formula,
-/// so a `'` precedes it.
+/// A cell as a field.
 pub(super) fn push_field(out: &mut String, cell: &Cell) {
     match cell {
-        Cell::Text(text) => {
-            if text.starts_with(['=', '+', '-', '@']) {
-                out.push('\'');
-            }
-            out.push_str(text);
-        }
+        Cell::Text(text) => out.push_str(&guarded(text)),
         Cell::Number(value) => push_shortest(out, *value),
         Cell::Count(value) => out.push_str(&value.to_string()),
         Cell::Flag(value) => out.push_str(if *value { "true" } else { "false" }),

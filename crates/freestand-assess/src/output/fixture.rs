@@ -34,7 +34,7 @@ pub(super) const HOSTILE: [&str; 6] = [
 
 pub(super) fn head(total: usize) -> Head {
     Head {
-        no_study: Some("No study given: this is a 30-storey tower in Melbourne, not your building.".into()),
+        no_study: Some("Nobody stated the place and the building: this is a 30-storey tower in Melbourne, not your building. Give place and storeys.".into()),
         place: vec![
             ("Building".into(), "Main, 30 storeys, 90 m high".into()),
             ("Place".into(), "Melbourne".into()),
@@ -44,6 +44,7 @@ pub(super) fn head(total: usize) -> Head {
         facts: vec![("Period of the building".into(), "3.1 s".into()), ("Seed of the motions".into(), "seed 1".into())],
         problems: vec!["error: unreadable: Height: 1 cell (D2)".into()],
         most_important: vec!["The building stays elastic.".into()],
+        assumed_columns: vec![("width", 4)],
         assumptions: vec![
             "Accepted probability 10 %: assumption of this study.".into(),
             "Model error 0.085: Table I, five tests of one cabinet.".into(),
@@ -81,6 +82,7 @@ pub(super) fn item(index: usize) -> Item {
         width_m: (!index.is_multiple_of(4)).then_some(0.8),
         base_thickness_m: (index % 5 == 1).then_some(0.35),
         base_width_m: None,
+        is_round: false,
         cg_height_m: (index % 5 == 1).then_some(0.9),
         mass_kg: Some(100.0 + 10.0 * slender),
         cushion: Some(EdgeCushion { cushion: Cushion::linear(4.38e6).unwrap(), pad_thickness_m: None, notes: vec![] }),
@@ -103,6 +105,7 @@ pub(super) fn item(index: usize) -> Item {
         surroundings: Default::default(),
         notes: String::new(),
         doubts: Vec::new(),
+        to_confirm: Vec::new(),
         carried: vec![format!("A{index}"), "-12".to_owned()],
     }
 }
@@ -206,6 +209,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         id: item.id.clone(),
         decision,
         why: format!("Made up: {}.", decision.name()),
+        unstated: None,
         tier: (index % 4) as u8,
         accepted_ratio: 0.1,
         accepted_for: AcceptedFor::LifeSafety,
@@ -247,11 +251,14 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         rolled: (index % 4 == 2).then_some(Rolled {
             travel_m_median: 0.21,
             travel_m_p84: 0.35,
+            is_at_least: false,
             clearance_m: Some(0.3),
+            clearance_needed_m: 0.42,
             stop_share: 0.25,
             stop_speed_m_s_p84: Some(0.4),
             trip_speed_m_s: 0.9,
         }),
+        braked: None,
         in_space: None,
         stacked: None,
         on_pads: (index % 4 == 3).then_some(OnPads {
@@ -307,6 +314,8 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
         compliant: (index % 4 == 3).then_some(model),
         restitution_p16_p84: [0.93, 0.97],
         few_motions: None,
+        worlds_needed: None,
+        is_round: false,
     }
 }
 
@@ -369,6 +378,7 @@ pub(super) fn unknown(item: &Item) -> Assessment {
         model: None,
         at_wall: None,
         rolled: None,
+        braked: None,
         slipped: None,
         before_wall: None,
         on_pads: None,

@@ -8,6 +8,7 @@ use serde_json::{Map, Value};
 
 use crate::inventory::{Inventory, Item};
 use crate::result::Assessment;
+use freestand_input::formula::unguarded;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::paths::io_problem;
 
@@ -88,11 +89,7 @@ fn value(kind: Kind, field: &str) -> Option<Value> {
         return Some(Value::Null);
     }
     match kind {
-        // The mark that keeps a spreadsheet from taking a text for a formula.
-        Kind::Text | Kind::Decision => {
-            let text = field.strip_prefix('\'').filter(|text| text.starts_with(['=', '+', '-', '@']));
-            Some(Value::from(text.unwrap_or(field)))
-        }
+        Kind::Text | Kind::Decision => Some(Value::from(unguarded(field))),
         Kind::Ranked if field == OVERTURNED => Some(Value::from(OVERTURNED)),
         Kind::Number | Kind::Share | Kind::Ranked => field.parse::<f64>().ok().map(Value::from),
         Kind::Count => field.parse::<u64>().ok().map(Value::from),

@@ -18,6 +18,7 @@ pub fn sign(decision: Decision) -> &'static str {
     match decision {
         Decision::Restrain => "▲",
         Decision::Soften => "◆",
+        Decision::Lock => "■",
         Decision::NoVerdict => "?",
         Decision::Leave => "●",
     }
@@ -28,6 +29,7 @@ pub fn label(decision: Decision) -> &'static str {
     match decision {
         Decision::Restrain => "RESTRAIN",
         Decision::Soften => "SOFTEN",
+        Decision::Lock => "LOCK",
         Decision::NoVerdict => "NO VERDICT",
         Decision::Leave => "LEAVE",
     }
@@ -38,6 +40,7 @@ pub fn advice(decision: Decision) -> &'static str {
     match decision {
         Decision::Restrain => "fix it to the building",
         Decision::Soften => "put it on a softer pad",
+        Decision::Lock => "lock it, tether it, or give it room",
         Decision::NoVerdict => "complete the missing data",
         Decision::Leave => "leave it as it is",
     }
@@ -49,6 +52,7 @@ pub fn colours(decision: Decision) -> Colours {
     match decision {
         Decision::Restrain => Colours { ink: 0x00A8_4300, fill: 0x00F7_C5A0 },
         Decision::Soften => Colours { ink: 0x0000_5A8C, fill: 0x00BF_DDF2 },
+        Decision::Lock => Colours { ink: 0x008A_2A66, fill: 0x00F2_D3E6 },
         Decision::NoVerdict => Colours { ink: 0x0055_5555, fill: 0x00E4_E4E4 },
         Decision::Leave => Colours { ink: 0x0000_6B4E, fill: 0x00D3_EFE4 },
     }
@@ -146,11 +150,14 @@ pub(crate) fn listed(names: &[&str]) -> String {
 }
 
 /// How to read a list of objects; shown with every such list.
-pub const HOW_TO_READ: [&str; 8] = [
+pub const HOW_TO_READ: [&str; 9] = [
     "Restrain (▲): it falls or exceeds its tolerance with a probability above the accepted one, or too close to it to \
      call, and no softer pad is enough.",
     "Soften (◆): its shock alone is too hard or too close to call, and on a softer pad it would be left as it is. The pad \
      went through the same worlds in both models.",
+    "Lock (■): it rolls on its casters or slides on its base, and with a probability that is not below the accepted one \
+     it goes farther than it has room. Locked or tethered it stands: it went through the same worlds as if its brakes held. \
+     The room that would suffice is given.",
     "No verdict (?): data that a verdict needs are missing; the reason says which. Whether it falls is always said.",
     "Leave (●): the object may stay as it is under the assumed hazard: the upper end of every interval that was asked \
      for is below the accepted probability.",

@@ -79,6 +79,8 @@ pub(super) fn task(line: &Line) -> Option<Task> {
 fn how(item: &Item, found: &Assessment, force: Option<&RestraintForce>) -> String {
     match (found.decision, force) {
         (Decision::Leave, _) => String::new(),
+        (Decision::Lock, _) => give_room(found, "Lock it, tether it, or"),
+        (Decision::Restrain, _) if found.rolled.is_some() => give_room(found, "Tether it or restrain it, or"),
         (Decision::Restrain, Some(force)) => how_to_hold(item, force),
         (Decision::Restrain, None) => "Find out its mass: the force of the restraint depends on it.".to_owned(),
         (Decision::Soften, _) => {
@@ -94,10 +96,22 @@ fn how(item: &Item, found: &Assessment, force: Option<&RestraintForce>) -> Strin
     }
 }
 
+/// What to do about an object that rolls or slides farther than it has room.
+fn give_room(found: &Assessment, or_else: &str) -> String {
+    let needed_m = found.rolled.map_or(0.0, |rolled| rolled.clearance_needed_m);
+    format!("{or_else} give it at least {} mm of room on every side.", number((1e3 * needed_m).ceil(), 6))
+}
+
 /// What to find out about an object without a verdict.
 fn find_out(item: &Item, found: &Assessment) -> String {
     if item.anchored == Some(true) {
         return "Check its anchors.".to_owned();
+    }
+    if !item.to_confirm.is_empty() {
+        return format!("Confirm or correct its size: read {}.", item.to_confirm.join(", "));
+    }
+    if let Some(unstated) = found.unstated {
+        return format!("State {}: give {}.", unstated.words(), unstated.keys());
     }
     let known = [
         (item.level_ratio.is_some(), "floor"),

@@ -348,7 +348,7 @@ fn bad_requests_say_what_is_wrong() {
     assert!(problems(RestrainRequest { is_compared: true, ..cabinet(given(), None) }).contains("no spectrum"));
     assert!(problems(cabinet(given(), Some(0.5))).contains("no meaning beside it"));
     assert!(problems(RestrainRequest { cg_height_m: Some(3.0), ..cabinet(melbourne(), None) }).contains("height"));
-    let mut study = resolve("", None, "".as_ref()).unwrap();
+    let mut study = resolve("[building]\nstoreys = 30\n", None, "".as_ref()).unwrap();
     study.ground = freestand_study::study::Ground::Recorded(Vec::new());
     assert!(problems(cabinet(RestrainHazard::Study(Box::new(study)), None)).contains("the study names no code"));
 }

@@ -10,6 +10,7 @@ use freestand_output::facts::Facts;
 use crate::fragility::{ObjectCurves, ObjectFragility, ends};
 
 use super::costs::{CostRow, Effect};
+use super::rates::{Gap, StateRates, least_fall, object_rates};
 use super::{LOSS_STATES, rate_words};
 
 /// Whether an object fails more often than accepted.
@@ -40,6 +41,9 @@ impl RiskVerdict {
 pub(crate) struct StateRisk {
     pub(crate) limit_state: LimitState,
     pub(crate) rates: AnnualRates,
+    /// Where the runs leave most of the rate open.
+    pub(super) gap: Option<Gap>,
+    /// The 95 % interval over the motions, together with the bounds that the runs leave.
     pub(crate) ci95: Option<(f64, f64)>,
     /// Whether samples were drawn and tell no interval.
     pub(crate) lacks_interval: bool,
@@ -57,35 +61,49 @@ impl StateRisk {
             let most = at_most(0.0).map(|upper| format!(", at most {} a year", number(upper, 3)));
             return format!("not known{}{}", least.unwrap_or_default(), most.unwrap_or_default());
         };
-        let least = if self.rates.begins_too_high() { "at least " } else { "" };
+        let least = if self.rates.is_at_least() { "at least " } else { "" };
         let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
-        // The upper bound: motions beyond the last point of the hazard, or the lower end of a step.
-        let most = at_most(1.01 * rate).map(|upper| format!("; up to {} a year", number(upper, 3)));
-        format!("{least}{words}{}", most.unwrap_or_default())
+        // The runs leave bounds, or motions above the last point of the hazard do, or the ends of a step.
+        let is_said =
+            self.ci95.zip(at_most(0.0)).is_some_and(|((_, high), most)| self.rates.is_bound() && most <= 1.01 * high);
+        let bounds = if is_said {
+            None
+        } else if self.rates.is_bound() && annual_rate_lower < 0.99 * rate {
+            let least = number(annual_rate_lower, 3);
+            Some(match at_most(0.0) {
+                Some(most) => format!("; between {least} and {} a year", number(most, 3)),
+                None => format!("; {least} a year for certain"),
+            })
+        } else {
+            at_most(1.01 * rate).map(|upper| format!("; up to {} a year", number(upper, 3)))
+        };
+        format!("{least}{words}{}", bounds.unwrap_or_default())
     }
 
     /// Whether the rate is certainly below or certainly above the accepted one; `None` if its
     /// uncertainty is not known.
     fn is_certain(&self, accepted: f64) -> Option<bool> {
-        let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, below_first } = self.rates;
-        let rate = annual_rate?;
-        let straddles = |low: f64, high: f64| low <= accepted && accepted <= high;
-        let is_open = straddles(annual_rate_lower, rate)
-            || rate <= accepted && annual_rate_upper.is_none_or(|upper| upper > accepted)
-            || rate <= accepted && rate + below_first > accepted
-            || self.ci95.is_some_and(|(low, high)| straddles(low, high))
+        let AnnualRates { annual_rate, annual_rate_lower, .. } = self.rates;
+        annual_rate?;
+        let straddles = |low: f64, high: Option<f64>| low <= accepted && high.is_none_or(|high| accepted <= high);
+        let most = self.rates.annual_rate_upper.and(self.rates.cautious());
+        let is_open = straddles(annual_rate_lower, most)
+            || self.ci95.is_some_and(|(low, high)| straddles(low, Some(high)))
             || self.lacks_interval;
         if is_open { Some(false) } else { self.ci95.map(|_| true) }
     }
 
-    /// The verdict; `None` if neither the rate nor its bounds decide.
+    /// The verdict: accepted only if the most that the rate can be is; `None` if neither the rate nor its
+    /// bounds decide.
     fn verdict(&self, accepted: f64) -> Option<RiskVerdict> {
         let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, .. } = self.rates;
-        let exceeds = |rate: f64| if rate > accepted { RiskVerdict::Exceeds } else { RiskVerdict::Accepted };
-        annual_rate
-            .map(exceeds)
-            .or((annual_rate_lower > accepted).then_some(RiskVerdict::Exceeds))
-            .or(annual_rate_upper.filter(|upper| *upper <= accepted).map(exceeds))
+        let most = annual_rate_upper.and(self.rates.cautious());
+        match (annual_rate, most) {
+            (Some(rate), _) if rate > accepted => Some(RiskVerdict::Exceeds),
+            (_, Some(most)) if most <= accepted => Some(RiskVerdict::Accepted),
+            (Some(_), Some(_)) => Some(RiskVerdict::Exceeds),
+            _ => (annual_rate_lower > accepted).then_some(RiskVerdict::Exceeds),
+        }
     }
 
     /// The rate, or its lower bound if only that is known.
@@ -95,7 +113,7 @@ impl StateRisk {
 
     /// Whether the limit state may be reached more often than is counted.
     pub(crate) fn is_at_least(&self) -> bool {
-        self.rates.annual_rate.is_none() || self.rates.begins_too_high()
+        self.rates.annual_rate.is_none() || self.rates.is_at_least()
     }
 }
 
@@ -107,6 +125,8 @@ pub(crate) struct Limit {
     pub(crate) accepted: f64,
     /// The rate \[1/year\]; `None` if it is not known.
     pub(crate) annual_rate: Option<f64>,
+    /// Whether it is the most that the rate can be, because the rate itself is accepted.
+    pub(crate) is_most: bool,
 }
 
 impl Limit {
@@ -155,23 +175,25 @@ impl ObjectRisk {
         years: f64,
         accepted: Option<f64>,
     ) -> Self {
+        let rates = object_rates(curves, 1.0, hazard);
         let states: Vec<StateRisk> = curves
             .curves
             .iter()
-            .map(|curve| {
-                let rates = annual_rate(hazard, curve.kind);
+            .zip(rates)
+            .map(|(curve, StateRates { limit_state, rates, by_runs, most, gap })| {
                 let samples = fit.and_then(|fit| fit.bootstrap.as_ref());
                 let is_lognormal = matches!(curve.kind, CurveKind::Lognormal { .. });
-                let lacks = samples.filter(|_| is_lognormal).and_then(|one| one.lacks_interval(curve.limit_state));
+                let lacks = samples.filter(|_| is_lognormal).and_then(|one| one.lacks_interval(limit_state));
                 let is_known = is_lognormal && lacks.is_none();
                 let ci95 = samples.filter(|_| is_known).and_then(|samples| {
                     let rate = |(median, beta)| annual_rate(hazard, CurveKind::Lognormal { median, beta }).annual_rate;
-                    percentiles(samples.lognormals(curve.limit_state).filter_map(rate).collect())
+                    percentiles(samples.lognormals(limit_state).filter_map(rate).collect())
                 });
                 StateRisk {
-                    limit_state: curve.limit_state,
+                    limit_state,
                     rates,
-                    ci95,
+                    gap,
+                    ci95: ci95.and_then(|ci95| joined(ci95, by_runs, most)),
                     lacks_interval: lacks.is_some(),
                     probability: rates.annual_rate.map(|rate| probability_in_years(rate, years)),
                     years,
@@ -190,7 +212,7 @@ impl ObjectRisk {
             |state: LimitState| states.iter().any(|one| one.limit_state == state && one.rates.annual_rate.is_none());
         let loss = cost.filter(|cost| cost.has_costs()).map(|cost| loss_of(curves, cost, hazard));
         let is_at_least = states.iter().any(|one| LOSS_STATES.contains(&one.limit_state) && one.is_at_least())
-            || loss.is_some_and(|loss| !loss.is_exact());
+            || loss.is_some_and(|loss| loss.most.is_none());
         for (state, words) in [
             (LimitState::Exceeds, "exceeding (its rate is not known)"),
             (LimitState::Overturns, "overturning (its rate is not known)"),
@@ -202,7 +224,7 @@ impl ObjectRisk {
         if cost.is_some_and(|cost| cost.overturned() > 0.0) && curves.curve(LimitState::Overturns).is_none() {
             not_counted.push("overturning (there is no curve of it)");
         }
-        let expected_annual_loss = loss.map(|loss| loss.least);
+        let expected_annual_loss = loss.map(|loss| loss.best);
         let overturns = states.iter().find(|one| one.limit_state == LimitState::Overturns);
         let casualties = |rate: f64| cost.and_then(|cost| Some(cost.quantity * cost.casualty_probability? * rate));
         let expected_annual_casualties = overturns.and_then(|one| casualties(one.rates.annual_rate?));
@@ -248,6 +270,10 @@ impl ObjectRisk {
                     .key("annual_rate", one.rates.annual_rate)
                     .key("annual_rate_lower", one.rates.annual_rate_lower)
                     .key("annual_rate_upper", one.rates.annual_rate_upper)
+                    .key("annual_rate_in_table", one.rates.annual_rate_in_table)
+                    .key("is_bound", one.rates.is_bound())
+                    .key("is_at_least", one.rates.is_at_least())
+                    .key("is_at_most", one.rates.is_at_most())
                     .key("annual_rate_below_first_point", one.rates.below_first)
                     .key("annual_rate_ci95", ends(one.ci95))
                     .key("probability", one.probability)
@@ -275,6 +301,9 @@ impl ObjectRisk {
             .key("certain", self.is_certain)
             .key("why", self.why)
             .key("expected_annual_loss", self.expected_annual_loss)
+            .key("expected_annual_loss_lower", self.loss.map(|loss| loss.least))
+            .key("expected_annual_loss_upper", self.loss.and_then(|loss| loss.most))
+            .key("is_bound", self.loss.is_some_and(|loss| loss.is_bound()))
             .key("is_at_least", self.is_at_least)
             .key("expected_annual_casualties", self.expected_annual_casualties)
             .key("not_counted", self.not_counted.clone())
@@ -293,8 +322,11 @@ impl ObjectRisk {
     pub(crate) fn named_limits(&self) -> Vec<Limit> {
         let accepted = [self.accepted_exceed_rate, self.accepted_rate];
         let limits = LOSS_STATES.into_iter().zip(accepted).filter_map(|(limit_state, accepted)| {
-            let found = self.states.iter().find(|one| one.limit_state == limit_state);
-            Some(Limit { limit_state, accepted: accepted?, annual_rate: found.and_then(StateRisk::known) })
+            let (found, accepted) = (self.state(limit_state), accepted?);
+            let known = found.and_then(StateRisk::known);
+            let most = found.and_then(|one| one.rates.annual_rate_upper.and(one.rates.cautious()));
+            let most = most.filter(|most| *most > accepted && known.is_some_and(|known| known <= accepted));
+            Some(Limit { limit_state, accepted, annual_rate: most.or(known), is_most: most.is_some() })
         });
         let (broken, kept): (Vec<Limit>, Vec<Limit>) = limits.partition(Limit::is_broken);
         if broken.is_empty() { kept } else { broken }
@@ -310,6 +342,10 @@ impl ObjectRisk {
                 .key("annual_rate_upper", one.rates.annual_rate_upper)
                 .key("annual_rate_ci95_low", one.ci95.map(|ends| ends.0))
                 .key("annual_rate_ci95_high", one.ci95.map(|ends| ends.1))
+                .key("annual_rate_in_table", one.rates.annual_rate_in_table)
+                .key("is_bound", one.rates.is_bound())
+                .key("is_at_least", one.rates.is_at_least())
+                .key("is_at_most", one.rates.is_at_most())
                 .key("probability", one.probability)
                 .key("years", years)
                 .key("verdict", self.verdict.map(RiskVerdict::name))
@@ -317,6 +353,17 @@ impl ObjectRisk {
         });
         rows.collect()
     }
+}
+
+/// The interval over the motions together with the bounds that the runs leave, and not above the most that
+/// a milder limit state allows; `None` where there is no upper end.
+fn joined((low, high): (f64, f64), by_runs: Option<(f64, Option<f64>)>, most: Option<f64>) -> Option<(f64, f64)> {
+    let (low, high) = match by_runs {
+        Some((least, upper)) => (low.min(least), high.max(upper?)),
+        None => (low, high),
+    };
+    let high = most.map_or(high, |most| most.min(high));
+    Some((low.min(high), high))
 }
 
 /// What is known about the accepted rates of an object.
@@ -367,19 +414,40 @@ fn judged(states: &[StateRisk], accepted: Option<f64>, accepted_exceed: Option<f
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Interval {
     least: f64,
+    /// What is stated.
+    best: f64,
     most: Option<f64>,
+}
+
+impl Interval {
+    fn known(rate: f64) -> Self {
+        Self { least: rate, best: rate, most: Some(rate) }
+    }
 }
 
 /// An expected annual loss: the least that it can be, and the most; `None` where nothing bounds it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LossBounds {
     pub(crate) least: f64,
+    /// What is stated: by the rates that are known, and the least of the others.
+    pub(crate) best: f64,
     pub(crate) most: Option<f64>,
 }
 
 impl LossBounds {
-    pub(crate) fn is_exact(&self) -> bool {
-        self.most == Some(self.least)
+    /// A loss is known to 10 %, as its rates are.
+    const BOUND_RATIO: f64 = 1.1;
+
+    pub(crate) fn is_bound(&self) -> bool {
+        self.most.is_none_or(|most| most > Self::BOUND_RATIO * self.least)
+    }
+
+    /// The words after a loss of which only bounds are known.
+    pub(super) fn words(&self, currency: &str) -> String {
+        match self.most.filter(|_| self.is_bound()) {
+            Some(most) => format!("; between {} and {} {currency} a year", number(self.least, 4), number(most, 4)),
+            None => String::new(),
+        }
     }
 }
 
@@ -390,37 +458,28 @@ pub(crate) struct Avoided {
     pub(crate) after: LossBounds,
     /// The least annual loss that the option avoids; `None` where nothing bounds the loss with it.
     pub(crate) least: Option<f64>,
+    /// The annual loss that it avoids by the stated losses.
+    pub(crate) best: f64,
     /// Whether it may avoid more.
     pub(crate) is_at_least: bool,
+    /// The least number of falls a year that it avoids; `None` where nothing tells.
+    pub(crate) falls: Option<f64>,
 }
 
-/// How often an object reaches a limit state; `None` without its curve.
-fn rates_of(curves: &ObjectCurves, state: LimitState, factor: f64, hazard: &Hazard) -> Option<AnnualRates> {
-    let changed = match curves.curve(state)? {
-        CurveKind::Lognormal { median, beta } => CurveKind::Lognormal { median: factor * median, beta },
-        CurveKind::Step { lower, upper } => CurveKind::Step { lower: factor * lower, upper: factor * upper },
-        CurveKind::Bounds { lower, upper } => {
-            CurveKind::Bounds { lower: lower.map(|lower| factor * lower), upper: upper.map(|upper| factor * upper) }
-        }
-        CurveKind::None { lower } => CurveKind::None { lower: factor * lower },
-        CurveKind::All { upper } => CurveKind::All { upper: factor * upper },
-        CurveKind::NotIncreasing { lower, upper } => {
-            CurveKind::NotIncreasing { lower: factor * lower, upper: factor * upper }
-        }
-    };
-    Some(annual_rate(hazard, changed))
-}
-
-/// The rates of both states of losses, [`LOSS_STATES`].
+/// The rates of both states of losses, [`LOSS_STATES`]; `None` without a curve.
 fn loss_rates(curves: &ObjectCurves, factor: f64, hazard: &Hazard) -> [Option<AnnualRates>; 2] {
-    LOSS_STATES.map(|state| rates_of(curves, state, factor, hazard))
+    let all = object_rates(curves, factor, hazard);
+    LOSS_STATES.map(|state| all.iter().find(|one| one.limit_state == state).map(|one| one.rates))
 }
 
 /// The ends of a rate. Motions below the first point of the hazard count for nothing, and bound nothing.
 fn ends_of(rates: AnnualRates) -> Interval {
-    match rates.annual_rate {
-        Some(rate) => Interval { least: rate, most: (!rates.begins_too_high()).then_some(rate) },
-        None => Interval { least: rates.annual_rate_lower, most: rates.annual_rate_upper },
+    let AnnualRates { annual_rate, annual_rate_lower: least, annual_rate_upper, .. } = rates;
+    let most = annual_rate_upper.filter(|_| !rates.begins_too_high());
+    match annual_rate {
+        Some(rate) if rates.is_bound() => Interval { least, best: rate, most },
+        Some(rate) => Interval::known(rate),
+        None => Interval { least, best: least, most },
     }
 }
 
@@ -430,7 +489,7 @@ fn ends_of(rates: AnnualRates) -> Interval {
 /// The loss q \[(λ_e − λ_o)⁺ C_e + λ_o C_o\] rises with λ_e, and as a function of λ_o it is convex with
 /// one corner, at λ_o = λ_e: it is largest at an end of λ_o, and least at an end or at the corner.
 fn loss_between([exceeds, overturns]: [Option<Interval>; 2], has_exceeds: bool, cost: &CostRow) -> LossBounds {
-    let unknown = Interval { least: 0.0, most: None };
+    let unknown = Interval { least: 0.0, best: 0.0, most: None };
     let exceeds = has_exceeds.then(|| exceeds.unwrap_or(unknown));
     let mut overturns = overturns.unwrap_or(unknown);
     // What is known may contradict itself where curves were fitted separately; what is not, cannot.
@@ -442,7 +501,7 @@ fn loss_between([exceeds, overturns]: [Option<Interval>; 2], has_exceeds: bool, 
     let of = |exceeds: f64, overturns: f64| {
         expected_annual_loss(cost.quantity, exceeds, overturns, repair, cost.overturned())
     };
-    let exceeds = exceeds.filter(|_| repair > 0.0).unwrap_or(Interval { least: 0.0, most: Some(0.0) });
+    let exceeds = exceeds.filter(|_| repair > 0.0).unwrap_or(Interval::known(0.0));
     let corner = exceeds.least.min(overturns.most.unwrap_or(f64::INFINITY)).max(overturns.least);
     let least = of(exceeds.least, overturns.least).min(of(exceeds.least, corner));
     let most = match (exceeds.most, overturns.most) {
@@ -451,7 +510,7 @@ fn loss_between([exceeds, overturns]: [Option<Interval>; 2], has_exceeds: bool, 
         (Some(exceeds), None) if cost.overturned() == 0.0 => Some(of(exceeds, overturns.least)),
         _ => None,
     };
-    LossBounds { least, most }
+    LossBounds { least, best: of(exceeds.best, overturns.best), most }
 }
 
 /// Expected annual loss of an object. A rate that is not known counts with the least and with the most
@@ -493,11 +552,40 @@ pub(crate) fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
         }
     }
     let charged = loss_between(charged, has_exceeds, cost);
-    let least = charged.most.map(|most| before.least - most);
-    let never_worse = matches!(effect, Effect::MedianFactor(factor) if *factor >= 1.0)
-        && cost.overturned() >= cost.repair.unwrap_or(0.0);
-    let least = least.map(|least| if never_worse { least.max(0.0) } else { least });
-    Avoided { after, least, is_at_least: !before.is_exact() || !charged.is_exact() }
+    let best = before.best - after.best;
+    let is_exact = |loss: &LossBounds| loss.most == Some(loss.least);
+    let mut least = charged.most.map(|most| before.least - most);
+    if let Effect::MedianFactor(factor) = *effect
+        && factor >= 1.0
+        && cost.overturned() >= cost.repair.unwrap_or(0.0)
+    {
+        least = least.map(|least| least.max(0.0));
+        if !(is_exact(&before) && is_exact(&charged)) {
+            least = avoided_by_factor(curves, factor, cost, hazard)
+                .map(|more| more.min(best.max(0.0)))
+                .into_iter()
+                .chain(least)
+                .reduce(f64::max);
+        }
+    }
+    let [_, of_fall] = LOSS_STATES;
+    let falls = match effect {
+        Effect::MedianFactor(factor) if *factor >= 1.0 => least_fall(curves, of_fall, *factor, hazard),
+        _ => without[1].zip(with[1]).and_then(|(without, with)| Some(ends_of(without).least - ends_of(with).most?)),
+    };
+    let falls = falls.map(|falls| cost.quantity * falls);
+    Avoided { after, least, best, is_at_least: !is_exact(&before) || !is_exact(&charged), falls }
+}
+
+/// The least loss that is avoided where every median is multiplied by `factor` ≥ 1, and overturning costs
+/// no less than a repair: q \[C_e Δλ_e + (C_o − C_e) Δλ_o\] with the least fall of each rate.
+fn avoided_by_factor(curves: &ObjectCurves, factor: f64, cost: &CostRow, hazard: &Hazard) -> Option<f64> {
+    let [exceeds, overturns] = LOSS_STATES;
+    let repair = cost.repair.filter(|_| curves.curve(exceeds).is_some()).unwrap_or(0.0);
+    let fall = |state, price: f64| if price == 0.0 { Some(0.0) } else { least_fall(curves, state, factor, hazard) };
+    let of_repair = repair * fall(exceeds, repair)?;
+    let more = cost.overturned() - repair;
+    Some(cost.quantity * (of_repair + more * fall(overturns, more)?))
 }
 
 #[cfg(test)]
@@ -518,10 +606,12 @@ mod tests {
             limit_state,
             rates: AnnualRates {
                 annual_rate: rate,
+                annual_rate_in_table: rate,
                 annual_rate_lower: lower,
                 annual_rate_upper: Some(upper),
                 below_first: 0.0,
             },
+            gap: None,
             ci95,
             lacks_interval: false,
             probability: None,
@@ -541,7 +631,8 @@ mod tests {
         let (same, narrow) = ((1e-4, 1e-4), Some((5e-5, 2e-4)));
         assert_eq!(judged(&overturns(Some(1e-4), same, narrow), None), (None, None));
         assert_eq!(judged(&overturns(Some(1e-4), same, narrow), Some(1e-3)), (accepted, Some(true)));
-        assert_eq!(judged(&overturns(Some(1e-4), (1e-4, 2e-3), narrow), Some(1e-3)), (accepted, Some(false)));
+        // Accepted only if the most that the rate can be is.
+        assert_eq!(judged(&overturns(Some(1e-4), (1e-4, 2e-3), narrow), Some(1e-3)), (exceeds, Some(false)));
         assert_eq!(judged(&overturns(Some(1e-4), same, Some((1e-5, 2e-3))), Some(1e-3)), (accepted, Some(false)));
         assert_eq!(
             judged(&overturns(Some(2e-3), (2e-3, 2e-3), Some((1.5e-3, 3e-3))), Some(1e-3)),
@@ -557,7 +648,7 @@ mod tests {
         // A hazard that begins too high gives only a lower bound.
         let mut cut = overturns(Some(1e-4), same, narrow);
         cut[0].rates.below_first = 2e-3;
-        assert_eq!(judged(&cut, Some(1e-3)), (accepted, Some(false)));
+        assert_eq!(judged(&cut, Some(1e-3)), (exceeds, Some(false)));
         let both = [
             state(LimitState::Exceeds, Some(0.1), (0.1, 0.1), Some((0.05, 0.2))),
             state(LimitState::Overturns, Some(1e-4), same, narrow),
@@ -582,6 +673,11 @@ mod tests {
             casualty_cost: None,
             accepted_rate: None,
             accepted_exceed_rate: None,
+            item: String::new(),
+            building: String::new(),
+            location: String::new(),
+            anchored: String::new(),
+            life_safety: None,
             floor: None,
             site_deg: None,
         }
@@ -594,7 +690,7 @@ mod tests {
         for (repair, replacement) in [(100.0, 900.0), (900.0, 100.0), (0.0, 900.0), (900.0, 0.0)] {
             let cost = cost(repair, replacement);
             for (e, o) in [((2.0, 6.0), (1.0, 3.0)), ((2.0, 2.0), (0.0, 4.0)), ((2.0, 6.0), (3.0, 3.0))] {
-                let of = |(least, most)| Some(Interval { least, most: Some(most) });
+                let of = |(least, most)| Some(Interval { least, best: least, most: Some(most) });
                 let bounds = loss_between([of(e), of(o)], true, &cost);
                 let steps =
                     |(least, most): (f64, f64)| (0..=60).map(move |i| least + (most - least) * f64::from(i) / 60.0);
@@ -620,8 +716,8 @@ mod tests {
     /// What has no bound has none, unless it costs nothing or the milder state bounds it.
     #[test]
     fn a_loss_without_a_bound_is_told_so() {
-        let open = Some(Interval { least: 1.0, most: None });
-        let known = |rate| Some(Interval { least: rate, most: Some(rate) });
+        let open = Some(Interval { least: 1.0, best: 1.0, most: None });
+        let known = |rate| Some(Interval::known(rate));
         let most = |e, o, cost: &CostRow| loss_between([e, o], true, cost).most;
         assert_eq!(most(known(2.0), open, &cost(100.0, 900.0)), Some(2.0 * 2.0 * 900.0));
         assert_eq!(most(known(2.0), None, &cost(100.0, 900.0)), Some(2.0 * 2.0 * 900.0));
@@ -629,12 +725,13 @@ mod tests {
         assert_eq!(most(open, known(1.0), &cost(0.0, 900.0)), Some(2.0 * 900.0));
         assert_eq!(most(open, open, &cost(0.0, 900.0)), None);
         let without = loss_between([None, open], false, &cost(100.0, 900.0));
-        assert_eq!(without, LossBounds { least: 2.0 * 900.0, most: None });
+        assert_eq!(without, LossBounds { least: 2.0 * 900.0, best: 2.0 * 900.0, most: None });
     }
 
     fn curves(rows: &[(LimitState, CurveKind)]) -> ObjectCurves {
         let curves = rows.iter().map(|&(limit_state, kind)| Curve { limit_state, kind }).collect();
-        ObjectCurves { id: "a".to_owned(), measure: Measure::Pgv, at: At::Ground, curves, line: 2 }
+        let capacities = Vec::new();
+        ObjectCurves { id: "a".to_owned(), measure: Measure::Pgv, at: At::Ground, curves, capacities, line: 2 }
     }
 
     /// k = 1 and steps: the rate of an intensity x is 1/x.

@@ -10,9 +10,9 @@ use freestand::spectra::landings;
 
 use crate::restraint::beyond_code_words;
 use crate::result::{
-    Answers, Assessment, AtWall, AxisResponse, CapacityCheck, Chain, Criterion, Decision, FallsAnswer, FewMotions,
-    FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer, Sliding,
-    SlidingVerdict, Slipped, Softening, Stacked,
+    Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision, FallsAnswer,
+    FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer,
+    Sliding, SlidingVerdict, Slipped, Softening, Stacked, Unstated,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -22,9 +22,10 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, percent};
 use super::object::{Body, Flat, Hit, Model, Way, hit};
+use super::respond::{Outcome, Travelled};
 use super::response::{
-    AxisMotion, Lived, Lost, PadMotion, Roll, Space, Strike, demand_capacity, governing, leans, lifts, options,
-    overturned, pads_demand_capacity, ranked,
+    AxisMotion, Lived, Lost, PadMotion, Space, Strike, demand_capacity, governing, leans, lifts, options, overturned,
+    pads_demand_capacity, ranked,
 };
 use super::slip::FALLS_WITH_FRICTION;
 use super::softer::beyond_pads;
@@ -101,14 +102,14 @@ fn by_severity(context: &Context, trial: &Trial) -> Vec<usize> {
 pub(super) fn assessment(
     context: &Context,
     trial: &Trial,
-    softening: Option<Softening>,
+    (softening, braked): (Option<Softening>, Option<Braked>),
 ) -> Result<Assessment, Problems> {
     let member = trial.member;
     let mut assessed = blank(member.item, &context.study.assessment);
     let floor = floor_facts(trial);
     assessed.floor = Some(floor.clone());
     let order = by_severity(context, trial);
-    let answers = answers(context, trial);
+    let mut answers = answers(context, trial);
     // The hardest world after the accepted share of them is left out.
     let beyond = (member.accepted_ratio * order.len() as f64).floor() as usize;
     let world = order.len().checked_sub(1 + beyond).map(|place| order[place]);
@@ -127,8 +128,14 @@ pub(super) fn assessment(
         beyond_pads: beyond_pads(trial),
         tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
     });
-    assessed.decision = decision;
-    assessed.why = why;
+    (assessed.decision, assessed.why) = (decision, why);
+    if decision == Decision::Leave && feet_pass_wall(trial) {
+        (assessed.decision, answers.falls) = (Decision::Restrain, FallsAnswer::Close);
+        assessed.why.push_str(
+            " But on its pads its feet pass through its wall in the calculation, which may keep it from falling: this \
+             is no reason to leave it.",
+        );
+    }
     if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some() {
         assessed.why.push_str(" Its stiffness is a range from the cushion library, not a measurement.");
     }
@@ -138,12 +145,24 @@ pub(super) fn assessment(
         assessed.notes.extend(unknown_wall_shock(trial, at_wall));
     }
     note_failures(trial, &mut assessed.notes);
-    assessed.rolled = rolled(trial);
+    assessed.rolled = rolled(context, trial);
+    assessed.braked = braked;
     if let Some(rolled) = &assessed.rolled {
         let around = &member.item.surroundings;
         let has_wall = around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some();
         let verb = if matches!(trial.subject.way, Way::Slides(_)) { "slides" } else { "rolls" };
         assessed.why = format!("{} {}", roll_words(verb, rolled, has_wall), assessed.why);
+        if let Some(braked) = assessed.braked.filter(|_| [Decision::Leave, Decision::NoVerdict].contains(&decision)) {
+            let (loose, why) = super::braked::decide(&trial.subject.way, rolled, &braked, member.accepted_ratio);
+            assessed.why.push_str(&format!(" {why}"));
+            assessed.decision = loose;
+        }
+    }
+    if let Some(unstated) = context.study.unstated(trial.subject.level_ratio)
+        && assessed.decision == Decision::Leave
+    {
+        (assessed.decision, assessed.unstated) = (Decision::NoVerdict, Some(unstated));
+        assessed.why.push_str(&unstated_words(unstated));
     }
     assessed.slipped = slipped(trial);
     if let Some(slipped) = &assessed.slipped {
@@ -196,7 +215,7 @@ pub(super) fn assessment(
     } else if trial.asks(context, Model::Rigid) {
         assessed.sliding = Some(slides(context, trial, floor.pfa_g_max));
     }
-    if decision == Decision::Restrain {
+    if assessed.decision == Decision::Restrain {
         assessed.restraint = context.restraint(trial);
         if let Some(p) = assessed.p_overturn.filter(|_| answers.falls != FallsAnswer::Stays) {
             let overturned = (p.value * f64::from(answers.worlds)).round() as usize;
@@ -229,24 +248,22 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
 }
 
 /// How it rolls or slides; `None`: it rocks, or every history failed.
-fn rolled(trial: &Trial) -> Option<Rolled> {
+fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
     let gliding = trial.subject.way.glides()?;
     followed(trial).next()?;
-    let rolls = |axes: &[AxisMotion], number: fn(&Roll) -> Option<f64>| {
-        axes.iter().filter_map(|one| number(one.roll.as_ref()?)).fold(0.0, f64::max)
-    };
-    let of =
-        |number: fn(&Roll) -> Option<f64>, q: f64| quantile(followed(trial).map(|(_, axes)| rolls(axes, number)), q);
-    let travel = |roll: &Roll| Some(roll.travel_m);
-    let is_stopped =
-        |axes: &[AxisMotion]| axes.iter().any(|one| one.roll.is_some_and(|roll| roll.stop_speed_m_s.is_some()));
+    let ways = || followed(trial).filter_map(|(_, axes)| Outcome::on_rigid(&trial.subject.way, axes).travelled());
+    let of = |number: fn(&Travelled) -> f64, q: f64| quantile(ways().map(|way| number(&way)), q);
+    let travel = |way: &Travelled| way.travel_m;
+    let stop_speed = |way: &Travelled| way.stop_speed_m_s.unwrap_or(0.0);
     let trip_speeds = trial.subject.axes.iter().map(|axis| trip_speed_m_s(&axis.block, G0_M_S2));
     Some(Rolled {
         travel_m_median: of(travel, QUANTILES[1]),
         travel_m_p84: of(travel, QUANTILES[2]),
+        is_at_least: ways().any(|way| way.is_at_least),
         clearance_m: gliding.clearance_m,
-        stop_share: share(followed(trial).map(|(_, axes)| is_stopped(axes))),
-        stop_speed_m_s_p84: Some(of(|roll| roll.stop_speed_m_s, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
+        clearance_needed_m: trial.room_needed_m(context),
+        stop_share: share(ways().map(|way| way.stop_speed_m_s.is_some())),
+        stop_speed_m_s_p84: Some(of(stop_speed, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
         trip_speed_m_s: trip_speeds.fold(f64::INFINITY, f64::min),
     })
 }
@@ -317,6 +334,11 @@ fn stack_words(trial: &Trial, stacked: &Stacked) -> String {
     falls + &begins + wall
 }
 
+/// Whether it is followed on pads beside a wall, which its top and its face meet and its feet pass through.
+fn feet_pass_wall(trial: &Trial) -> bool {
+    matches!(trial.subject.way, Way::Spatial(Some(_)))
+}
+
 /// What is left out of three dimensions and of stacks.
 fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems> {
     let mut notes = Vec::new();
@@ -328,6 +350,12 @@ fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems
             );
             if context.worlds.floor(0, trial.subject.level_ratio)?.motion.across.is_none() {
                 notes.push("Its floor moves in one direction only: the motions have one component.".to_owned());
+            }
+            if feet_pass_wall(trial) {
+                notes.push(
+                    "Its top and its face meet its wall, and its feet pass through it: it may fall more often."
+                        .to_owned(),
+                );
             }
             if beside.is_some() && trial.subject.capacity.is_some() {
                 notes.push("The shock at its wall is not compared with its tolerance.".to_owned());
@@ -344,9 +372,18 @@ fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems
     Ok(notes)
 }
 
+/// Why an object is not left as it is in shaking that nobody stated.
+fn unstated_words(unstated: Unstated) -> String {
+    format!(
+        " But nobody stated {}: this is the answer for another one, and no verdict. Give {}.",
+        unstated.words(),
+        unstated.keys()
+    )
+}
+
 /// How far it rolls or slides, and what a stop does.
 fn roll_words(verb: &str, rolled: &Rolled, has_wall: bool) -> String {
-    let travel = format!("It {verb}: up to {} mm in 84 % of worlds", number((1e3 * rolled.travel_m_p84).ceil(), 6));
+    let travel = format!("It {verb}: up to {} in 84 % of worlds", rolled.reach_words());
     let Some(clearance_m) = rolled.clearance_m else {
         if has_wall {
             return format!("{travel}; it may run into what stands beside it, which is not calculated.");
@@ -465,7 +502,7 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
     }
 }
 
-fn answers(context: &Context, trial: &Trial) -> Answers {
+pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     let accepted = trial.member.accepted_ratio;
     let is_known = trial.subject.capacity.as_ref().is_some_and(|capacity| match trial.subject.way {
         Way::Rolls(_) | Way::Slides(_) => stop_is_known(trial),
@@ -478,7 +515,12 @@ fn answers(context: &Context, trial: &Trial) -> Answers {
         exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
     };
     let [rigid, compliant] = [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
-    let falls = FallsAnswer::of(trial.side(context, Question::Falls));
+    let is_round = trial.member.item.is_round;
+    let falls = match FallsAnswer::of(trial.side(context, Question::Falls)) {
+        // A cylinder rolls round its rim, and falls where the square prism stands.
+        FallsAnswer::Stays if is_round => FallsAnswer::Close,
+        falls => falls,
+    };
     let shock = match (&trial.subject.capacity, is_known) {
         (None, _) => ShockAnswer::Unknown,
         (Some(_), true) => ShockAnswer::of(trial.side(context, Question::Shock)),
@@ -508,6 +550,10 @@ fn answers(context: &Context, trial: &Trial) -> Answers {
         rigid,
         compliant,
         restitution_p16_p84: [QUANTILES[0], QUANTILES[2]].map(|q| quantile(restitutions(), q)),
+        is_round,
+        worlds_needed: context
+            .fewest_worlds(accepted)
+            .filter(|needed| context.worlds.records().is_none() && trial.cap() < *needed),
         few_motions: context.worlds.records().and_then(|n| FewMotions::of(n, context.fewest_records(accepted))),
     }
 }

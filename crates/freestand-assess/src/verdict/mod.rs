@@ -9,6 +9,7 @@
 
 mod assessment;
 mod before_wall;
+mod braked;
 mod capacity;
 mod comparisons;
 mod decision;
@@ -19,6 +20,7 @@ mod object;
 mod outcomes;
 mod per_year;
 mod pulse;
+mod respond;
 mod response;
 mod roll;
 mod shares;
@@ -167,16 +169,17 @@ fn lived<'a>(context: &Context, members: &'a [Member<'a>]) -> Result<Vec<Trial<'
 
 fn assessed(context: &Context, trials: &[Trial]) -> Result<Vec<Assessment>, Problems> {
     let softened = softer::softer(context, trials)?;
+    let braked = braked::braked(context, trials)?;
     let shares = shares::shares(context, trials)?;
     let per_year = per_year::per_year(context, trials)?;
     let done: Vec<Result<Assessment, Problems>> = trials
         .par_iter()
-        .zip(softened)
+        .zip(softened.into_par_iter().zip(braked))
         .zip(shares)
         .zip(per_year)
-        .map(|(((trial, softened), shares), per_year)| {
+        .map(|(((trial, tried), shares), per_year)| {
             context.go_on()?;
-            let mut assessed = assessment::assessment(context, trial, softened)?;
+            let mut assessed = assessment::assessment(context, trial, tried)?;
             (assessed.shares, assessed.per_year) = (shares, per_year);
             Ok(assessed)
         })
@@ -197,11 +200,13 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
         id: item.id.clone(),
         decision: Decision::NoVerdict,
         why: String::new(),
+        unstated: None,
         tier: 0,
         answers: None,
         model: None,
         at_wall: None,
         rolled: None,
+        braked: None,
         slipped: None,
         before_wall: None,
         in_space: None,

@@ -45,9 +45,14 @@ fn assess(folder: &Path, settings: &str, header: &str, rows: &str) {
          {WORLDS}\nmost = {WORLDS}\nperiod_spread = 0\ndamping_spread = 0\nshares = false\n[assessment]\n{settings}{}",
         none.concat()
     );
-    let study = resolve(&text, None, folder).unwrap();
+    assess_list(folder, &text, &format!("{header}{rows}"));
+}
+
+/// A list on the floors of a study.
+fn assess_list(folder: &Path, study: &str, lines: &str) {
+    let study = resolve(study, None, folder).unwrap();
     let list = folder.join("list.csv");
-    fs::write(&list, format!("{header}{rows}")).unwrap();
+    fs::write(&list, lines).unwrap();
     let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
     assert!(!inventory.has_errors(), "{:?}", inventory.findings);
     let job = Job { outcomes: true, ..Job::default() };
@@ -198,6 +203,48 @@ fn what_rolls_travels_as_the_sliding_block() {
     let shock_g = speed_m_s.abs() * (2e4f64 / 80.0).sqrt() / G0_M_S2;
     assert_eq!(number("soft", "p_exceed"), f64::from(u8::from(shock_g > 5.0)), "{shock_g}");
     assert!(is(number("soft", "demand_capacity_ratio"), shock_g / 5.0), "{shock_g}");
+}
+
+/// Free casters in Christchurch, on the ground: what has no room is locked where it stands locked, and
+/// tethered or restrained where it would then fall. Room enough, or a slide that goes no farther than
+/// 50 mm, is no task.
+#[test]
+fn what_lacks_room_is_locked_only_where_it_stands_locked() {
+    let rows = [
+        ("incubator,0,1350,600,1100,120,free,,", "lock"),
+        ("roomy,0,1350,600,1100,120,free,9000,", "leave"),
+        ("tight,0,1350,600,1100,120,free,100,", "lock"),
+        ("tall,0,2000,300,400,40,free,,", "restrain"),
+        ("slider,0,600,800,900,50,,,0.1", "lock"),
+        ("crate,0,600,800,900,50,,,0.3", "leave"),
+        ("still,0,600,800,900,50,,,", "leave"),
+    ];
+    let header = "id,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],casters,clearance [mm],friction\n";
+    let lines: String = rows.iter().map(|(row, _)| format!("{row}\n")).collect();
+    let text = "[ground]\nplace = \"Christchurch\"\n[building]\nstoreys = 3\n";
+    let folder = tempfile::tempdir().unwrap();
+    assess_list(folder.path(), text, &format!("{header}{lines}"));
+    let found = by_id(folder.path());
+    for (row, decision) in rows {
+        let id = row.split(',').next().unwrap();
+        assert_eq!(found[id]["decision"], decision, "{id}: {}", found[id]["why"]);
+    }
+    let number = |id: &str, name: &str| found[id][name].parse::<f64>().unwrap();
+    // More than 84 % of its earthquakes need, and the stated 100 mm of the one is less, the 9 m of the
+    // other more.
+    assert!(number("incubator", "clearance_needed_m") > number("incubator", "slide_m_p84"));
+    assert!(number("tight", "clearance_needed_m") > 0.1 && number("roomy", "clearance_needed_m") < 9.0);
+    assert!(number("crate", "clearance_needed_m") < 0.05 && number("slider", "clearance_needed_m") > 0.05);
+    assert!(number("incubator", "p_overturn_locked_high") < 0.1 && number("tall", "p_overturn_locked") > 0.1);
+    assert_eq!((found["roomy"]["p_overturn_locked"].as_str(), found["still"]["clearance_needed_m"].as_str()), ("", ""));
+    let tasks: Vec<(String, String)> = table(folder.path(), "worklist.csv")
+        .into_iter()
+        .map(|row| (row["id"].clone(), row["action"].clone()))
+        .collect();
+    for (id, action) in [("incubator", "lock"), ("tight", "lock"), ("slider", "lock"), ("tall", "restrain")] {
+        assert!(tasks.contains(&(id.to_owned(), action.to_owned())), "{tasks:?}");
+    }
+    assert_eq!(tasks.len(), 4);
 }
 
 const WITH_FRICTION: &str =

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use freestand_assess::inventory::{Edit, Inventory, problem_reports};
+use freestand_assess::inventory::{Inventory, problem_reports};
 use freestand_assess::job::{Finished, Job, JobReport, ListRequest, SCHEMA, assess_telling, inventory_of};
 use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
@@ -23,6 +23,7 @@ use freestand_study::study::{Outputs, Study};
 use serde_json::{Map, Value};
 
 use super::Done;
+use super::list::CellsArgs;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::hazard::HazardArgs;
@@ -32,9 +33,9 @@ use crate::printer::{Printer, significant, table};
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  An inventory to fill in, then its assessment in the built-in building (30 storeys, Melbourne):
+  An inventory to fill in, then its assessment in a building of 7 storeys in Christchurch:
     freestand inventory template --csv > objects.csv
-    freestand assess --inventory objects.csv --out assessment
+    freestand assess --place Christchurch --storeys 7 --inventory objects.csv --out assessment
   With your own building and hazard; the study may also name the inventory:
     freestand assess hospital.toml --inventory hospital.xlsx --out assessment
   With the hazard of a place, in the building of the study:
@@ -57,9 +58,6 @@ docs/assessment.md.")]
 pub(crate) struct AssessArgs {
     #[command(flatten)]
     list: ListArgs,
-    /// Read a cell as if it contained TEXT; may be given several times. The file is not changed
-    #[arg(long, value_name = "CELL=TEXT")]
-    edit: Vec<String>,
     /// Continue an earlier run in the same folder
     #[arg(long)]
     resume: bool,
@@ -100,13 +98,10 @@ pub(crate) struct ListArgs {
     /// Inventory (CSV or XLSX); replaces the inventory of the study
     #[arg(long, value_name = "FILE")]
     pub(crate) inventory: Option<PathBuf>,
-    /// Sheet of the workbook [default: the first with headings of an inventory]
-    #[arg(long, value_name = "NAME")]
-    sheet: Option<String>,
-    /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
-    #[arg(long, value_name = "MAP.toml")]
-    columns: Option<PathBuf>,
-    /// Number of storeys, to place floors by their numbers [default: the study's]
+    #[command(flatten)]
+    pub(crate) cells: CellsArgs,
+    /// Number of storeys: of the building where the study states none, else only to place floors by their
+    /// numbers [default: the study's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=500))]
     storeys: Option<u16>,
     /// Count every doubt about the list as an error
@@ -130,6 +125,8 @@ enum FailOn {
     Restrain,
     /// Put it on a softer pad
     Soften,
+    /// Lock it, tether it, or give it room
+    Lock,
     /// Data are missing
     NoVerdict,
     /// Leave it as it is
@@ -141,14 +138,20 @@ impl FailOn {
         match self {
             Self::Restrain => Decision::Restrain,
             Self::Soften => Decision::Soften,
+            Self::Lock => Decision::Lock,
             Self::NoVerdict => Decision::NoVerdict,
             Self::Leave => Decision::Leave,
         }
     }
 }
 
-/// Objects of a part while a user watches the page.
-const WATCHED_ROWS: usize = 32;
+/// Objects of a part while a user watches the page: one by one in a list that is read as it comes,
+/// more where each part would cost more than what it tells.
+fn watched_rows(rows: usize) -> usize {
+    const PARTS: usize = 128;
+    const MOST_ROWS: usize = 32;
+    (rows / PARTS).clamp(1, MOST_ROWS)
+}
 
 /// The folder where no `--out` is given.
 const FOLDER: &str = "freestand-assessment";
@@ -171,12 +174,11 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
             "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
         ));
     }
-    let (mut study, _, inventory) = args.list.read(global, args.pages, edits(&args.edit)?)?;
+    let (mut study, _, inventory) = args.list.read(global, args.pages)?;
     args.write_title(&mut study.outputs);
     let out = global.folder(FOLDER);
     let parquet = args.format.contains(&Format::Parquet);
-    // A user watches the page: few objects at a time.
-    let part_rows = printer.session().map(|_| WATCHED_ROWS);
+    let part_rows = printer.session().map(|_| watched_rows(inventory.items.len()));
     let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes, part_rows };
 
     if let Some(session) = printer.session() {
@@ -212,8 +214,6 @@ impl ListArgs {
             (hazard.get("place").is_some(), "--place"),
             (hazard.get("site").is_some(), "--site"),
             (hazard.get("return_period_years").is_some(), "--return-period"),
-            (self.sheet.is_some(), "--sheet"),
-            (self.columns.is_some(), "--columns"),
             (self.storeys.is_some(), "--storeys"),
             (self.strict, "--strict"),
             (self.assess_anchored, "--assess-anchored"),
@@ -228,9 +228,9 @@ impl ListArgs {
         &self,
         global: &GlobalArgs,
         pages: Option<usize>,
-        edits: Vec<Edit>,
     ) -> Result<(Study, ListRequest, Inventory), Failure> {
-        let overrides = Overrides { seed: global.seed, hazard: self.hazard.words(), ..Overrides::default() };
+        let overrides =
+            Overrides { seed: global.seed, hazard: self.hazard.words(), storeys: self.storeys, ..Overrides::default() };
         let mut study = match &self.study {
             Some(path) => load(path, &overrides)?,
             None => builtin(&overrides)?,
@@ -241,24 +241,16 @@ impl ListArgs {
         settings.library = self.library.clone().or(settings.library.take());
         settings.cushion_library = self.cushion_library.clone().or(settings.cushion_library.take());
         let request = ListRequest {
-            sheet: self.sheet.clone(),
-            columns: self.columns.clone(),
+            sheet: self.cells.sheet.clone(),
+            columns: self.cells.columns.clone(),
             storeys: self.storeys.map(usize::from),
             is_strict: self.strict,
             assess_anchored: self.assess_anchored,
-            edits,
+            edits: self.cells.edits()?,
         };
         let inventory = inventory_of(&study, self.inventory.as_deref(), &request)?;
         Ok((study, request, inventory))
     }
-}
-
-/// The cells that are read otherwise, by `--edit`.
-pub(crate) fn edits(texts: &[String]) -> Result<Vec<Edit>, Problems> {
-    let mut problems = Problems::default();
-    let edits = texts.iter().filter_map(|text| problems.keep(Edit::parse(text).map_err(|one| one.named("edit"))));
-    let edits = edits.collect();
-    problems.finish(Some(edits))
 }
 
 /// Long work with a bar of its progress, which Ctrl-C stops.
@@ -386,4 +378,16 @@ fn first(report: &JobReport) -> String {
         text.push_str(&format!("… and {} more: worklist.csv, objects.csv\n", done - report.first.len()));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::watched_rows;
+
+    #[test]
+    fn who_watches_sees_objects_one_by_one() {
+        // The lists of a museum and of a hospital; one of ten thousand rows has 313 parts.
+        assert_eq!([1, 21, 200].map(watched_rows), [1, 1, 1]);
+        assert_eq!(watched_rows(10_000), 32);
+    }
 }

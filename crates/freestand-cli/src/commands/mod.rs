@@ -10,6 +10,7 @@ mod fragility;
 mod fragility_runs;
 mod inventory;
 mod library;
+mod list;
 mod motion;
 mod object;
 mod place;
@@ -96,6 +97,12 @@ pub(crate) enum Command {
 }
 
 impl Command {
+    /// Whether it writes a folder even if none is named.
+    #[cfg(feature = "page")]
+    pub(crate) fn writes_a_folder(&self) -> bool {
+        matches!(self, Self::Run(_) | Self::Assess(_))
+    }
+
     pub(crate) fn run(&self, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
         match self {
             Self::Run(args) => run::run(args, global, printer),

@@ -106,7 +106,13 @@ pub(crate) fn run(args: &RunArgs, global: &GlobalArgs, printer: &Printer) -> Res
     let rotation_step_deg = args.second.rotation_step_deg(&mut values);
     let variations = args.vary.as_ref().map(|texts| variations(texts, &mut values));
     values.finish()?;
-    let overrides = Overrides { seed: global.seed, hazard: args.hazard.words(), motions, rotation_step_deg };
+    let overrides = Overrides {
+        seed: global.seed,
+        hazard: args.hazard.words(),
+        motions,
+        rotation_step_deg,
+        ..Overrides::default()
+    };
     let mut study = match &args.study {
         Some(path) => load(path, &overrides)?,
         None => builtin(&overrides)?,

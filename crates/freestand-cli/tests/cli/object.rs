@@ -5,7 +5,7 @@ use std::process::Command;
 use serde_json::Value;
 
 use crate::cases;
-use crate::program::{PROGRAM, execute, freestand_in, root};
+use crate::program::{PROGRAM, execute, freestand_in, json, root};
 
 const RECORD: &str = "validation/rocking/records/synthfloor.csv";
 
@@ -199,9 +199,7 @@ fn the_worse_of_two_spectra_counts() {
         let study = format!("[ground]\nplace = \"Lisbon\"\n{kind}[building]\nstoreys = 2\n");
         let folder = crate::folder(&[("study.toml", &study)]);
         let flags = ["object", "--study", "study.toml", "--height", "1.2m", "--thickness", thickness, "--worlds", "40"];
-        let run = execute(folder.path(), &[&flags[..], &["--json"]].concat());
-        let document: Value = serde_json::from_slice(&run.stdout).unwrap();
-        document["p_overturn"].as_f64().unwrap()
+        json(&execute(folder.path(), &[&flags[..], &["--json"]].concat()))["p_overturn"].as_f64().unwrap()
     };
     let mut differ = false;
     for thickness in ["0.1m", "0.15m"] {

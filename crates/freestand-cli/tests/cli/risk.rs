@@ -234,7 +234,11 @@ fn flags_that_do_not_go_together_are_refused() {
     let law = "k0=1e-4 /yr, k=2.5, reference=1 m/s";
     let of_floor = refused(folder.path(), &with(&["--hazard-im", "pfv", "--hazard-power", law]));
     assert!(of_floor.contains("curves.csv:2: the hazard is that of pfv of the floor"), "{of_floor}");
-    assert!(refused(folder.path(), &with(&["--hazard-power", law])).contains("needs --hazard-im"));
+    let two = "id,im,im_unit,at,limit_state,kind,median,beta\na,pgv,m/s,ground,overturns,step,1,\n\
+               b,pga,g,ground,overturns,step,1,\n";
+    write(folder.path(), "two.csv", two);
+    let unnamed = refused(folder.path(), &["risk", "--fragility", "two.csv", "--hazard-power", law]);
+    assert!(unnamed.contains("several intensity measures"), "{unnamed}");
     assert!(refused(folder.path(), &with(&["--hazard-im", "pgx", "--hazard-power", law])).contains("\"pgx\" is not"));
     let both = [&base[..], &["--hazard", &hazard, "--hazard-power", law]].concat();
     assert!(
@@ -454,12 +458,13 @@ fn the_owner_gets_one_page() {
         "<strong>392 AUD a year</strong>",
         "<strong>44 %</strong>",
         "<strong>2600 AUD</strong>",
-        "<strong>10.5 AUD a year</strong>",
+        "Expected loss that remains with the plan.",
+        "Only its bounds are known: 294 to 581 AUD.",
         "Casualties, for which no amount was given: cabinet, server-rack.",
         "Net present value (thousand AUD)",
         "Of 2 kinds of object with an accepted rate, 2 fail more often than that. The object cabinet overturns 1.6 times \
          as often as accepted: once in 626 years instead of once in 1000 years.",
-        "<td>3 % more often, uncertainty not known</td>",
+        "<td>3 % more often, not certain</td>",
     ];
     for text in said {
         assert!(page.contains(text), "{text}");
@@ -577,7 +582,7 @@ fn a_verdict_names_its_limit_and_wrong_words_are_refused() {
         "{text}"
     );
 
-    let whole = refused(folder.path(), &[&base[..], &["--discount", "3"]].concat());
+    let whole = refused(folder.path(), &[&base[..], &["--discount", "3", "--options", "o.csv"]].concat());
     assert!(whole.contains("a discount rate of 3 is 300 % a year"), "{whole}");
     let law = ["risk", "--fragility", &curves_path, "--hazard-im", "pgv", "--hazard-power"];
     let twice = refused(folder.path(), &[&law[..], &["k0=1e-4 /yr, k=2.5, k0=1e-3/yr, reference=1 m/s"]].concat());

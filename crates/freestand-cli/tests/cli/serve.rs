@@ -282,6 +282,35 @@ fn uploaded_files_name_uploaded_files() {
     }
 }
 
+/// A server with a folder for results begins after what is already there, and what an answer at once
+/// writes goes nowhere: not into the folder of an earlier server, not where the server was started.
+#[test]
+fn results_of_an_earlier_server_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let (start, results) = (folder.path().join("start"), folder.path().join("results"));
+    std::fs::create_dir_all(&start).unwrap();
+    let list = folder.path().join("list.csv");
+    std::fs::write(&list, "id,floor,height,thickness\nA,1,1800 mm,400 mm\n").unwrap();
+    let study = folder.path().join("study.toml");
+    let text = "[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n[worlds]\nfirst = 2\nmost = 2\n";
+    std::fs::write(&study, text).unwrap();
+    let mut written = Vec::new();
+    for earlier in 0..2 {
+        let page = Page::open_with(|command| command.current_dir(&start).arg("--folder").arg(&results));
+        let files = json!({"study": page.upload(&study), "inventory": [page.upload(&list)]});
+        let request = json!({"command": "assess", "files": files, "options": {"seed": earlier}});
+        let (status, answer) = page.run(&request);
+        assert_eq!(status, 200, "{answer}");
+        let (status, job) = page.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+        assert_eq!((status, &job["id"]), (202, &json!(format!("job-{}", earlier + 1))));
+        page.get(&format!("/api/v1/jobs/{}/events", job["id"].as_str().unwrap()));
+        written.push(std::fs::read(results.join("job-1/objects.csv")).unwrap());
+    }
+    assert_eq!(written[0], written[1]);
+    assert!(results.join("job-2/objects.csv").exists());
+    assert_eq!(std::fs::read_dir(&start).unwrap().count(), 0);
+}
+
 /// The document of a job is that of the command line; its objects come one by one, by their rank so
 /// far.
 #[test]
@@ -583,15 +612,93 @@ fn options_that_name_files_are_refused() {
 }
 
 #[test]
-fn the_messages_are_those_of_the_command_line() {
+fn the_messages_are_those_of_the_command_line_with_its_fields() {
     let page = Page::open();
     let size = json!({"height": "2 apples", "thickness": "0.5 m", "mass": "100 kg"});
     let error = page.refused(&with_options("shock", &size));
     assert_eq!(error["key"], "height");
-    assert!(message(&error).starts_with("--height: "), "{error}");
+    assert!(message(&error).starts_with("“Height”: "), "{error}");
     let error = page.refused(&with_options("shock", &json!({"depth": 1})));
-    assert!(message(&error).contains("no option --depth"), "{error}");
+    assert!(message(&error).contains("no option “Depth”"), "{error}");
     assert_eq!(error["key"], "depth");
+}
+
+/// Who fills in a form has no command line: no message of the page names a flag, a usage line or the
+/// error of a parser.
+#[test]
+fn no_message_speaks_command_line() {
+    let page = Page::open();
+    let good = json!({"height": "1.8 m", "thickness": "0.4 m", "place": "Melbourne", "worlds": 1});
+    let names = [
+        "height",
+        "thickness",
+        "width",
+        "cg-height",
+        "mass",
+        "on",
+        "tolerance",
+        "friction",
+        "wall-gap",
+        "wall-height",
+        "neighbour-gap",
+        "clearance",
+        "casters",
+        "upper-height",
+        "upper-thickness",
+        "upper-mass",
+        "place",
+        "site",
+        "pga",
+        "floor",
+        "level-ratio",
+        "storeys",
+        "storey-height",
+        "return-period",
+        "scales",
+        "unit",
+    ];
+    let wrong = ["", "x", "1,8 m", "1800", "-1", "99999999999", "3 apples", "--help"];
+    let mut requests = vec![
+        with_options("object", &json!({})),
+        with_options("object", &json!({"height": "1.8 m", "thickness": "0.4 m"})),
+        with_options("assess", &json!({"place": "Atlantis"})),
+        with_options("assess", &json!({"storeys": "seven"})),
+        with_options("inventory check", &json!({})),
+        with_options("cushion drop", &json!({})),
+        with_options("spectrum", &json!({"heights": "1"})),
+        with_options("motion info", &json!({})),
+        with_options("run", &json!({})),
+    ];
+    for name in names {
+        for value in wrong {
+            let mut options = good.clone();
+            options[name] = value.into();
+            requests.push(with_options("object", &options));
+        }
+    }
+    let mut count = 0;
+    for request in &requests {
+        let (status, answer) = page.run(request);
+        let error = &answer["error"];
+        // Some of these values are good for some of these fields.
+        if status == 200 {
+            continue;
+        }
+        count += 1;
+        let mut told = vec![error];
+        told.extend(error["others"].as_array().into_iter().flatten());
+        for told in told {
+            for text in [&told["message"], &told["hint"]] {
+                let text = text.as_str().unwrap();
+                let flags = text.split("\"--help\"").collect::<String>();
+                assert!(!flags.contains("--"), "{request}: {text}");
+                for word in ["invalid digit", "usage:", "see freestand", "freestand place"] {
+                    assert!(!text.contains(word), "{request}: {text}");
+                }
+            }
+        }
+    }
+    assert!(count > 100, "{count} refusals");
 }
 
 /// The page marks the field that is wrong, whoever finds it: the parser, the server or the command.

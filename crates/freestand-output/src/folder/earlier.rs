@@ -12,7 +12,7 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::counted;
 
 use super::{ANOTHER_FOLDER, HASHES, MANIFESTS};
-use crate::paths::{STAGING_PREFIX, io_problem};
+use crate::paths::{STAGING_PREFIX, io_problem, refuse_links};
 
 /// The largest manifest that is read \[bytes\]. Those of freestand are far smaller; another file of
 /// that name may have any size.
@@ -131,6 +131,8 @@ pub(super) fn check_replaceable(target: &Path, force: bool) -> Result<Place, Pro
             .in_file(target)
             .hint(ANOTHER_FOLDER));
     }
+    // A manifest is read, and written, at its own place.
+    refuse_links(target, MANIFESTS)?;
     let earlier: Vec<Earlier> = MANIFESTS.iter().filter_map(|name| earlier(target, name)).collect();
     let mut entries =
         fs::read_dir(target).map_err(|error| io_problem(target, "cannot read the output folder", &error))?;

@@ -7,7 +7,9 @@
 
 mod earlier;
 
-use crate::paths::{clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input, staging_prefix};
+use crate::paths::{
+    clear_leftovers, io_problem, no_name, prefix_next_to, real_path, refuse_input, refuse_links, staging_prefix,
+};
 use crate::streamed::StreamedFile;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::counted;
@@ -126,6 +128,7 @@ impl OutputFolder {
     /// A name that would replace an input or, without `force`, a file that freestand did not write.
     pub fn check(&self, names: &[String]) -> Result<(), Problem> {
         let place = check_replaceable(&self.target, self.force)?;
+        refuse_links(&self.target, names.iter().map(String::as_str))?;
         for name in names {
             let path = self.target.join(name);
             refuse_input(&self.inputs, &path, ANOTHER_FOLDER)?;
@@ -369,6 +372,7 @@ pub fn announce(target: &Path, force: bool, schema: &str, names: &[String]) -> R
         Place::Absent => Vec::new(),
         Place::Folder { earlier } => earlier,
     };
+    refuse_links(&target, names.iter().map(String::as_str))?;
     let own = || earlier.iter().filter(|one| one.command == command);
     fs::create_dir_all(&target).map_err(|error| io_problem(&target, "cannot create the folder", &error))?;
     let files: BTreeSet<&String> = names.iter().chain(own().flat_map(|one| &one.files)).collect();

@@ -415,3 +415,36 @@ fn a_manifest_without_hashes_proves_nothing() {
     run(&target, true, &["a.csv"]).unwrap();
     assert_eq!(names(&target), ["a.csv", "notes.txt", "summary.json"]);
 }
+
+/// A folder of results that somebody else made may have links: nothing is written, emptied or removed
+/// through them, with `force` either.
+#[cfg(unix)]
+#[test]
+fn links_in_a_folder_of_results_are_refused() {
+    use std::os::unix::fs::symlink;
+    let parent = tempfile::tempdir().unwrap();
+    let (target, others) = (parent.path().join("out"), parent.path().join("others"));
+    fs::create_dir_all(&target).unwrap();
+    fs::create_dir_all(&others).unwrap();
+    let mine = [others.join("000001.jsonl"), others.join("manifest.json"), others.join("lock")];
+    for path in &mine {
+        fs::write(path, "mine").unwrap();
+    }
+    let part = "progress/000001.jsonl".to_owned();
+    for (link, to) in [("manifest.json", &mine[1]), ("progress", &others), ("rows.csv", &mine[0])] {
+        symlink(to, target.join(link)).unwrap();
+        for force in [false, true] {
+            let refused = |problem: Problem| problem.path == Some(target.join(link)) && problem.kind == ProblemKind::Io;
+            let staged = OutputFolder::stage(&target, force, &[])
+                .and_then(|folder| folder.check(&["rows.csv".to_owned(), part.clone()]));
+            // Without `force`, a folder with files of others is refused as such.
+            assert!(refused(staged.unwrap_err()) || !force, "{link}");
+            let names = ["rows.csv".to_owned(), part.clone()];
+            let announced = announce(&target, force, "freestand.assess/1", &names);
+            assert!(refused(announced.unwrap_err()) || !force, "{link}");
+        }
+        fs::remove_file(target.join(link)).unwrap();
+    }
+    assert_eq!(names(&target), [""; 0]);
+    assert!(mine.iter().all(|path| fs::read_to_string(path).unwrap() == "mine"));
+}

@@ -55,6 +55,11 @@ pub(crate) fn has_table_of_ours(text: &str) -> bool {
         .is_ok_and(|table| table.get_ref().keys().any(|key| names.contains(&key.get_ref().as_ref())))
 }
 
+/// Whether a text is TOML with no table and no key.
+pub(crate) fn is_empty(text: &str) -> bool {
+    DeTable::parse(text.trim_start_matches('\u{feff}')).is_ok_and(|table| table.get_ref().is_empty())
+}
+
 /// Reads a study: what can be read, and all problems.
 pub(crate) fn parse(text: &str, source: Option<&Path>) -> (Options, Problems) {
     let mut reader = Reader::new(text, source);

@@ -290,7 +290,7 @@ mod tests {
     #[test]
     fn the_built_in_study_states_the_defaults() {
         assert_eq!(builtin(&Overrides::default()).unwrap().assessment, Settings::default());
-        assert_eq!(resolve("", None, "".as_ref()).unwrap().assessment, Settings::default());
+        assert_eq!(resolve("[assessment]\n", None, "".as_ref()).unwrap().assessment, Settings::default());
     }
 
     #[test]

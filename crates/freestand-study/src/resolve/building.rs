@@ -4,9 +4,11 @@ use std::collections::HashSet;
 
 use freestand::code_spectrum::PeriodCode;
 
-use super::{MAX_LEVELS, Resolver, or};
+use super::recorded::has_measured_floors;
+use super::{MAX_LEVELS, Overrides, Resolver, or};
 use crate::building::{self, BuildingInput};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
+use crate::rerun::with_storeys;
 use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, FirstFloor, Level, NamedFloor};
 use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
@@ -20,7 +22,46 @@ const MAX_NAME_CHARS: usize = 120;
 
 const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
 
+/// Whether `[building]` says how high the building is and how it moves: by its storeys, its height or a
+/// table, or by its period and its named floors.
+fn states_its_size(written: &BuildingOptions) -> bool {
+    let has = |key: &str| written.words.get(key).is_some();
+    ["storeys", "height", "storey_table", "mode_table"].into_iter().any(has)
+        || has("period") && written.floors.is_some()
+        || has_measured_floors(written)
+}
+
 impl Resolver<'_> {
+    /// Puts the storeys of `overrides` in place of those of a building that nobody stated. Returns the text
+    /// of the study with them, and whether the building is still assumed. Nobody chose the one of the
+    /// built-in study.
+    pub(super) fn with_storeys(
+        &mut self,
+        written: &mut BuildingOptions,
+        text: String,
+        overrides: &Overrides,
+        is_builtin: bool,
+    ) -> (String, bool) {
+        if states_its_size(written) && !is_builtin {
+            return (text, false);
+        }
+        let Some(storeys) = overrides.storeys else { return (text, true) };
+        // The name of the built-in building is not that of another.
+        if is_builtin {
+            written.name = None;
+        }
+        let height = overrides.storey_height_m.map(|height_m| format!("{height_m} m"));
+        written.words.set("storeys", storeys.to_string());
+        if let Some(height) = &height {
+            written.words.set("storey_height", height);
+        }
+        match with_storeys(&text, storeys, height.as_deref(), is_builtin) {
+            Ok(text) => (text, false),
+            // Text that is not TOML was noted when it was read.
+            Err(_) => (text, false),
+        }
+    }
+
     /// Its warnings are still with it; `code` is that of the spectrum.
     pub(super) fn building(&mut self, words: &Words, code: Option<PeriodCode>) -> Option<BuildingInput> {
         match building::resolve(words, self.base_dir, code) {

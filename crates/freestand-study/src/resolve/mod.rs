@@ -2,6 +2,7 @@
 //! once.
 
 mod assessment;
+mod assumed;
 mod building;
 mod cushion;
 mod ground;
@@ -23,6 +24,7 @@ use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::toml_reader::Written;
+use freestand_input::words::number;
 
 use recorded::has_measured_floors;
 
@@ -42,6 +44,11 @@ pub struct Overrides {
     /// replaces the study's code with everything that belongs to it; its return period stays, and its
     /// site where the code is the same.
     pub hazard: Words,
+    /// Number of storeys, where the study does not state its building; it then has no name from the
+    /// built-in study either.
+    pub storeys: Option<u16>,
+    /// Height of one of these storeys \[m\].
+    pub storey_height_m: Option<f64>,
     /// Files that replace the study's ground motions, which are then not read.
     pub motions: Option<MotionFiles>,
     /// Step between the directions in which objects are tried, for motions with two components
@@ -59,8 +66,16 @@ pub fn builtin_toml() -> &'static str {
 /// # Errors
 /// Without overrides, none; with them, the errors of the motion files.
 pub fn builtin(overrides: &Overrides) -> Result<Study, Problems> {
-    let study = resolve_with(builtin_toml(), None, Path::new(""), overrides)?;
-    Ok(Study { is_builtin: true, ..study })
+    resolve_as(Text::Builtin, None, Path::new(""), overrides)
+}
+
+/// The study in which nothing is stated but `overrides`: everything else is as in the built-in study,
+/// and is assumed.
+///
+/// # Errors
+/// Those of the overrides.
+pub fn nothing_stated(overrides: &Overrides) -> Result<Study, Problems> {
+    resolve_as(Text::Nothing, None, Path::new(""), overrides)
 }
 
 /// Reads a study from a file; paths in it are relative to its folder.
@@ -116,11 +131,40 @@ pub fn resolve_with(
     base_dir: &Path,
     overrides: &Overrides,
 ) -> Result<Study, Problems> {
+    if options::is_empty(text) {
+        let hint = "state the place, such as `place = \"Wellington\"` in [ground], and the building, such as `storeys = 4` \
+                    in [building]";
+        let empty = Problem::new(ProblemKind::Missing, "the study is empty: nothing is stated in it").hint(hint);
+        let empty = empty.shown(KeyStyle::File);
+        return Err(source.map_or(empty.clone(), |path| empty.in_file(path)).into());
+    }
+    resolve_as(Text::Of(text), source, base_dir, overrides)
+}
+
+/// The text of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Text<'t> {
+    /// Somebody wrote it.
+    Of(&'t str),
+    /// The built-in study: nobody stated its place or its building.
+    Builtin,
+    /// Nothing is written.
+    Nothing,
+}
+
+fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: &Overrides) -> Result<Study, Problems> {
+    let is_builtin = written == Text::Builtin;
+    let text = match written {
+        Text::Of(text) => text,
+        Text::Builtin => builtin_toml(),
+        Text::Nothing => "",
+    };
     let (options, problems) = options::parse(text, source);
     let is_complete = problems.is_empty();
     let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete, reading: None };
-    let Options { mut ground, building, objects, outputs, assessment, worlds, restraint } = options;
+    let Options { mut ground, mut building, objects, outputs, assessment, worlds, restraint } = options;
     let text = resolver.with_hazard(&mut ground, text, overrides);
+    let (text, building_is_assumed) = resolver.with_storeys(&mut building, text, overrides, is_builtin);
     if has_measured_floors(&building)
         || ((ground.motions.is_some() || ground.suite.is_some()) && overrides.motions.is_none())
     {
@@ -135,10 +179,10 @@ pub fn resolve_with(
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
     } else {
-        let building = resolver.building(&building.words, period_code(&ground.target));
-        let ground = resolver.ground(&ground, overrides, building.as_ref(), &levels);
-        resolver.warnings.extend(building.iter().flat_map(|building| building.warnings.clone()));
-        (ground, building.map(Some))
+        let found = resolver.building(&building.words, period_code(&ground.target));
+        let ground = resolver.ground(&ground, overrides, found.as_ref(), &levels);
+        resolver.warnings.extend(found.iter().flat_map(|building| building.warnings.clone()));
+        (ground, found.map(Some))
     };
     let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
     if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
@@ -150,11 +194,34 @@ pub fn resolve_with(
     let objects = resolver.objects(&objects);
     let assessment = resolver.assessment(&assessment, &worlds, &restraint, is_measured, ground_input.as_ref());
     let names = ground_input.as_ref().map(|input| input.names(&levels));
+    let target = ground_input.as_ref().and_then(Ground::code_spectrum);
+    // Nobody chose the place that the built-in study names.
+    let place_is_assumed =
+        target.is_some_and(|target| target.place_is_assumed || is_builtin && overrides.hazard.get("place").is_none());
     let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
+    let stated = assumed::Stated {
+        ground: &ground,
+        building: &building,
+        overrides,
+        is_builtin,
+        place_is_assumed,
+        building_is_assumed,
+    };
+    let assumed = assumed::assumed(ground_input.as_ref(), building_input.as_ref().and_then(Option::as_ref), &stated);
+    if let (Text::Of(_), true, Some(Some(building))) = (written, building_is_assumed, &building_input) {
+        resolver.warnings.push(format!(
+            "[building] states no storeys: the building is the built-in one, with {} storeys and {} m high; give storeys",
+            building.storeys,
+            number(building.height_m, 4)
+        ));
+    }
     match (ground_input, building_input, objects) {
         (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => Ok(Study {
             source: source.map(Path::to_path_buf),
-            is_builtin: false,
+            is_builtin,
+            place_is_assumed,
+            building_is_assumed,
+            assumed,
             toml: text,
             ground,
             directions_deg,

@@ -20,16 +20,68 @@ fn study(text: &str) -> Study {
 #[test]
 fn the_built_in_study_is_the_same_as_no_study_at_all() {
     let dumped = builtin(&Overrides::default()).unwrap();
-    let mut nothing = study("");
+    let mut nothing = nothing_stated(&Overrides::default()).unwrap();
     nothing.toml.clone_from(&dumped.toml);
     assert!(dumped.is_builtin && !nothing.is_builtin);
+    assert!(nothing.place_is_assumed && nothing.building_is_assumed);
     nothing.is_builtin = true;
+    // What nobody stated is said; the built-in study states it.
+    assert_eq!(nothing.warnings.len(), 1);
+    nothing.warnings.clear();
+    let Ground::Synthetic(ground) = &mut nothing.ground else { panic!() };
+    assert!(ground.target.place_is_assumed);
+    (ground.target.place_is_assumed, ground.target.warnings) = (false, Vec::new());
     assert_eq!(nothing, dumped);
     assert_eq!(dumped.objects.blocks.len(), 130);
     assert_eq!(dumped.warnings, [] as [String; 0]);
     assert!((dumped.building.unwrap().along.period_s() - 1.9166).abs() < 1e-3);
     // Height by height, thickness by thickness within each.
     assert_eq!((dumped.objects.blocks[1].height_m(), dumped.objects.blocks[1].thickness_m()), (0.5, 0.3));
+}
+
+/// What a study leaves to the built-in study, and what `place` and `storeys` add to it.
+#[test]
+fn what_nobody_stated_is_known() {
+    let unstated = |text: &str| {
+        let study = study(text);
+        (study.place_is_assumed, study.building_is_assumed)
+    };
+    for (text, expected) in [
+        ("[assessment]\n", (true, true)),
+        ("[building]\nname = \"Our museum in Wellington\"\n", (true, true)),
+        ("[building]\nperiod = \"0.5 s\"\n", (true, true)),
+        ("[building]\nstoreys = 3\n", (true, false)),
+        ("[building]\nheight = \"12 m\"\n", (true, false)),
+        ("[ground]\nsite = \"Ce\"\nreturn_period_years = 1000\n[building]\nstoreys = 3\n", (true, false)),
+        ("[ground]\nplace = \"Wellington\"\n", (false, true)),
+        ("[ground]\ncity = \"Perth\"\n", (false, true)),
+        ("[ground]\nhazard_factor = 0.1\n", (false, true)),
+        ("[ground]\npoint_source = { magnitude = 6.0, distance = \"30 km\" }\n", (false, true)),
+        ("[ground]\nplace = \"Wellington\"\n[building]\nstoreys = 3\n", (false, false)),
+    ] {
+        assert_eq!(unstated(text), expected, "{text}");
+    }
+    let empty = resolve("# nothing yet\n", Some(Path::new("s.toml")), Path::new("")).unwrap_err();
+    assert!(empty.problems[0].message.contains("is empty") && empty.problems[0].hint.is_some(), "{empty}");
+
+    let overrides = |storeys, place: &str| {
+        let hazard = [("place", place.to_owned())].into_iter().filter(|(_, place)| !place.is_empty()).collect();
+        Overrides { storeys, hazard, ..Overrides::default() }
+    };
+    let of = |study: Study| (study.place_is_assumed, study.building_is_assumed, study.building.unwrap().storeys);
+    assert_eq!(of(builtin(&overrides(None, "")).unwrap()), (true, true, 30));
+    assert_eq!(of(builtin(&overrides(None, "Wellington")).unwrap()), (false, true, 30));
+    assert_eq!(of(builtin(&overrides(Some(7), "Wellington")).unwrap()), (false, false, 7));
+    // A building that is stated is the one that shakes.
+    let stated = "[building]\nstoreys = 3\n";
+    assert_eq!(of(resolve_with(stated, None, Path::new(""), &overrides(Some(7), "")).unwrap()).2, 3);
+    let named = "[building]\nname = \"Annex\"\nframe = \"concrete-moment\"\n";
+    let named = resolve_with(named, None, Path::new(""), &overrides(Some(7), "Wellington")).unwrap();
+    assert_eq!((named.building_name.as_deref(), named.building.unwrap().storeys), (Some("Annex"), 7));
+    // Two ways to the same building.
+    let [one, other] = [builtin, nothing_stated].map(|made| made(&overrides(Some(7), "Wellington")).unwrap());
+    assert_eq!((one.building, one.building_name), (other.building, other.building_name));
+    assert!(one.toml.contains("storeys = 7") && !one.toml.contains("name = \"tower\""));
 }
 
 #[test]
@@ -108,9 +160,11 @@ fn what_the_reader_must_know_is_a_warning() {
     assert!(hobart.warnings[0].contains("minimum kpZ of 0.08"), "{:?}", hobart.warnings);
     let Ground::Synthetic(ground) = hobart.ground else { panic!() };
     assert_eq!((ground.target.place_name().as_deref(), ground.target.kpz_g()), (Some("Hobart"), Some(0.08)));
-    let squat = study("[objects]\nheights = \"0.3 m\"\n");
+    let stated = "[ground]\ncity = \"Sydney\"\n[building]\nstoreys = 30\n";
+    let squat = study(&format!("{stated}[objects]\nheights = \"0.3 m\"\n"));
     assert!(squat.warnings[0].starts_with("2 of 5 objects are squat"), "{:?}", squat.warnings);
-    assert_eq!(study("[objects]\nstiffness = \"4380 N/m\"\n").warnings.len(), 2);
+    assert_eq!(study(&format!("{stated}[objects]\nstiffness = \"4380 N/m\"\n")).warnings.len(), 2);
+    assert_eq!(study("[objects]\nstiffness = \"4380 N/m\"\n").warnings.len(), 4, "no place, no building");
 }
 
 #[test]
@@ -530,7 +584,7 @@ fn worlds_that_cannot_be_drawn_are_refused_at_their_line() {
 fn a_measured_period_is_drawn_with_less_spread() {
     let spread = |text: &str| study(text).assessment.worlds.period_spread;
     let measured = "[building]\nperiod_measured = true\n";
-    let found = [spread(""), spread(measured), spread(&format!("{measured}[worlds]\nperiod_spread = 0.1\n"))];
+    let found = [spread("[worlds]\n"), spread(measured), spread(&format!("{measured}[worlds]\nperiod_spread = 0.1\n"))];
     assert_eq!(found, [0.2, 0.05, 0.1]);
 }
 

@@ -19,6 +19,7 @@ use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
 use freestand_input::words::number;
 use freestand_records::horizontal::HorizontalMotion;
+use serde::{Deserialize, Serialize};
 
 /// Default seed of the random numbers.
 pub const DEFAULT_SEED: u64 = 1;
@@ -37,6 +38,13 @@ pub struct Study {
     pub source: Option<PathBuf>,
     /// Whether it is the built-in study, because no study was given.
     pub is_builtin: bool,
+    /// Whether nobody stated the place, or the hazard or the motions in another way: it is that of the
+    /// built-in study.
+    pub place_is_assumed: bool,
+    /// Whether nobody stated the building: it is that of the built-in study.
+    pub building_is_assumed: bool,
+    /// Everything about the shaking that nobody stated.
+    pub assumed: Vec<Assumed>,
     /// The study as TOML text: what `source` held, or the built-in study.
     pub toml: String,
     /// The motions at the base of the building.
@@ -67,6 +75,22 @@ pub struct Study {
 }
 
 impl Study {
+    /// What was assumed about the shaking at a level, in words; on the ground no building matters.
+    pub fn assumed_at(&self, level_ratio: f64) -> impl Iterator<Item = &str> {
+        self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0).map(|one| one.words.as_str())
+    }
+
+    /// What nobody stated of the shaking at a level; `None`: everything is stated. On the ground no building
+    /// matters.
+    pub fn unstated(&self, level_ratio: f64) -> Option<Unstated> {
+        match (self.place_is_assumed, self.building_is_assumed && level_ratio > 0.0) {
+            (true, true) => Some(Unstated::Both),
+            (true, false) => Some(Unstated::Place),
+            (false, true) => Some(Unstated::Building),
+            (false, false) => None,
+        }
+    }
+
     /// The same study with the other spectrum of its national annex, where that has two.
     pub fn alternative(&self) -> Option<Self> {
         let Ground::Synthetic(synthetic) = &self.ground else { return None };
@@ -78,6 +102,47 @@ impl Study {
     /// The code by which restraints are designed: that of `[restraint]`, else that of the motions.
     pub fn restraint_target(&self) -> Option<&Target> {
         self.assessment.restraint_code.as_ref().or_else(|| self.ground.code_spectrum())
+    }
+}
+
+/// A value that nobody stated.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Assumed {
+    /// Whether it is one of the building.
+    pub of_building: bool,
+    /// The value, and what it stands for: `site class C, because no site was given`.
+    pub words: String,
+}
+
+/// What a study leaves to the built-in study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Unstated {
+    /// The place, and every other hazard.
+    Place,
+    /// The building.
+    Building,
+    /// Both.
+    Both,
+}
+
+impl Unstated {
+    /// What is missing.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Place => "the place",
+            Self::Building => "the building",
+            Self::Both => "the place and the building",
+        }
+    }
+
+    /// The keys that state it.
+    pub fn keys(self) -> &'static str {
+        match self {
+            Self::Place => "place",
+            Self::Building => "storeys",
+            Self::Both => "place and storeys",
+        }
     }
 }
 

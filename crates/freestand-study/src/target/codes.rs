@@ -67,6 +67,7 @@ fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
     Target {
         spectrum,
         place: None,
+        place_is_assumed: false,
         facts: all,
         alternative: None,
         parts_edition: None,
@@ -87,6 +88,7 @@ pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -
     refuse_beside_place(reader, &["hazard_factor"]);
     let given = reader.positive("hazard_factor", Dimension::Ratio);
     // Melbourne where nothing is stated.
+    let place_is_assumed = place.is_none() && !reader.has("hazard_factor");
     let place = place.or_else(|| if reader.has("hazard_factor") { None } else { Place::find(DEFAULT_CITY) });
     let hazard = match place.map(|place| place.hazard) {
         Some(PlaceHazard::As1170_4 { hazard_factor }) => Some(hazard_factor),
@@ -110,6 +112,12 @@ pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -
         fact("kp·Z", format!("{}{minimum}", in_g(code.kpz_g()))),
     ];
     let mut target = at(place, target(code.into(), facts));
+    target.place_is_assumed = place_is_assumed;
+    if place_is_assumed {
+        target.warnings.push(format!(
+            "no place is stated: the hazard is that of {DEFAULT_CITY}; give `place`, or a hazard of your own"
+        ));
+    }
     if let Some(least) = minimum_kpz(code.return_period_years()).filter(|_| code.minimum_governs()) {
         target.warnings.push(format!(
             "the code's minimum kpZ of {least} for {} years governs: Z = {} would give less",

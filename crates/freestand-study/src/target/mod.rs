@@ -36,6 +36,8 @@ pub struct Target {
     pub spectrum: CodeSpectrum,
     /// The place whose hazard was used.
     pub place: Option<&'static Place>,
+    /// Whether nobody stated that place, nor a hazard in another way.
+    pub place_is_assumed: bool,
     /// Its description and the sources of its numbers, for reports: name and value.
     pub facts: Vec<(String, String)>,
     /// The other spectrum of a national annex that has two: type 2 of Portugal. What happens to an

@@ -59,6 +59,7 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
         facts: facts(&spectrum, &read.name),
         spectrum: spectrum.into(),
         place: None,
+        place_is_assumed: false,
         file: read.file,
         alternative: None,
         parts_edition: None,

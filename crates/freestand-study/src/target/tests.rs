@@ -32,9 +32,11 @@ fn nothing_said_is_melbourne_on_deep_soil() {
     let target = target(&[]);
     assert_eq!(target.one_line(), "AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g");
     assert_eq!(target.title_words(), "a 500-year earthquake: Melbourne, site class De");
+    // Nobody chose it, which is said.
+    assert!(target.place_is_assumed && target.warnings[0].contains("no place is stated"));
     assert_eq!(
         (target.kpz_g(), target.as1170_4().map(As1170_4::minimum_governs), target.warnings.len()),
-        (Some(0.08), Some(false), 0)
+        (Some(0.08), Some(false), 1)
     );
 }
 

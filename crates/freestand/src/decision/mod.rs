@@ -263,8 +263,30 @@ impl Looks {
         }
     }
 
-    /// The same for worlds that use `records` motions in turn: whole passes, 1, 2, 4 … of them,
-    /// with `first` worlds or more, and at most `most` worlds where one pass has no more than that.
+    /// The smallest number of independent worlds with which a question without a single event is settled
+    /// below the accepted probability a: the first n with n ≥ ln((1 − confidence)/2)/ln(1 − a).
+    ///
+    /// # Errors
+    /// An accepted probability that is not above 0 and below 1.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand::decision::Looks;
+    /// let fewest = |accepted| Looks::default().fewest_worlds(accepted);
+    /// assert_eq!([fewest(0.2)?, fewest(0.1)?, fewest(0.05)?, fewest(0.02)?], [21, 44, 90, 228]);
+    /// # Ok::<(), freestand::decision::DecisionError>(())
+    /// ```
+    pub fn fewest_worlds(self, accepted: f64) -> Result<u32, DecisionError> {
+        check_accepted(accepted)?;
+        let least = ((1.0 - self.confidence) / 2.0).ln() / (1.0 - accepted).ln();
+        let worlds = least.ceil().clamp(1.0, f64::from(u32::MAX)) as u32;
+        let none = Count { worlds, hits: 0, unknown: 0 }.interval(self.confidence);
+        // The upper end is to be below it, not at it.
+        Ok(if none.side(accepted) == Side::Below { worlds } else { worlds.saturating_add(1) })
+    }
+
+    /// As [`Looks::worlds`] for worlds that use `records` motions in turn: whole passes, 1, 2, 4 … of them and as many
+    /// as `most` worlds hold, with `first` worlds or more where one pass has no more than that.
     ///
     /// # Errors
     /// Those of [`Looks::worlds`], or no records.
@@ -280,9 +302,10 @@ impl Looks {
         within(records >= 1, "the number of records", "1 or more", f64::from(records))?;
         let enough = (EVENTS_AT_CAP / accepted).max(f64::from(self.first));
         let mut looks = Vec::new();
+        let whole = self.most - self.most % records;
         let mut worlds = records;
         loop {
-            let next = worlds.checked_mul(2).filter(|next| *next <= self.most);
+            let next = Some(worlds.saturating_mul(2).min(whole)).filter(|next| *next > worlds);
             let is_last = f64::from(worlds) >= enough || next.is_none();
             if worlds >= self.first || is_last {
                 looks.push(worlds);

@@ -42,7 +42,7 @@ fn records_are_looked_at_in_whole_passes() {
     assert_eq!(looks.worlds_in_passes(0.1, 2000).unwrap(), [2000], "one pass at least");
     assert_eq!(looks.worlds_in_passes(0.02, 500).unwrap(), [500, 1000], "1280 at most");
     assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 12).unwrap(), [24]);
-    assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 8).unwrap(), [16], "32 would be above 30");
+    assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 8).unwrap(), [24], "32 would be above 30");
     assert!(looks.worlds_in_passes(0.1, 0).is_err());
 }
 
@@ -121,22 +121,25 @@ fn the_yearly_rate_is_that_of_the_integral() {
         let at =
             |s: f64| Level { intensity_ratio: s, probability: crate::fragility::lognormal_probability(s, median, 0.4) };
         let mut levels: Vec<Level> = [0.5, 0.71, 1.0, 1.41, 2.0].map(at).to_vec();
-        while let Some(lower) = level_below(&levels) {
+        while let Some(lower) = level_below(&levels, hazard) {
             levels.insert(0, at(lower));
         }
         let rate = annual_rate(&levels, hazard).unwrap();
-        assert!(!rate.is_at_least && levels[0].probability <= 0.02);
+        assert!(!rate.is_at_least && levels[0].probability <= 0.02, "{median}: {levels:?}");
         assert!((rate.rate_per_year / exact - 1.0).abs() < 0.07, "{median}: {} {exact}", rate.rate_per_year);
         assert!((rate.probability_per_year - (1.0 - (-rate.rate_per_year).exp())).abs() < 1e-12);
     }
     let level = |intensity_ratio, probability| Level { intensity_ratio, probability };
     // What falls at any intensity has no end of lower levels.
     let mut levels = vec![level(1.0, 1.0), level(2.0, 1.0)];
-    while let Some(lower) = level_below(&levels) {
+    while let Some(lower) = level_below(&levels, hazard) {
         levels.insert(0, level(lower, 1.0));
     }
     assert!(levels.len() == 14 && annual_rate(&levels, hazard).unwrap().is_at_least, "{}", levels.len());
-    assert_eq!(level_below(&[]), None);
+    assert_eq!(level_below(&[], hazard), None);
+    // One in a hundred at half the intensity is eight times as frequent as at all of it: most of the rate.
+    let rare = [level(0.5, 0.01), level(1.0, 0.02), level(2.0, 0.03)];
+    assert!(level_below(&rare, hazard).is_some() && annual_rate(&rare, hazard).unwrap().is_at_least);
     for bad in [vec![level(1.0, 0.1)], vec![level(2.0, 0.1), level(1.0, 0.2)], vec![level(1.0, 0.1), level(2.0, 1.1)]] {
         assert!(annual_rate(&bad, hazard).is_err(), "{bad:?}");
     }

@@ -255,6 +255,22 @@ impl Outcomes {
         counts
     }
 
+    /// How many runs reached a limit state at each level, of how many, weighted.
+    pub(crate) fn shares(&self, state: LimitState) -> Vec<(f64, f64)> {
+        let share = |counts: &Counts| {
+            let reached = OutcomeClass::ALL.into_iter().zip(counts).filter(|(class, _)| state.is_reached(*class));
+            (reached.map(|(_, count)| count).sum(), counts.iter().sum())
+        };
+        self.counts(None).iter().map(share).collect()
+    }
+
+    /// The runs that reached a limit state at the lowest level: the place of their motion among those
+    /// with runs (`None` for counts), and their weight.
+    pub(crate) fn reached_at_lowest(&self, state: LimitState) -> Vec<(Option<usize>, f64)> {
+        let runs = self.runs.iter().filter(|run| run.level == 0 && state.is_reached(run.class));
+        runs.map(|run| ((self.motions > 0).then_some(run.motion), run.weight)).collect()
+    }
+
     /// The same runs with other outcomes, `class(run, old)`.
     pub(super) fn with_classes(&self, mut class: impl FnMut(&Leveled) -> OutcomeClass) -> Self {
         let runs = self.runs.iter().map(|run| Leveled { class: class(run), ..*run }).collect();

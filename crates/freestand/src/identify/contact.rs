@@ -1,6 +1,7 @@
 //! The beginning and end of the pulse of a drop test, its zero line, and the faults of the record.
 
 use super::Flag;
+use super::fit::solve;
 use crate::G0_M_S2;
 
 /// The search finds pulses above this share of the largest excursion; smaller ones are noise or
@@ -125,6 +126,7 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
         flight: None,
         flags: Vec::new(),
     };
+    pulse.noise_m_s2 = pulse.noise_m_s2.max(resolution(samples) / 12f64.sqrt());
     let post = post_window(&smooth, &mut pulse, threshold);
     if after >= samples.len() {
         pulse.flags.push(Flag::CutOff);
@@ -332,6 +334,31 @@ fn is_clipped(pulse: &[f64], noise: f64) -> bool {
     is_flat || noisy
 }
 
+/// Smallest number of different values that show the steps of a converter.
+const MIN_VALUES: usize = 20;
+/// Values are on a grid if they are this close to it, in steps: a file rounds them once more.
+const ON_GRID: f64 = 0.1;
+
+/// The step of a converter whose multiples all samples are; 0 if they are not on a grid that shows. A noise below the
+/// step does not show in a quiet record, and is part of every sample of a pulse.
+fn resolution(samples: &[f64]) -> f64 {
+    let mut sorted = samples.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else { return 0.0 };
+    let range = high - low;
+    let steps = sorted.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 1e-6 * range);
+    let (count, least) = steps.fold((0, f64::INFINITY), |(count, least), step| (count + 1, step.min(least)));
+    if count < MIN_VALUES || !least.is_finite() {
+        return 0.0;
+    }
+    let step = range / (range / least).round();
+    let is_off = |a: &f64| {
+        let place = (a - low) / step;
+        (place - place.round()).abs() > ON_GRID
+    };
+    if sorted.iter().any(is_off) { 0.0 } else { step }
+}
+
 /// The peak of a pulse between its samples: least squares of a parabola over the samples around the
 /// largest one of their moving mean. This averages the noise, which the largest sample does not.
 pub(super) fn smooth_peak(values: &[f64]) -> f64 {
@@ -360,4 +387,22 @@ pub(super) fn smooth_peak(values: &[f64]) -> f64 {
         return largest;
     }
     level - 0.25 * slope * slope / curvature
+}
+
+/// The value of samples at a place between them: least squares of a parabola over `reach` to both sides.
+pub(super) fn smooth_at(values: &[f64], place: f64, reach: f64) -> Option<f64> {
+    let reach = reach.max(2.0);
+    let from = (place - reach).ceil().max(0.0) as usize;
+    let window = values.get(from..values.len().min((place + reach).floor() as usize + 1))?;
+    let mut normal = vec![vec![0.0; 3]; 3];
+    let mut right = vec![0.0; 3];
+    for (i, value) in window.iter().enumerate() {
+        let x = ((from + i) as f64 - place) / reach;
+        let powers = [1.0, x, x * x];
+        for (row, a) in powers.iter().enumerate() {
+            right[row] += a * value;
+            normal[row].iter_mut().zip(&powers).for_each(|(sum, b)| *sum += a * b);
+        }
+    }
+    solve(normal, right)?.first().copied()
 }

@@ -1,6 +1,8 @@
 //! The evaluation of one drop test, from samples to a law.
 
 use super::contact::{self, Pulse, smooth_peak};
+use super::direct::{Flank, Touch};
+use super::filter::Poles;
 use super::fit::{Data, Fit};
 use super::{
     Candidate, DropError, DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, LoopPoint,
@@ -14,8 +16,11 @@ const MIN_SAMPLES: f64 = 24.5;
 /// The flanks alone give a contact that is up to a fifth too short where the law has a root at its
 /// beginning (Hertz).
 const ROUGH_SHARE: f64 = 0.8;
-/// Smallest product of low-pass corner and contact time.
-const MIN_CORNER: f64 = 3.0;
+/// Smallest product of low-pass corner and contact time: a two-pole filter at 3 lowers the stiffness of a fit that
+/// ignores it by up to 5 %, one at 6 by up to 1 %.
+const MIN_CORNER: f64 = 6.0;
+/// Above this product a filter does nothing but delay the pulse.
+const FREE_CORNER: f64 = 30.0;
 /// The reduction in the sum of squares that one more parameter must bring; one law in two thousand
 /// reaches it by chance.
 const WORTH: f64 = 12.0;
@@ -33,8 +38,16 @@ const HOPELESS_SHIFT: f64 = 0.05;
 const POOR_RESIDUAL: f64 = 0.01;
 /// Standard deviation of ln v in the prior of an unknown velocity.
 const UNKNOWN_SPEED: f64 = 0.5;
-/// Laws whose scores differ by less than this cannot be told apart.
-const ALIKE: f64 = 4.0;
+/// Residuals are more than noise above this sum of squares per sample, if they are also above this share of the peak:
+/// twice the noise, and more than the ringing of a good sensor.
+const POOR_CHI: f64 = 4.0;
+const VISIBLE_RESIDUAL: f64 = 2e-3;
+/// The integrated stiffness differs from the fit by more standard deviations than chance and by more than the flank
+/// of an unknown curve explains.
+const APART_ERRORS: f64 = 3.0;
+const APART: f64 = 0.03;
+/// Points of the table of a law without a formula of [`ContactLaw`].
+const TABLE_POINTS: u32 = 32;
 /// Smallest standard deviation of ln k: numerical accuracy, rounding of printed samples, and the
 /// clock of the recorder.
 const FLOOR: f64 = 1e-3;
@@ -48,17 +61,25 @@ const ROUNDING: f64 = 0.05;
 /// Identifies the cushion under a mass that fell on it.
 ///
 /// **Method**: the contact is found above 5 standard deviations of the noise before it; the zero
-/// line is the mean before the contact. The pulses of F = kd, Kdⁿ, kd + cḋ and Kdⁿ(1 + Λḋ) are
-/// fitted to the samples by least squares over first contact, impact velocity, zero line and the
-/// parameters of the law. The simplest law that no other improves on clearly is chosen. Known
-/// values of impact velocity and zero line are priors, so the pulse can correct a wrong height. The
-/// compression is the double integral over the contact alone.
+/// line is the mean before the contact. The pulses of F = kd, Kdⁿ, kd + cḋ, Kdⁿ(1 + Λḋ), kd + k₃d³ and
+/// of a curve without a formula are fitted to the samples by least squares over first contact, impact
+/// velocity, zero line and the parameters of the law, each behind the filter of the instrument. The
+/// simplest law that no other improves on clearly is chosen; the differences to the others, weighted
+/// after Schwarz, are part of the error. Known values of impact velocity and zero line are priors, so
+/// the pulse can correct a wrong height. The compression is the double integral over the contact alone.
+/// F/d of the samples integrated from the touch that their own flank shows is a check without a law.
+///
+/// **Stiffness**: the secant F/d of the elastic force at the largest compression. Of a pad that hardens
+/// or softens it holds for this drop alone; the tangent at the origin is reported with it.
 ///
 /// **Units**: samples in m/s², upward positive.
 ///
 /// # Accuracy
 /// From a noise-free record of 50 samples per contact, for each of the four laws with its weight,
 /// the secant is recovered to 1e-3.
+///
+/// # Reference
+/// Schwarz (1978) for the weights of the laws.
 ///
 /// # Errors
 /// A mass, time step or velocity that is not positive, fewer than 20 samples, or a sample that is
@@ -112,7 +133,8 @@ pub fn drop_test(samples_m_s2: &[f64], dt_s: f64, setup: &DropSetup) -> Result<D
         test.flags.push(Flag::PoorFit);
     }
     test.samples_per_contact = test.contact_time_s.map(|time_s| time_s / dt_s);
-    if let (Some(corner_hz), Some(time_s)) = (setup.filter_corner_hz, test.contact_time_s)
+    let shown_hz = test.identified.as_ref().and_then(|found| found.filter_corner_hz);
+    if let (Some(corner_hz), Some(time_s)) = (setup.filter_corner_hz.or(shown_hz), test.contact_time_s)
         && corner_hz * time_s < MIN_CORNER
     {
         test.flags.push(Flag::Filter);
@@ -240,6 +262,21 @@ struct Choice {
     gravity_error: f64,
 }
 
+/// Where an integration begins.
+struct Start {
+    touch_s: f64,
+    speed_m_s: f64,
+    /// The force over mass at the touch, which jumps on a damped pad.
+    jump_m_s2: f64,
+}
+
+/// A stiffness without a law.
+struct Integrated {
+    secant_n_m: f64,
+    /// Standard deviation of its logarithm.
+    error_ratio: f64,
+}
+
 impl<'a> Contact<'a> {
     fn new(accel: &'a [f64], dt_s: f64, setup: &'a DropSetup, pulse: &'a Pulse) -> Self {
         let inside = &accel[pulse.before..pulse.after.min(accel.len())];
@@ -297,6 +334,8 @@ impl<'a> Contact<'a> {
             accel_m_s2: &self.accel[from..to],
             peak_m_s2: self.peak_m_s2,
             noise_m_s2: self.pulse.noise_m_s2,
+            corner_hz: self.setup.filter_corner_hz,
+            poles: Poles::Two,
             zero_error_m_s2: mean_error + if is_shifted { 0.5 * shift_m_s2.abs() } else { 0.0 },
             speed_m_s,
             speed_error_ratio,
@@ -310,29 +349,101 @@ impl<'a> Contact<'a> {
     fn choose(&self) -> Option<Choice> {
         let gravity = self.setup.gravity_m_s2;
         let with = self.fits(gravity);
-        let (best, others) = simplest(with)?;
         if gravity == 0.0 {
+            let (best, others) = self.simplest(self.with_filters(with, 0.0))?;
             return Some(Choice { best, others, has_gravity: false, gravity_error: 0.0 });
         }
-        let Some((without, others_without)) = simplest(self.fits(0.0)) else {
+        let (best, _) = self.simplest(with.clone())?;
+        let without = self.fits(0.0);
+        let Some((best_without, _)) = self.simplest(without.clone()) else {
+            let (best, others) = self.simplest(self.with_filters(with, gravity))?;
             return Some(Choice { best, others, has_gravity: true, gravity_error: 0.0 });
         };
-        let scale = (best.chi_squared.min(without.chi_squared) / best.degrees).max(1.0);
-        let score = |fit: &Fit| fit.chi_squared / scale + WORTH * f64::from(numbers(fit.law));
-        let gain = score(&best) - score(&without);
-        let apart = (best.secant_n_m / without.secant_n_m).ln().abs();
+        let scale = (best.chi_squared.min(best_without.chi_squared) / best.degrees).max(1.0);
+        let score = |fit: &Fit| fit.chi_squared / scale + WORTH * fit.numbers();
+        let gain = score(&best) - score(&best_without);
+        let apart = (best.secant_n_m / best_without.secant_n_m).ln().abs();
         let gravity_error = if gain.abs() > DECISIVE { 0.0 } else { apart };
-        if gain > LIKELY {
-            return Some(Choice { best: without, others: others_without, has_gravity: false, gravity_error });
-        }
-        Some(Choice { best, others, has_gravity: true, gravity_error })
+        let has_gravity = gain <= LIKELY;
+        let all = if has_gravity { self.with_filters(with, gravity) } else { self.with_filters(without, 0.0) };
+        let (best, others) = self.simplest(all)?;
+        Some(Choice { best, others, has_gravity, gravity_error })
     }
 
+    /// Every law behind the stated filter; those that are not wanted show how far the samples allow another one.
     fn fits(&self, gravity_m_s2: f64) -> Vec<Fit> {
         let data = self.data(gravity_m_s2);
-        let all = [FittedLaw::Linear, FittedLaw::Power, FittedLaw::KelvinVoigt, FittedLaw::HuntCrossley];
-        let wanted = |law: &FittedLaw| self.setup.law.is_none_or(|only| only == *law);
-        all.iter().filter(|law| wanted(law)).filter_map(|&law| data.fit(law)).collect()
+        let all =
+            [FittedLaw::Linear, FittedLaw::Power, FittedLaw::KelvinVoigt, FittedLaw::HuntCrossley, FittedLaw::Cubic];
+        let mut fits: Vec<Fit> = all.iter().filter_map(|&law| data.fit(law)).collect();
+        // The curve contains the cubic law and the damped linear one.
+        let nested = fits.iter().filter(|fit| matches!(fit.law, FittedLaw::Cubic | FittedLaw::KelvinVoigt));
+        let curve = nested
+            .filter_map(|fit| data.extend(FittedLaw::Tabulated, fit))
+            .min_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared));
+        fits.extend(curve);
+        fits
+    }
+
+    /// Adds what the samples allow about the filter: one that nobody stated, or one of another order.
+    fn with_filters(&self, mut fits: Vec<Fit>, gravity_m_s2: f64) -> Vec<Fit> {
+        let mut data = self.data(gravity_m_s2);
+        let more: Vec<Fit> = match data.corner_hz {
+            None => {
+                let simple = |fit: &&Fit| fit.law != FittedLaw::Tabulated && fit.law != FittedLaw::HuntCrossley;
+                let hidden = fits.iter().filter(simple).filter_map(|fit| data.behind_filter(fit));
+                let slow = |fit: &Fit| {
+                    fit.fitted_corner_hz().is_some_and(|corner| corner * fit.predicted.contact_s < MIN_CORNER)
+                };
+                hidden.filter(slow).collect()
+            }
+            Some(corner_hz) if corner_hz * self.rough_s < FREE_CORNER => {
+                data.poles = Poles::Four;
+                fits.iter().filter_map(|fit| data.refit(fit)).collect()
+            }
+            Some(_) => Vec::new(),
+        };
+        fits.extend(more);
+        fits
+    }
+
+    /// The best by sum of squares and a penalty for every parameter; a law with negative damping is
+    /// excluded. What the other laws make of the samples is part of its error, by their weights.
+    fn simplest(&self, mut fits: Vec<Fit>) -> Option<(Fit, Vec<Fit>)> {
+        let least = fits.iter().map(|fit| fit.chi_squared / fit.degrees).fold(f64::INFINITY, f64::min).max(1.0);
+        let score = |fit: &Fit| fit.chi_squared / least + WORTH * fit.numbers();
+        let is_wanted = |fit: &Fit| match self.setup.law {
+            Some(law) => fit.law == law,
+            None => fit.is_law(),
+        };
+        let best = fits
+            .iter()
+            .enumerate()
+            .filter(|(_, fit)| is_wanted(fit))
+            .min_by(|a, b| score(a.1).total_cmp(&score(b.1)))
+            .map(|(index, _)| index)?;
+        let mut chosen = fits.remove(best);
+        // After Schwarz: ln of the number of samples for each parameter.
+        let worth = |fit: &Fit| fit.chi_squared / least + fit.degrees.max(2.0).ln() * fit.numbers();
+        let all = || std::iter::once(&chosen).chain(fits.iter().filter(|fit| fit.is_law()));
+        let lowest = all().map(worth).fold(f64::INFINITY, f64::min);
+        let (mut sum, mut total) = (0.0, 0.0);
+        for fit in all() {
+            let weight = (0.5 * (lowest - worth(fit))).exp();
+            let apart = (fit.secant_n_m / chosen.secant_n_m).ln();
+            sum += weight * (fit.secant_error_ratio.powi(2) + apart * apart);
+            total += weight;
+        }
+        // A law that the others outweigh is no more certain for that.
+        chosen.secant_error_ratio = chosen.secant_error_ratio.max((sum / total).sqrt());
+        if chosen.fitted_corner_hz().is_some() {
+            // Nobody stated this filter: without it, the samples give this.
+            let plain = fits.iter().filter(|fit| fit.fitted_corner_hz().is_none() && is_wanted(fit));
+            let plain = plain.min_by(|a, b| score(a).total_cmp(&score(b)));
+            let apart = plain.map_or(0.0, |fit| (fit.secant_n_m / chosen.secant_n_m).ln());
+            chosen.secant_error_ratio = chosen.secant_error_ratio.hypot(apart);
+        }
+        Some((chosen, fits))
     }
 
     fn report(&self, choice: Choice, test: &mut DropTest) {
@@ -341,12 +452,16 @@ impl<'a> Contact<'a> {
         let speed = self.known_speed().unwrap_or(best.model.speed_m_s);
         let contact_s = best.predicted.contact_s;
         let data = self.data(gravity);
-        let touch_s = best.touch_s + (self.pulse.before as f64 + 0.5 - data.touch) * self.dt_s;
-        let points = self.integrate(touch_s, contact_s, speed, gravity, best.predicted.at(0.0));
+        // A filter shows everything later.
+        let delay_s = best.model.filter.map_or(0.0, |filter| filter.delay_s());
+        let touch_s = best.touch_s + delay_s + (self.pulse.before as f64 + 0.5 - data.touch) * self.dt_s;
+        let start = Start { touch_s, speed_m_s: speed, jump_m_s2: best.predicted.at(0.0) };
+        let points = self.integrate(self.accel, &start, contact_s, gravity);
         let Some(deepest) = deepest(&points) else { return };
         let m = self.setup.mass_kg;
         let a = self.peak_m_s2;
         let d = deepest.compression_m;
+        let integrated = self.integrated(&best, speed, gravity);
         let stiffness = StiffnessEstimates {
             fit_n_m: best.secant_n_m,
             peak_over_velocity_n_m: m * (a / speed).powi(2),
@@ -354,6 +469,7 @@ impl<'a> Contact<'a> {
             velocity_over_compression_n_m: m * (speed / d).powi(2),
             acceleration_over_compression_n_m: m * a / d,
             energy_n_m: 2.0 * deepest.energy_j / (d * d),
+            integrated_n_m: integrated.as_ref().map(|found| found.secant_n_m),
         };
         test.impact_velocity_m_s = Some(speed);
         test.contact_time_s = Some(contact_s);
@@ -372,8 +488,22 @@ impl<'a> Contact<'a> {
             test.flags.push(Flag::Clipped);
             return;
         }
-        if !best.converged || best.residual_ratio > POOR_RESIDUAL.max(2.0 * self.pulse.noise_m_s2 / a) {
+        let is_more = best.chi_squared > POOR_CHI * best.degrees && best.residual_ratio > VISIBLE_RESIDUAL;
+        if !best.converged || is_more || best.residual_ratio > POOR_RESIDUAL.max(2.0 * self.pulse.noise_m_s2 / a) {
             test.flags.push(Flag::PoorFit);
+        }
+        let fit_error = best.secant_error_ratio.hypot(gravity_error).hypot(FLOOR);
+        let mut error_ratio = fit_error;
+        if let Some(Integrated { secant_n_m, error_ratio: own }) = integrated {
+            let apart = (secant_n_m / best.secant_n_m).ln().abs();
+            if apart > APART + APART_ERRORS * own.hypot(fit_error) {
+                test.flags.push(Flag::Integration);
+            }
+            // What the error of the integration does not explain is that of the law. A curved law hides where it
+            // begins, so that less of the difference is credited to the integration.
+            let is_straight = matches!(best.law, FittedLaw::Linear | FittedLaw::KelvinVoigt);
+            let explained = if is_straight { own } else { 0.5 * own };
+            error_ratio = fit_error.hypot((apart * apart - explained * explained).max(0.0).sqrt());
         }
         if let ImpactVelocity::Known { speed_m_s, error_ratio } = self.setup.impact_velocity
             && (best.model.speed_m_s / speed_m_s).ln().abs() > 3.0 * error_ratio
@@ -388,7 +518,10 @@ impl<'a> Contact<'a> {
             chosen: best.law,
             law: law_of(&best),
             stiffness,
-            error_ratio: best.secant_error_ratio.hypot(gravity_error).hypot(FLOOR),
+            error_ratio,
+            initial_stiffness_n_m: best.model.initial_n_m(),
+            cubic_n_m3: (best.law == FittedLaw::Cubic).then(|| best.model.cubic_n_m3()),
+            filter_corner_hz: best.fitted_corner_hz(),
             exponent: free.as_ref().map_or(best.model.exponent, |fit| fit.model.exponent),
             exponent_error: free.as_ref().and_then(|fit| fit.exponent_error),
             exponent_by_identity: 2.0 * a * d / (speed * speed) - 1.0,
@@ -404,18 +537,59 @@ impl<'a> Contact<'a> {
     /// Whether a law with a clipped top fits clearly better than the best law without one: the
     /// sensor reached the end of its range, and noise that was added later hides the flat top.
     fn is_cut(&self, data: &Data, best: &Fit, others: &[Fit]) -> bool {
-        let price = |fit: &Fit| WORTH * f64::from(numbers(fit.law));
+        let price = |fit: &Fit| WORTH * fit.numbers();
         let limit = best.chi_squared + price(best) - CLEARLY_CUT;
         std::iter::once(best).chain(others).any(|fit| data.cut(fit).is_some_and(|cost| cost + price(fit) < limit))
+    }
+
+    /// F/d at the largest compression, from the samples integrated twice after the touch that their flank shows. What
+    /// the same steps make of the pulse of the fit, whose stiffness is known, removes the effects of a filter and of a
+    /// flank that begins like none of the known ones.
+    fn integrated(&self, best: &Fit, speed: f64, gravity: f64) -> Option<Integrated> {
+        let data = self.data(gravity);
+        let touch = best.touch_s / self.dt_s + self.pulse.before as f64 + 0.5 - data.touch;
+        let offset = best.offset_m_s2(self.peak_m_s2);
+        let law = |i: usize| best.predicted.at((i as f64 - touch) * self.dt_s) + offset;
+        let predicted: Vec<f64> = (0..self.accel.len()).map(law).collect();
+        let (known, beginning) = self.twice(self.accel, speed, gravity, None)?;
+        let (of_law, _) = self.twice(&predicted, best.model.speed_m_s, gravity, Some(beginning))?;
+        let secant_n_m = best.secant_n_m * known.secant_n_m / of_law.secant_n_m;
+        (secant_n_m > 0.0 && secant_n_m.is_finite()).then_some(Integrated { secant_n_m, ..known })
+    }
+
+    /// The stiffness of a pulse from two integrations, and how its flank begins.
+    fn twice(&self, accel: &[f64], speed: f64, gravity: f64, beginning: Option<usize>) -> Option<(Integrated, usize)> {
+        let flank = Flank {
+            accel,
+            before: self.pulse.before,
+            contact: self.rough_s / self.dt_s,
+            peak: self.peak_m_s2,
+            noise: self.pulse.noise_m_s2,
+        };
+        let Touch { at, error, beginning } = flank.touch(beginning)?;
+        let start = Start { touch_s: at * self.dt_s, speed_m_s: speed, jump_m_s2: 0.0 };
+        let points = self.integrate(accel, &start, 1.2 * self.rough_s, gravity);
+        let deepest = deepest(&points)?;
+        let middle = at + deepest.time_s / self.dt_s;
+        let force_n = self.setup.mass_kg * contact::smooth_at(accel, middle, 0.1 * flank.contact)?;
+        let speed_error = match self.setup.impact_velocity {
+            ImpactVelocity::Known { error_ratio, .. } => error_ratio,
+            ImpactVelocity::FromImpulse => UNKNOWN_SPEED,
+        };
+        let d = deepest.compression_m;
+        // d = ∫ḋ dt: a later touch takes v₀ for that time away, a higher velocity adds to all of the time.
+        let error_ratio = (speed / d * error * self.dt_s).hypot(speed / d * deepest.time_s * speed_error);
+        Some((Integrated { secant_n_m: force_n / d, error_ratio }, beginning))
     }
 
     /// The fit that determines the exponent: another than the best one if its law has a fixed
     /// exponent.
     fn with_free_exponent(&self, best: &Fit, others: &[Fit], gravity: f64) -> Option<Fit> {
         match best.law {
-            FittedLaw::Linear => others
+            FittedLaw::Linear | FittedLaw::Cubic | FittedLaw::Tabulated => others
                 .iter()
-                .find(|fit| fit.law == FittedLaw::Power)
+                .filter(|fit| fit.law == FittedLaw::Power)
+                .min_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared))
                 .cloned()
                 .or_else(|| self.data(gravity).extend(FittedLaw::Power, best)),
             FittedLaw::KelvinVoigt => self.data(gravity).extend(FittedLaw::DampedPower, best),
@@ -426,7 +600,8 @@ impl<'a> Contact<'a> {
     /// ḋ = v₀ + gt − ∫a dt and d, from the first contact to its end: the trapezoidal rule with ends
     /// between two samples, where the acceleration is zero (or, if it jumps, that of the first
     /// sample).
-    fn integrate(&self, touch_s: f64, contact_s: f64, speed: f64, gravity: f64, jump: f64) -> Vec<LoopPoint> {
+    fn integrate(&self, accel: &[f64], start: &Start, contact_s: f64, gravity: f64) -> Vec<LoopPoint> {
+        let Start { touch_s, speed_m_s: speed, jump_m_s2: jump } = *start;
         let point = |time_s: f64, accel: f64, d: f64, v: f64| LoopPoint {
             time_s,
             acceleration_m_s2: accel,
@@ -446,52 +621,18 @@ impl<'a> Contact<'a> {
             (*t, *a) = (next_s, next_a);
             points.push(point(next_s, next_a, d, v));
         };
-        for i in usize::try_from(first).unwrap_or(0)..self.accel.len() {
+        for (i, sample) in accel.iter().enumerate().skip(usize::try_from(first).unwrap_or(0)) {
             let time_s = i as f64 * self.dt_s - touch_s;
             if time_s >= contact_s {
                 break;
             }
             if time_s > 0.0 {
-                step(time_s, self.accel[i], &mut t, &mut a);
+                step(time_s, *sample, &mut t, &mut a);
             }
         }
         step(contact_s, 0.0, &mut t, &mut a);
         points
     }
-}
-
-/// Number of parameters of a law besides its stiffness.
-fn numbers(law: FittedLaw) -> u8 {
-    match law {
-        FittedLaw::Linear => 0,
-        FittedLaw::Power | FittedLaw::KelvinVoigt => 1,
-        FittedLaw::HuntCrossley | FittedLaw::DampedPower => 2,
-    }
-}
-
-/// The best by sum of squares and a penalty for every parameter; a law with negative damping is
-/// excluded. Where another law is equally good, the difference between their stiffnesses is part of
-/// the error.
-fn simplest(fits: Vec<Fit>) -> Option<(Fit, Vec<Fit>)> {
-    let least = fits.iter().map(|fit| fit.chi_squared / fit.degrees).fold(f64::INFINITY, f64::min).max(1.0);
-    let is_law = |fit: &Fit| fit.damping_ratio >= 0.0 && fit.model.dissipation_s_m >= 0.0;
-    let score = |fit: &Fit| fit.chi_squared / least + WORTH * f64::from(numbers(fit.law));
-    let best = fits
-        .iter()
-        .enumerate()
-        .filter(|(_, fit)| is_law(fit) || fits.len() == 1)
-        .min_by(|a, b| score(a.1).total_cmp(&score(b.1)))
-        .map(|(index, _)| index)?;
-    let mut fits = fits;
-    let mut chosen = fits.remove(best);
-    let reach = score(&chosen) + ALIKE;
-    let apart = fits
-        .iter()
-        .filter(|fit| is_law(fit) && score(fit) < reach)
-        .map(|fit| (fit.secant_n_m / chosen.secant_n_m).ln().abs())
-        .fold(0.0, f64::max);
-    chosen.secant_error_ratio = chosen.secant_error_ratio.hypot(apart);
-    Some((chosen, fits))
 }
 
 fn candidate(fit: &Fit) -> Candidate {
@@ -517,7 +658,23 @@ fn law_of(fit: &Fit) -> ContactLaw {
             ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m: model.dissipation_s_m.max(0.0) }
         }
         FittedLaw::Power | FittedLaw::DampedPower => ContactLaw::Power { coefficient_n_mn, exponent },
+        FittedLaw::Cubic | FittedLaw::Tabulated => table_of(fit),
     }
+}
+
+/// The elastic force up to the largest compression of the test: a measured curve says nothing about what is beyond.
+fn table_of(fit: &Fit) -> ContactLaw {
+    let deepest_m = fit.predicted.compression_m;
+    let at = |i: u32| deepest_m * f64::from(i) / f64::from(TABLE_POINTS);
+    let compressions_m: Vec<f64> = (0..=TABLE_POINTS).map(at).collect();
+    let mut forces_n: Vec<f64> = Vec::with_capacity(compressions_m.len());
+    for &d in &compressions_m {
+        // The force of a pad never falls; the noise of a fit is not allowed to.
+        let before = forces_n.last().copied().unwrap_or(0.0);
+        let least = if forces_n.is_empty() { 0.0 } else { before * (1.0 + 1e-9) + 1e-9 };
+        forces_n.push(fit.model.elastic_n(d).max(least));
+    }
+    ContactLaw::Tabulated { compressions_m, forces_n }
 }
 
 /// ζ, or for Hunt–Crossley that of the Kelvin–Voigt pad with the same restitution: e = exp(−2ζ acos
@@ -525,7 +682,7 @@ fn law_of(fit: &Fit) -> ContactLaw {
 fn damping_ratio(fit: &Fit) -> f64 {
     match fit.law {
         // A law has no negative damping, and this number must agree with the law.
-        FittedLaw::KelvinVoigt => fit.damping_ratio.max(0.0),
+        FittedLaw::KelvinVoigt | FittedLaw::Tabulated => fit.damping_ratio.max(0.0),
         FittedLaw::HuntCrossley => {
             let e = fit.predicted.rebound_m_s / fit.model.speed_m_s;
             let of = |zeta: f64| (-2.0 * zeta * zeta.acos() / (1.0 - zeta * zeta).sqrt()).exp();
@@ -560,6 +717,8 @@ fn rough_contact(accel: &[f64], pulse: &Pulse) -> f64 {
 
 /// The point of largest compression, between the samples, and ∫F dd up to it.
 struct Deepest {
+    /// From first contact \[s\].
+    time_s: f64,
     compression_m: f64,
     energy_j: f64,
 }
@@ -576,7 +735,8 @@ fn deepest(points: &[LoopPoint]) -> Option<Deepest> {
             let compression_m = a.compression_m + 0.5 * a.speed_m_s * share * h;
             let force_n = a.force_n + share * (b.force_n - a.force_n);
             energy_j += 0.5 * (a.force_n + force_n) * (compression_m - a.compression_m);
-            return (compression_m > 0.0).then_some(Deepest { compression_m, energy_j });
+            let time_s = a.time_s + share * h;
+            return (compression_m > 0.0).then_some(Deepest { time_s, compression_m, energy_j });
         }
         energy_j += 0.5 * (a.force_n + b.force_n) * (b.compression_m - a.compression_m);
     }

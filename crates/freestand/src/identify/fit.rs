@@ -2,19 +2,22 @@
 //! priors.
 
 use super::FittedLaw;
-use super::model::{Model, Predicted};
+use super::filter::{LowPass, Poles};
+use super::model::{Model, Predicted, SHAPES};
 
 /// Accuracy of the predicted pulse and of printed samples, as a share of the peak.
 const FLOOR_SHARE: f64 = 2e-4;
+/// A smaller gain in χ² moves no parameter by more than a thirtieth of its error.
+const ENOUGH: f64 = 1e-3;
 /// Iterations of Levenberg–Marquardt.
 const ROUNDS: usize = 60;
 /// Number of parameters.
-const P: usize = 8;
+const P: usize = 9 + SHAPES;
 /// Largest change of the first contact in one iteration, in contact times: a toe below the noise
 /// can be a large part of a contact.
 const TOUCH_SHARE: f64 = 0.1;
 /// First contact in samples; ln v; ln k; n; ζ; Λv; zero line over peak; level of a clipped top over
-/// peak.
+/// peak; ln of the corner of the filter; q₂ to q₅ of a curve.
 type Parameters = [f64; P];
 const TOUCH: usize = 0;
 const SPEED: usize = 1;
@@ -24,8 +27,18 @@ const DAMPING: usize = 4;
 const DISSIPATION: usize = 5;
 const OFFSET: usize = 6;
 const TOP: usize = 7;
+const CORNER: usize = 8;
+const SHAPE: usize = 9;
+/// q₃, which is k₃.
+const CUBE: usize = SHAPE + 1;
 /// Steps of the numerical derivatives.
-const STEPS: Parameters = [1e-3, 1e-5, 1e-5, 1e-4, 1e-4, 1e-4, 1e-5, 1e-4];
+const STEPS: Parameters = [1e-3, 1e-5, 1e-5, 1e-4, 1e-4, 1e-4, 1e-5, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4];
+/// Corner times contact time above which a filter does nothing but delay the pulse.
+const FAST_CORNER: f64 = 30.0;
+/// Corner times contact time below which a pulse shows its filter more than its pad.
+const SLOWEST_CORNER: f64 = 0.3;
+/// Where the search for an unknown corner begins, as corner times contact time.
+const CORNER_STARTS: [f64; 2] = [1.5, 4.0];
 
 /// The samples around a contact and what is known about it.
 #[derive(Debug, Clone)]
@@ -37,6 +50,9 @@ pub(super) struct Data<'a> {
     pub(super) accel_m_s2: &'a [f64],
     pub(super) peak_m_s2: f64,
     pub(super) noise_m_s2: f64,
+    /// The filter of the instrument, if its corner is known.
+    pub(super) corner_hz: Option<f64>,
+    pub(super) poles: Poles,
     /// Standard deviation of the zero line.
     pub(super) zero_error_m_s2: f64,
     /// The velocity and the standard deviation of its logarithm, which is large where the velocity
@@ -53,6 +69,8 @@ pub(super) struct Data<'a> {
 pub(super) struct Fit {
     pub(super) law: FittedLaw,
     parameters: Parameters,
+    /// The parameters that were fitted.
+    free: Vec<usize>,
     pub(super) model: Model,
     pub(super) predicted: Predicted,
     /// First contact, from the first sample of the data.
@@ -82,6 +100,8 @@ fn free_of(law: FittedLaw) -> Vec<usize> {
         FittedLaw::KelvinVoigt => &[DAMPING],
         FittedLaw::HuntCrossley => &[EXPONENT, DISSIPATION],
         FittedLaw::DampedPower => &[EXPONENT, DAMPING],
+        FittedLaw::Cubic => &[CUBE],
+        FittedLaw::Tabulated => &[SHAPE, CUBE, SHAPE + 2, SHAPE + 3, DAMPING],
     };
     [TOUCH, SPEED, STIFFNESS, OFFSET].iter().chain(more).copied().collect()
 }
@@ -104,7 +124,15 @@ impl Data<'_> {
             exponent: p[EXPONENT],
             damping_n_s_m: 2.0 * p[DAMPING] * (k * self.mass_kg).sqrt(),
             dissipation_s_m: p[DISSIPATION] / speed_m_s,
+            shape: [p[SHAPE], p[CUBE], p[SHAPE + 2], p[SHAPE + 3]],
+            reference_m: self.reference_m(),
+            filter: p[CORNER].is_finite().then(|| LowPass { corner_hz: p[CORNER].exp(), poles: self.poles }),
         }
+    }
+
+    /// ln of the corner whose product with the contact time is `corner`.
+    fn corner(&self, corner: f64) -> f64 {
+        (corner / (self.contact * self.dt_s)).ln()
     }
 
     fn sigma(&self) -> f64 {
@@ -129,7 +157,14 @@ impl Data<'_> {
 
     fn start(&self, touch: f64, exponent: f64) -> Parameters {
         let omega = std::f64::consts::PI / (self.contact * self.dt_s);
-        [touch, self.speed_m_s.ln(), (self.mass_kg * omega * omega).ln(), exponent, 0.0, 0.0, 0.0, f64::INFINITY]
+        let mut p = [0.0; P];
+        (p[TOUCH], p[SPEED], p[STIFFNESS]) = (touch, self.speed_m_s.ln(), (self.mass_kg * omega * omega).ln());
+        (p[EXPONENT], p[TOP], p[CORNER]) = (exponent, f64::INFINITY, f64::INFINITY);
+        if let Some(corner_hz) = self.corner_hz.map(f64::ln).filter(|corner| *corner < self.corner(FAST_CORNER)) {
+            p[CORNER] = corner_hz;
+            p[TOUCH] -= LowPass { corner_hz: corner_hz.exp(), poles: self.poles }.delay_s() / self.dt_s;
+        }
+        p
     }
 
     /// The best fit of a law from a few starting points; `None` where none converges to a cushion.
@@ -147,25 +182,53 @@ impl Data<'_> {
                 match law {
                     FittedLaw::HuntCrossley => p[DISSIPATION] = 0.1,
                     FittedLaw::KelvinVoigt | FittedLaw::DampedPower => p[DAMPING] = 0.1,
-                    FittedLaw::Linear | FittedLaw::Power => {}
+                    FittedLaw::Linear | FittedLaw::Power | FittedLaw::Cubic | FittedLaw::Tabulated => {}
                 }
                 keep_better(&mut best, self.descend(p, &free, None));
             }
         }
-        self.finished(law, &self.between_samples(best?, &free))
+        self.finished(law, &self.between_samples(best?, &free), free)
     }
 
     /// The fit of a law with more parameters, started from the fit of one with fewer.
     pub(super) fn extend(&self, law: FittedLaw, from: &Fit) -> Option<Fit> {
-        let free = free_of(law);
+        let mut free = free_of(law);
+        if from.free.contains(&CORNER) {
+            free.push(CORNER);
+        }
         let found = self.descend(from.parameters, &free, None);
-        self.finished(law, &self.between_samples(found, &free))
+        self.finished(law, &self.between_samples(found, &free), free)
+    }
+
+    /// The fit of a law behind a filter whose corner is not known either.
+    pub(super) fn behind_filter(&self, from: &Fit) -> Option<Fit> {
+        let mut free = free_of(from.law);
+        free.push(CORNER);
+        let mut best: Option<Descent> = None;
+        for corner in CORNER_STARTS {
+            let mut p = from.parameters;
+            p[CORNER] = self.corner(corner);
+            p[TOUCH] -= LowPass { corner_hz: p[CORNER].exp(), poles: self.poles }.delay_s() / self.dt_s;
+            keep_better(&mut best, self.descend(p, &free, None));
+        }
+        self.finished(from.law, &best?, free)
+    }
+
+    /// The same fit with other poles of the filter.
+    pub(super) fn refit(&self, from: &Fit) -> Option<Fit> {
+        let mut p = from.parameters;
+        if p[CORNER].is_finite() {
+            let delay = |poles| LowPass { corner_hz: p[CORNER].exp(), poles }.delay_s() / self.dt_s;
+            p[TOUCH] += from.model.filter.map_or(0.0, |filter| delay(filter.poles)) - delay(self.poles);
+        }
+        let found = self.descend(p, &from.free, None);
+        self.finished(from.law, &found, from.free.clone())
     }
 
     /// The sum of squares with the top of the same law clipped at a fitted level; `None` where the
     /// noise explains the improvement.
     pub(super) fn cut(&self, from: &Fit) -> Option<f64> {
-        let mut free = free_of(from.law);
+        let mut free = from.free.clone();
         free.push(TOP);
         let mut p = from.parameters;
         p[TOP] = 0.97 * from.predicted.peak_m_s2() / self.peak_m_s2;
@@ -177,7 +240,7 @@ impl Data<'_> {
     /// passes a sample, and a search stops at the first such jump. Between two samples it is
     /// smooth, so each interval around the first contact is searched on its own.
     fn between_samples(&self, found: Descent, free: &[usize]) -> Descent {
-        if !free.contains(&DAMPING) {
+        if !free.contains(&DAMPING) || found.p[CORNER].is_finite() {
             return found;
         }
         let mut best = found;
@@ -221,6 +284,9 @@ impl Data<'_> {
                     continue;
                 };
                 let mut next = moved(&p, free, &step, TOUCH_SHARE * self.contact);
+                if next[CORNER].is_finite() {
+                    next[CORNER] = next[CORNER].clamp(self.corner(SLOWEST_CORNER), self.corner(FAST_CORNER));
+                }
                 if let Some((low, high)) = bounds {
                     next[TOUCH] = next[TOUCH].clamp(low, high);
                 }
@@ -234,7 +300,7 @@ impl Data<'_> {
                 }
                 damping *= 5.0;
             }
-            if gained < 1e-4 + 1e-9 * cost {
+            if gained < ENOUGH + 1e-7 * cost {
                 converged = true;
                 break;
             }
@@ -256,10 +322,9 @@ impl Data<'_> {
         (normal, columns.iter().map(|a| -dot(a, r)).collect())
     }
 
-    fn finished(&self, law: FittedLaw, found: &Descent) -> Option<Fit> {
+    fn finished(&self, law: FittedLaw, found: &Descent, free: Vec<usize>) -> Option<Fit> {
         let Descent { p, cost, converged } = found;
         let cost = *cost;
-        let free = free_of(law);
         let r = self.residuals(p);
         let degrees = (self.accel_m_s2.len() + 2 - free.len()) as f64;
         // Residuals in excess of the noise make every parameter less certain.
@@ -269,7 +334,7 @@ impl Data<'_> {
         let secant = |p: &Parameters| {
             let model = self.model(p);
             let d = model.predict().compression_m;
-            (model.coefficient_n_mn * d.powf(model.exponent - 1.0)).ln()
+            (model.elastic_n(d) / d).ln()
         };
         let slopes: Vec<f64> = free
             .iter()
@@ -286,19 +351,21 @@ impl Data<'_> {
             let at = free.iter().position(|&i| i == which)?;
             Some((covariance[at][at] * scale).max(0.0).sqrt())
         };
+        let (exponent_error, damping_error) = (of(EXPONENT), of(DAMPING).or_else(|| of(DISSIPATION)));
         let samples = &r[..self.accel_m_s2.len()];
         let model = self.model(p);
         let fit = Fit {
             law,
             parameters: *p,
+            free,
             model,
             predicted: model.predict(),
             touch_s: p[TOUCH] * self.dt_s,
             secant_n_m: secant(p).exp(),
             secant_error_ratio: (variance * scale).max(0.0).sqrt(),
-            exponent_error: of(EXPONENT),
+            exponent_error,
             damping_ratio: p[DAMPING],
-            damping_error: of(DAMPING).or_else(|| of(DISSIPATION)),
+            damping_error,
             chi_squared: cost,
             degrees,
             converged: *converged,
@@ -315,6 +382,29 @@ const NEGATIVE_ERRORS: f64 = 3.0;
 const NEGATIVE_DAMPING: f64 = 0.005;
 
 impl Fit {
+    /// Number of parameters besides first contact, velocity, stiffness and zero line.
+    pub(super) fn numbers(&self) -> f64 {
+        self.free.len() as f64 - 4.0
+    }
+
+    /// The zero line of the fit, above that of the samples.
+    pub(super) fn offset_m_s2(&self, peak_m_s2: f64) -> f64 {
+        self.parameters[OFFSET] * peak_m_s2
+    }
+
+    /// The corner of the filter, where it was fitted \[Hz\].
+    pub(super) fn fitted_corner_hz(&self) -> Option<f64> {
+        self.free.contains(&CORNER).then(|| self.parameters[CORNER].exp())
+    }
+
+    /// Whether the numbers are those of a pad: a curve that contains laws without damping may be negative by its error.
+    pub(super) fn is_law(&self) -> bool {
+        match self.law {
+            FittedLaw::Tabulated => !self.gives_energy(),
+            _ => self.damping_ratio >= 0.0 && self.model.dissipation_s_m >= 0.0,
+        }
+    }
+
     /// Whether the law fits the samples only with clearly negative damping.
     pub(super) fn gives_energy(&self) -> bool {
         let [damping, dissipation] = [DAMPING, DISSIPATION].map(|which| self.parameters[which]);
@@ -386,7 +476,7 @@ fn square(r: &[f64]) -> f64 {
 }
 
 /// Gaussian elimination with pivoting.
-fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
+pub(super) fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
     let n = b.len();
     for k in 0..n {
         let pivot = (k..n).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;

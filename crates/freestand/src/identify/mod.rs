@@ -12,7 +12,9 @@
 //! the sensor.
 
 mod contact;
+mod direct;
 mod drop;
+mod filter;
 mod fit;
 mod model;
 mod pool;
@@ -21,7 +23,7 @@ mod virtual_laboratory;
 
 pub use drop::{DropOfRecord, drop_test, drop_tests};
 pub use pool::{NORMAL_975, Pooled, PooledDrop, pool_drops};
-pub use static_curve::{StaticError, StaticOptions, StaticTest, static_test};
+pub use static_curve::{StaticError, StaticOptions, StaticTest, Toe, static_test};
 pub use virtual_laboratory::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions, virtual_drop, virtual_static};
 
 use thiserror::Error;
@@ -41,6 +43,10 @@ pub enum FittedLaw {
     HuntCrossley,
     /// F = K dⁿ + c ḋ: used to find the exponent of a damped pad, never chosen.
     DampedPower,
+    /// F = k d + k₃ d³: a pad that hardens (k₃ > 0) or softens.
+    Cubic,
+    /// A curve without a formula, for pads that follow none: a table of forces.
+    Tabulated,
 }
 
 impl FittedLaw {
@@ -52,6 +58,8 @@ impl FittedLaw {
             Self::KelvinVoigt => "kelvin-voigt",
             Self::HuntCrossley => "hunt-crossley",
             Self::DampedPower => "damped-power",
+            Self::Cubic => "cubic",
+            Self::Tabulated => "tabulated",
         }
     }
 }
@@ -76,7 +84,7 @@ pub enum Flag {
     ZeroShift,
     /// The zero line drifts by more than 0.5 % of the peak.
     Drift,
-    /// The low-pass corner times the contact time is below 3.
+    /// The low-pass corner, stated or found from the pulse, times the contact time is below 6.
     Filter,
     /// The impulse of the pulse is less than m v₀, or clearly more than 2 m v₀.
     Impulse,
@@ -86,6 +94,8 @@ pub enum Flag {
     Damping,
     /// No law fits the samples.
     PoorFit,
+    /// F/d from the integrated samples differs from the fit.
+    Integration,
 }
 
 impl Flag {
@@ -105,6 +115,7 @@ impl Flag {
             Self::Velocity => "velocity",
             Self::Damping => "damping",
             Self::PoorFit => "poor-fit",
+            Self::Integration => "integration",
         }
     }
 
@@ -122,8 +133,8 @@ impl Flag {
             }
             Self::Drift => "the zero line drifts: let the sensor settle, or check its coupling and temperature",
             Self::Filter => {
-                "the low-pass corner is below 3 divided by the contact time, which lowers the peak: raise the \
-                 corner"
+                "the low-pass corner is below 6 divided by the contact time, so the pulse shows the filter as well \
+                 as the pad: raise the corner, and state it as `corner`"
             }
             Self::Impulse => {
                 "the impulse of the pulse does not agree with the mass and its velocity: check the unit, the mass \
@@ -137,6 +148,10 @@ impl Flag {
                  velocity, or try another law"
             }
             Self::PoorFit => "no law fits the samples: check in the loop whether the pad bottoms or the plate tilts",
+            Self::Integration => {
+                "the stiffness from the integrated samples differs from that of the fit: check the velocity, the zero \
+                 line and the filter"
+            }
         }
     }
 }
@@ -196,7 +211,7 @@ pub enum DropError {
     },
 }
 
-/// Stiffness from six estimates \[N/m\]; for F = kd they all agree, and their spread is a measure
+/// Stiffness from seven estimates \[N/m\]; for F = kd they all agree, and their spread is a measure
 /// of the quality of the test.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StiffnessEstimates {
@@ -212,6 +227,9 @@ pub struct StiffnessEstimates {
     pub acceleration_over_compression_n_m: f64,
     /// 2E/d², E = ∫F dd during compression.
     pub energy_n_m: f64,
+    /// F/d at the largest compression from the samples integrated twice, from the first touch that their own flank
+    /// shows; `None` where the flank shows none.
+    pub integrated_n_m: Option<f64>,
 }
 
 impl StiffnessEstimates {
@@ -254,11 +272,17 @@ pub struct Identified {
     pub chosen: FittedLaw,
     /// The law with its numbers, ready for a [`crate::cushion::Cushion`].
     pub law: ContactLaw,
-    /// The six estimates of its stiffness.
+    /// The estimates of its stiffness.
     pub stiffness: StiffnessEstimates,
-    /// Standard deviation of ln k: noise, zero line, impact velocity and, where the record cannot
-    /// decide, gravity.
+    /// Standard deviation of ln k: noise, zero line, impact velocity, the other laws that the samples
+    /// allow and, where the record cannot decide, gravity.
     pub error_ratio: f64,
+    /// Tangent at the origin dF/dd of the elastic part \[N/m\]; 0 for a power law, `None` where it is infinite (n < 1).
+    pub initial_stiffness_n_m: Option<f64>,
+    /// k₃ of a cubic law \[N/m³\].
+    pub cubic_n_m3: Option<f64>,
+    /// The corner of a low-pass filter that nobody stated but the pulse shows \[Hz\].
+    pub filter_corner_hz: Option<f64>,
     /// Exponent n of the power law that fits best, even where the chosen law is linear.
     pub exponent: f64,
     /// Standard deviation of the exponent.
@@ -325,5 +349,7 @@ pub struct DropTest {
     pub points: Vec<LoopPoint>,
 }
 
+#[cfg(test)]
+mod pads;
 #[cfg(test)]
 mod tests;

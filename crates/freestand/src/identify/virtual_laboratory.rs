@@ -6,6 +6,7 @@ use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::filter::{LowPass, Poles};
 use crate::G0_M_S2;
 use crate::cushion::{ContactPoint, Cushion};
 
@@ -121,7 +122,7 @@ pub fn virtual_drop(cushion: &Cushion, options: &VirtualDropOptions) -> Option<V
     let fine_s = dt_s / finer as f64;
     let mut fine: Vec<f64> = (0..count * finer).map(|i| force_at(&contacts, i as f64 * fine_s) / o.mass_kg).collect();
     if let Some(corner_hz) = o.filter_corner_hz {
-        low_pass(&mut fine, corner_hz, fine_s);
+        LowPass { corner_hz, poles: Poles::Two }.apply(&mut fine, fine_s);
     }
     let samples_m_s2: Vec<f64> = fine
         .iter()
@@ -178,20 +179,6 @@ fn force_at(contacts: &[(f64, Vec<ContactPoint>)], time_s: f64) -> f64 {
         return a.force_n + share * (b.force_n - a.force_n);
     }
     0.0
-}
-
-/// Two-pole Butterworth filter by the trapezoidal rule (bilinear transform that keeps the corner).
-fn low_pass(samples: &mut [f64], corner_hz: f64, dt_s: f64) {
-    let w = (std::f64::consts::PI * corner_hz * dt_s).min(1.5).tan();
-    let (root, w2) = (std::f64::consts::SQRT_2 * w, w * w);
-    let scale = 1.0 / (1.0 + root + w2);
-    let (mut x1, mut x2, mut y1, mut y2) = (0.0, 0.0, 0.0, 0.0);
-    for sample in samples {
-        let x = *sample;
-        let y = scale * (w2 * (x + 2.0 * x1 + x2) - 2.0 * (w2 - 1.0) * y1 - (1.0 - root + w2) * y2);
-        (x2, x1, y2, y1) = (x1, x, y1, y);
-        *sample = y;
-    }
 }
 
 /// How a virtual static test is made.

@@ -11,11 +11,23 @@ pub struct HazardPoint {
     pub annual_rate: f64,
 }
 
+/// What is assumed of λ above the last point of a hazard curve, where nothing is known but that it
+/// falls from the rate of that point to 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tail {
+    /// No motion is stronger than the last point: the least.
+    Absent,
+    /// The last segment goes on, λ = a x^−k.
+    Continued,
+    /// Every motion above the last point is as strong as any: the most.
+    Level,
+}
+
 /// Annual rate of exceedance λ(x) of an intensity.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Hazard {
-    /// Points with rising intensity and falling rate; between two of them λ = a x^−k. Nothing is
-    /// assumed beyond the first and the last.
+    /// Points with rising intensity and falling rate; between two of them λ = a x^−k, and so above
+    /// the last. Nothing is assumed below the first.
     Points(Vec<HazardPoint>),
     /// λ = k₀ (x/reference)^−k for every x.
     PowerLaw {
@@ -120,33 +132,62 @@ impl Hazard {
         Ok(Self::PowerLaw { rate, reference, exponent })
     }
 
-    /// λ(x) \[1/year\]. Below the first point the rate of the first point, above the last point 0:
-    /// what is known at least.
+    /// λ(x) \[1/year\]. Below the first point the rate of the first point; above the last one the
+    /// last segment goes on.
     ///
     /// # Example
     /// λ = 1e-2 at 0.1 and 1e-4 at 1, so k = 2:
     /// ```
-    /// use freestand::risk::{Hazard, HazardPoint};
+    /// use freestand::risk::{Hazard, HazardPoint, Tail};
     /// let point = |intensity, annual_rate| HazardPoint { intensity, annual_rate };
     /// let hazard = Hazard::points(vec![point(0.1, 1e-2), point(1.0, 1e-4)])?;
     /// assert!((hazard.annual_rate(0.5) / 4e-4 - 1.0).abs() < 1e-12);
+    /// assert!((hazard.annual_rate(10.0) / 1e-6 - 1.0).abs() < 1e-12);
+    /// assert_eq!(hazard.annual_rate_with(10.0, Tail::Absent), 0.0);
+    /// assert_eq!(hazard.annual_rate_with(10.0, Tail::Level), 1e-4);
     /// # Ok::<(), freestand::risk::HazardError>(())
     /// ```
     pub fn annual_rate(&self, intensity: f64) -> f64 {
+        self.annual_rate_with(intensity, Tail::Continued)
+    }
+
+    /// λ(x) with another assumption above the last point \[1/year\].
+    pub fn annual_rate_with(&self, intensity: f64, tail: Tail) -> f64 {
         match self {
             Self::PowerLaw { rate, reference, exponent } => rate * (intensity / reference).powf(-exponent),
             Self::Points(points) => {
                 let above = points.partition_point(|point| point.intensity < intensity);
                 match (above.checked_sub(1).and_then(|below| points.get(below)), points.get(above)) {
-                    (_, None) => 0.0,
+                    (None, None) => 0.0,
                     (None, Some(first)) => first.annual_rate,
                     (Some(low), Some(high)) => {
                         let exponent = exponent_between(*low, *high);
                         low.annual_rate * (intensity / low.intensity).powf(-exponent)
                     }
+                    (Some(last), None) => match tail {
+                        Tail::Absent => 0.0,
+                        Tail::Level => last.annual_rate,
+                        Tail::Continued => {
+                            let exponent = last_exponent(points);
+                            last.annual_rate * (intensity / last.intensity).powf(-exponent)
+                        }
+                    },
                 }
             }
         }
+    }
+}
+
+/// k of the last segment.
+pub(super) fn last_exponent(points: &[HazardPoint]) -> f64 {
+    points.last_chunk().map_or(0.0, |[low, high]| exponent_between(*low, *high))
+}
+
+/// k of the first segment; of a power law its own.
+pub(super) fn first_exponent(hazard: &Hazard) -> f64 {
+    match hazard {
+        Hazard::Points(points) => points.first_chunk().map_or(0.0, |[low, high]| exponent_between(*low, *high)),
+        Hazard::PowerLaw { exponent, .. } => *exponent,
     }
 }
 

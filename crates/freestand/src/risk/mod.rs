@@ -5,17 +5,19 @@
 //! [`annual_rate`] is the integral of both. With the user's costs it is an expected annual loss,
 //! and [`best_plan`] chooses the measures that are worth most within a budget.
 
+mod capacity;
 mod hazard;
 mod loss;
 mod money;
 mod plan;
 mod rate;
 
-pub use hazard::{Hazard, HazardError, HazardPoint};
+pub use capacity::{Capacity, capacities, least_avoided, rate_bounds};
+pub use hazard::{Hazard, HazardError, HazardPoint, Tail};
 pub use loss::{
     LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance, loss_at_return_period,
     loss_exceedance,
 };
 pub use money::{MoneyError, expected_annual_loss, present_value_factor_years, renewed_cost};
 pub use plan::{Choice, Plan, best_plan};
-pub use rate::{AnnualRates, Bin, annual_rate, deaggregation, probability_in_years};
+pub use rate::{AnnualRates, Bin, annual_rate, annual_rate_below, deaggregation, probability_in_years};

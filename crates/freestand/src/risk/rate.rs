@@ -4,15 +4,18 @@ use std::f64::consts::TAU;
 
 use crate::fragility::{CurveKind, normal_ratio};
 
-use super::hazard::{Hazard, HazardPoint, exponent_between};
+use super::hazard::{Hazard, HazardPoint, Tail, exponent_between, last_exponent};
 
 /// How often a limit state is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AnnualRates {
-    /// Mean number of times per year, as far as the hazard is known; `None` where no curve is
-    /// known.
+    /// Mean number of times per year, if the last segment of the hazard goes on above its last point;
+    /// `None` where no curve is known.
     pub annual_rate: Option<f64>,
-    /// Its lower bound, also where no curve is known.
+    /// What motions between the first and the last point of the hazard, and below the first, add to
+    /// it; `None` where no curve is known.
+    pub annual_rate_in_table: Option<f64>,
+    /// Its lower bound, also where no curve is known and whatever happens above the last point.
     pub annual_rate_lower: f64,
     /// Its upper bound, whatever happens above the last point of the hazard; `None` where there is
     /// no bound.
@@ -27,6 +30,44 @@ impl AnnualRates {
     /// ignored.
     const SMALL: f64 = 0.01;
 
+    /// Above this ratio of the upper to the lower end, a rate is only known between its ends.
+    const BOUND_RATIO: f64 = 1.1;
+
+    /// Whether only bounds of the rate are known: the upper one is more than 10 % above the lower one,
+    /// or there is none.
+    pub fn is_bound(&self) -> bool {
+        self.annual_rate.is_none()
+            || self.begins_too_high()
+            || self.annual_rate_upper.is_none_or(|upper| upper > Self::BOUND_RATIO * self.annual_rate_lower)
+    }
+
+    /// Whether the stated rate is the least that it can be.
+    pub fn is_at_least(&self) -> bool {
+        match self.annual_rate {
+            Some(_) => self.begins_too_high() || self.annual_rate_upper.is_none(),
+            None => self.annual_rate_lower > 0.0 || self.annual_rate_upper.is_none(),
+        }
+    }
+
+    /// Whether the stated rate is the most that it can be: nothing else is known.
+    pub fn is_at_most(&self) -> bool {
+        self.annual_rate.is_none() && !self.is_at_least()
+    }
+
+    /// What is compared with an accepted rate: the most that the rate can be where that is known.
+    pub fn cautious(&self) -> Option<f64> {
+        self.annual_rate_upper.or(self.annual_rate).map(|rate| rate + self.below_first)
+    }
+
+    /// Extends the bounds to `lower` and `upper`.
+    pub fn widened(self, lower: f64, upper: Option<f64>) -> Self {
+        Self {
+            annual_rate_lower: self.annual_rate_lower.min(lower),
+            annual_rate_upper: self.annual_rate_upper.zip(upper).map(|(a, b)| a.max(b)),
+            ..self
+        }
+    }
+
     /// Whether the hazard begins too high for this limit state, so that the rate is only a lower
     /// bound.
     pub fn begins_too_high(&self) -> bool {
@@ -40,9 +81,10 @@ impl AnnualRates {
 ///
 /// λ_f = λ(x₁)Φ(u₁) + Σ aᵢ θ^−kᵢ exp(kᵢ²β²/2) \[Φ(uᵢ₊₁ + kᵢβ) − Φ(uᵢ + kᵢβ)\].
 ///
-/// Motions beyond the last point xₙ count with λ(xₙ)Φ(uₙ), the least they can add;
-/// `annual_rate_upper` adds λ(xₙ)(1 − Φ(uₙ)). Nothing is assumed below x₁. `below_first` is what is
-/// left out there if the first segment continues, which is an upper bound where the hazard curve
+/// Beyond the last point xₙ the last segment goes on, the term i = n with uₙ₊₁ = ∞.
+/// `annual_rate_in_table` is the part of the motions up to xₙ. `annual_rate_lower` counts those beyond
+/// it with λ(xₙ)Φ(uₙ), the least they can add, and `annual_rate_upper` with λ(xₙ), the most. Nothing is
+/// assumed below x₁. `below_first` is what is left out there if the first segment continues, which is an upper bound where the hazard curve
 /// flattens towards weak motions:
 ///
 /// a₁ θ^−k₁ exp(k₁²β²/2) Φ(u₁ + k₁β) − λ(x₁)Φ(u₁).
@@ -72,7 +114,7 @@ impl AnnualRates {
 /// # Ok::<(), freestand::risk::HazardError>(())
 /// ```
 pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
-    let least = |upper: Option<f64>| upper.map_or(0.0, |upper| hazard.annual_rate(upper));
+    let least = |upper: Option<f64>| upper.map_or(0.0, |upper| hazard.annual_rate_with(upper, Tail::Absent));
     let ends = match curve {
         CurveKind::Lognormal { .. } => None,
         CurveKind::Step { lower, upper } => Some((lower, upper)),
@@ -84,43 +126,87 @@ pub fn annual_rate(hazard: &Hazard, curve: CurveKind) -> AnnualRates {
         CurveKind::NotIncreasing { .. } => return unknown(0.0, None),
     };
     let (Some(median), beta) = (curve.median(), curve.beta().unwrap_or(0.0)) else { return unknown(0.0, None) };
-    let (rate, beyond, below_first) = match hazard {
-        Hazard::PowerLaw { exponent, .. } => (whole(hazard.annual_rate(median), exponent * beta), 0.0, 0.0),
+    let (parts, below_first) = match hazard {
+        Hazard::PowerLaw { exponent, .. } => {
+            let rate = whole(hazard.annual_rate(median), exponent * beta);
+            (Parts { least: rate, in_table: rate, tail: 0.0, most: rate }, 0.0)
+        }
         Hazard::Points(points) => {
-            let first = at_first(points, median, beta);
-            let between: f64 = points.windows(2).map(|pair| segment(pair[0], pair[1], median, beta)).sum();
-            let beyond = points
-                .last()
-                .map_or(0.0, |point| point.annual_rate * (1.0 - probability(point.intensity, median, beta)));
             let below = points.first_chunk().map_or(0.0, |pair| below_first(pair, median, beta));
-            (first + between, beyond, below)
+            (Parts::of(points, median, beta), below)
         }
     };
-    let upper = rate + beyond;
     AnnualRates {
-        annual_rate: Some(rate),
-        annual_rate_lower: ends.map_or(rate, |(_, to)| rate.min(hazard.annual_rate(to))),
+        annual_rate: Some(parts.least + parts.tail),
+        annual_rate_in_table: Some(parts.in_table),
+        annual_rate_lower: ends.map_or(parts.least, |(_, to)| parts.least.min(least(Some(to)))),
         annual_rate_upper: match ends {
             // If the lower end is below the first point, the rate has no upper bound.
-            Some((from, _)) => most(hazard, from).map(|most| most.max(upper)),
-            None => Some(upper),
+            Some((from, _)) => most(hazard, from).map(|most| most.max(parts.most)),
+            None => Some(parts.most),
         },
         below_first,
     }
 }
 
+/// The parts of a rate over points \[1/year\].
+struct Parts {
+    /// Motions above the last point count with the probability there.
+    least: f64,
+    /// They do not count.
+    in_table: f64,
+    /// What they add to `least` if the last segment goes on.
+    tail: f64,
+    /// They all count.
+    most: f64,
+}
+
+impl Parts {
+    fn of(points: &[HazardPoint], median: f64, beta: f64) -> Self {
+        let between: f64 = points.windows(2).map(|pair| segment(pair[0], pair[1], median, beta)).sum();
+        let least = at_first(points, median, beta) + between;
+        let Some(&last) = points.last() else { return Self { least, in_table: least, tail: 0.0, most: least } };
+        let at_last = last.annual_rate * probability(last.intensity, median, beta);
+        Self {
+            least,
+            in_table: (least - at_last).max(0.0),
+            tail: above_last(last, last_exponent(points), median, beta),
+            most: least + (last.annual_rate - at_last),
+        }
+    }
+}
+
+/// ∫ λ dΦ from a point up, λ = λₙ (x/xₙ)^−k: λₙ exp(kβuₙ + k²β²/2) \[1 − Φ(wₙ)\] with w = u + kβ.
+fn above_last(last: HazardPoint, exponent: f64, median: f64, beta: f64) -> f64 {
+    if beta == 0.0 {
+        let is_above = median > last.intensity;
+        return if is_above { last.annual_rate * (median / last.intensity).powf(-exponent) } else { 0.0 };
+    }
+    let (u, shift) = ((last.intensity / median).ln() / beta, exponent * beta);
+    let w = u + shift;
+    // As in `segment`: the factor may overflow where the tail vanishes.
+    let share = if w > 0.0 { density(u) * tail_ratio(w) } else { (shift * (u + 0.5 * shift)).exp() * normal_ratio(-w) };
+    last.annual_rate * share
+}
+
 fn unknown(annual_rate_lower: f64, annual_rate_upper: Option<f64>) -> AnnualRates {
-    AnnualRates { annual_rate: None, annual_rate_lower, annual_rate_upper, below_first: 0.0 }
+    AnnualRates {
+        annual_rate: None,
+        annual_rate_in_table: None,
+        annual_rate_lower,
+        annual_rate_upper,
+        below_first: 0.0,
+    }
 }
 
 /// The upper bound of the rate of a limit state that is never reached up to an intensity; `None` if
 /// the hazard begins above that intensity.
 fn most(hazard: &Hazard, lower: f64) -> Option<f64> {
-    let (first, last) = match hazard {
-        Hazard::Points(points) => (points.first()?.intensity, points.last()?.annual_rate),
-        Hazard::PowerLaw { .. } => (0.0, 0.0),
+    let first = match hazard {
+        Hazard::Points(points) => points.first()?.intensity,
+        Hazard::PowerLaw { .. } => 0.0,
     };
-    (first <= lower).then(|| hazard.annual_rate(lower).max(last))
+    (first <= lower).then(|| hazard.annual_rate_with(lower, Tail::Level))
 }
 
 /// ∫ Φ |dλ| of a power law without ends, λ(θ) exp(k²β²/2), with kβ.
@@ -253,6 +339,15 @@ pub fn deaggregation(hazard: &Hazard, curve: CurveKind) -> Vec<Bin> {
     below.into_iter().enumerate().map(bin).collect()
 }
 
+/// The part of an annual rate that motions up to an intensity cause, ∫ P |dλ|; `None` where no curve is
+/// known.
+pub fn annual_rate_below(hazard: &Hazard, curve: CurveKind, upto: f64) -> Option<f64> {
+    let rates = annual_rate(hazard, curve);
+    let (median, beta) = (curve.median()?, curve.beta().unwrap_or(0.0));
+    let is_beyond = matches!(hazard, Hazard::Points(points) if points.last().is_some_and(|last| last.intensity < upto));
+    if is_beyond { rates.annual_rate } else { rates.annual_rate.map(|_| rate_below(hazard, upto, median, beta)) }
+}
+
 /// ∫ Φ |dλ| up to an intensity within the hazard.
 fn rate_below(hazard: &Hazard, upto: f64, median: f64, beta: f64) -> f64 {
     let here = hazard.annual_rate(upto) * probability(upto, median, beta);
@@ -297,13 +392,21 @@ mod tests {
             .unwrap()
     }
 
-    /// ∫ Φ |dλ| by quadrature in ln x, split at θ·e^{±β…} so that steep curves are resolved, and
-    /// λ(xₙ)Φ(uₙ) beyond.
-    fn by_quadrature(of: &[(f64, f64)], median: f64, beta: f64, upto: f64) -> f64 {
+    /// ∫ Φ |dλ| by quadrature in ln x, split at θ·e^{±β…} so that steep curves are resolved. Beyond the
+    /// last point the last segment goes on until 1e-16 of it is left.
+    fn by_quadrature(points: &[(f64, f64)], median: f64, beta: f64, upto: f64) -> f64 {
+        let mut of = points.to_vec();
+        let [low, high] = [points[points.len() - 2], points[points.len() - 1]];
+        let exponent = (low.1 / high.1).ln() / (high.0 / low.0).ln();
+        let beyond = (37.0 / exponent).max((median / high.0).ln().max(0.0) + 10.0 * beta).min(600.0);
+        of.push((high.0 * beyond.exp(), high.1 * (-exponent * beyond).exp().max(1e-300)));
         let phi = |log: f64| normal_ratio((log - median.ln()) / beta);
         let mut sum = 0.0;
         for pair in of.windows(2) {
             let (from, to) = (pair[0].0.ln(), pair[1].0.min(upto).ln());
+            if to <= from {
+                continue;
+            }
             let exponent = (pair[0].1 / pair[1].1).ln() / (pair[1].0 / pair[0].0).ln();
             let mut cuts: Vec<f64> = (-80..=80).map(|i| median.ln() + f64::from(i) * 0.1 * beta).collect();
             cuts.retain(|cut| *cut > from && *cut < to);
@@ -318,6 +421,7 @@ mod tests {
             }
         }
         let last = of[of.len() - 1];
+        // What is left at the end.
         if upto >= last.0 { sum + last.1 * phi(last.0.ln()) } else { sum }
     }
 
@@ -392,6 +496,35 @@ mod tests {
         }
     }
 
+    /// A curve of which most of the rate is above the last point of the hazard: the parts by the
+    /// trapezoidal rule over 2·10⁵ steps of ln x, which is good to 1e-9 here.
+    #[test]
+    fn motions_above_the_last_point_are_counted() {
+        let of = [(0.0264, 0.05), (0.066, 0.01), (0.132, 0.002), (0.2376, 0.0004)];
+        let rates = annual_rate(&points(&of), lognormal(0.4, 0.35));
+        let exponent = 5.0_f64.ln() / 1.8_f64.ln();
+        let steps = 200_000;
+        let (from, to) = (0.2376_f64.ln(), 0.2376_f64.ln() + 12.0);
+        let width = (to - from) / f64::from(steps);
+        let beyond: f64 = (0..=steps)
+            .map(|i| {
+                let log = from + width * f64::from(i);
+                let weight = if i == 0 || i == steps { 0.5 } else { 1.0 };
+                let lambda = 4e-4 * (-exponent * (log - from)).exp();
+                weight * width * exponent * lambda * normal_ratio((log - 0.4_f64.ln()) / 0.35)
+            })
+            .sum();
+        let in_table = rates.annual_rate_in_table.unwrap();
+        let rate = rates.annual_rate.unwrap();
+        assert!(((in_table + beyond) / rate - 1.0).abs() < 1e-8, "{rates:?} {beyond}");
+        assert!((rates.annual_rate_upper.unwrap() - in_table - 4e-4).abs() < 1e-15, "{rates:?}");
+        // To the three digits of an independent calculation.
+        for (found, expected) in [(in_table, 1.79e-5), (rate, 1.52e-4), (in_table + 4e-4, 4.18e-4)] {
+            assert!((found / expected - 1.0).abs() < 0.005, "{found} {expected}");
+        }
+        assert!(rates.annual_rate_lower < rate && rates.is_bound());
+    }
+
     /// Cornell's closed form, and a curve of points so long that its ends do not matter.
     #[test]
     fn a_power_law_is_the_closed_form() {
@@ -445,7 +578,9 @@ mod tests {
         // A step above the last point is at most as frequent as that point; one below the first is
         // at least as frequent as that one.
         let above = annual_rate(&hazard, CurveKind::Step { lower: 2.0, upper: 2.0 });
-        assert_eq!((above.annual_rate, above.annual_rate_upper), (Some(0.0), Some(1e-6)));
+        assert_eq!((above.annual_rate_lower, above.annual_rate_in_table), (0.0, Some(0.0)));
+        assert_eq!(above.annual_rate_upper, Some(1e-6));
+        assert!((above.annual_rate.unwrap() / hazard.annual_rate(2.0) - 1.0).abs() < 1e-14 && above.is_bound());
         let below = annual_rate(&hazard, CurveKind::Step { lower: 0.001, upper: 0.001 });
         assert_eq!(below.annual_rate, Some(0.2));
         // The first segment has k = ln 10/ln 5.

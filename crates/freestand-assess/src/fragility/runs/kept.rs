@@ -23,7 +23,7 @@ pub(super) const PART: usize = 16;
 
 /// Version of the text that is hashed. Raise it whenever that text, the content of a part or the
 /// choice of scales changes.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// Where the finished runs of an inventory are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,10 +42,11 @@ struct KeptObject {
     id: String,
     spans: Vec<Option<(f64, f64)>>,
     motions: Vec<Vec<KeptRun>>,
+    uplifts_ratio: Vec<Option<f64>>,
 }
 
 /// The scale, and the class, the rotation and the shock, or why it could not be followed.
-type KeptRun = (f64, Result<(usize, f64, Option<f64>), String>);
+type KeptRun = (f64, Result<(usize, Option<f64>, Option<f64>), String>);
 
 /// Opens the store of finished runs; `None` if runs are not kept.
 ///
@@ -87,14 +88,15 @@ pub(super) fn open(
 pub(super) fn read(store: &Store, part: &Part, objects: &mut [ObjectRuns], motions: &[usize]) -> bool {
     let Some(found) = store.rows::<KeptObject>(part) else { return false };
     let is_same = found.len() == objects.len()
-        && found
-            .iter()
-            .zip(&*objects)
-            .all(|(kept, one)| kept.id == one.id && motions.get(one.floor) == Some(&kept.motions.len()));
+        && found.iter().zip(&*objects).all(|(kept, one)| {
+            kept.id == one.id
+                && motions.get(one.floor) == Some(&kept.motions.len())
+                && kept.uplifts_ratio.len() == kept.motions.len()
+        });
     let runs: Option<Vec<Vec<Vec<Followed>>>> = found.iter().map(followed).collect();
     let (true, Some(runs)) = (is_same, runs) else { return false };
     for ((one, runs), kept) in objects.iter_mut().zip(runs).zip(found) {
-        (one.motions, one.spans) = (runs, kept.spans);
+        (one.motions, one.uplifts_ratio, one.spans) = (runs, kept.uplifts_ratio, kept.spans);
     }
     true
 }
@@ -128,6 +130,7 @@ pub(super) fn write(store: &Store, part: &Part, objects: &[ObjectRuns]) -> Resul
         id: one.id.clone(),
         spans: one.spans.clone(),
         motions: one.motions.iter().map(|runs| runs.iter().map(run).collect()).collect(),
+        uplifts_ratio: one.uplifts_ratio.clone(),
     });
     store.write(part, &kept.collect::<Vec<KeptObject>>())
 }

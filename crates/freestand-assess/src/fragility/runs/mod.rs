@@ -1,13 +1,14 @@
 //! Fragilities from runs: objects under motions at many scales.
 //!
 //! `changed` has objects that options change, `shaking` the motions and their measures, `follow` the
-//! runs, `kept` the finished runs on disk, `table` their outcomes in the form that the fit reads,
+//! runs, `levels` the intensities of stripes, `kept` the finished runs on disk, `table` their outcomes in the form that the fit reads,
 //! `quality` how well each measure predicts the outcome, `figures` the figures.
 
 mod changed;
 mod figures;
 mod follow;
 mod kept;
+mod levels;
 mod quality;
 mod shaking;
 mod table;
@@ -24,7 +25,7 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::words::{Choices, counted, name_of, number, shortest, significant};
-use freestand_output::facts::Facts;
+use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::cushion::EdgeCushion;
@@ -92,8 +93,9 @@ pub fn measures(text: &str) -> Result<Vec<Measure>, Problem> {
     text.split(',').map(measure).collect()
 }
 
-/// `adaptive`, or a grid: of factors for an incremental analysis, of intensities by the first measure
-/// for stripes.
+/// `adaptive`, or levels: factors for an incremental analysis, intensities by the first measure for
+/// stripes. `from:to:count` has equal ratios, because rates fall with a power of the intensity: equal
+/// steps would leave the weak motions, which cause most of a rate, between two levels.
 ///
 /// # Errors
 /// A grid that cannot be read or has a value that is not above 0, or a method that has no scales.
@@ -118,7 +120,19 @@ pub fn scales(text: &str, method: Method, first: Measure) -> Result<Option<Vec<f
     if let Some(bad) = values.iter().find(|value| **value <= 0.0) {
         return Err(Problem::value(format!("{bad} is not above 0"), "give positive values").of(&["scales"]));
     }
-    Ok(Some(values))
+    Ok(Some(if text.contains(':') { in_equal_ratios(values) } else { values }))
+}
+
+/// As many values between the same ends, each the same factor above the one before it.
+fn in_equal_ratios(values: Vec<f64>) -> Vec<f64> {
+    let [from, .., to] = *values.as_slice() else { return values };
+    let last = values.len() - 1;
+    let at = |i: usize| match i {
+        0 => from,
+        i if i == last => to,
+        i => from * (to / from).powf(i as f64 / last as f64),
+    };
+    (0..values.len()).map(at).collect()
 }
 
 /// One object by its numbers, under motions of its floor.
@@ -224,6 +238,8 @@ pub(super) struct ObjectRuns {
     floor: usize,
     /// For each motion its runs, by rising scale.
     motions: Vec<Vec<Followed>>,
+    /// For each motion the scale below which it does not lift the object; `None`: not known.
+    uplifts_ratio: Vec<Option<f64>>,
     /// For each measure the intensities over which an adaptive analysis spreads its runs.
     spans: Vec<Option<(f64, f64)>>,
     has_tolerance: bool,
@@ -259,6 +275,8 @@ struct OfStudy {
     said: JobReport,
     hazard: Option<String>,
     building: String,
+    /// What nobody stated of the place and the building, and of the objects.
+    assumed: Vec<String>,
     toml: String,
 }
 
@@ -269,6 +287,7 @@ impl OfStudy {
             said: said(study, &head::head(study, inventory)),
             hazard: head::hazard(study),
             building: head::building(study),
+            assumed: head::silent(study, inventory),
             toml: study.toml.clone(),
         })
     }
@@ -290,6 +309,12 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     let Prepared { mut objects, floors, left_out } = prepare(request, &measures, go_on)?;
     check_ground(&measures, &floors)?;
     check_shocks(request.fit, &objects)?;
+    let chosen = match (request.method, &request.scales) {
+        (Method::Stripes, None) => Some(levels::chosen(request, &objects, &floors, &measures, &go_on)?),
+        _ => None,
+    };
+    let with_levels = chosen.map(|levels| RunsRequest { scales: Some(levels), ..request.clone() });
+    let request = with_levels.as_ref().unwrap_or(request);
     let motions: Vec<usize> = floors.iter().map(Vec::len).collect();
     let of = |one: &ObjectRuns| motions.get(one.floor).copied().unwrap_or(0);
     let total = objects.iter().map(of).sum();
@@ -332,19 +357,22 @@ fn run_part(
         .enumerate()
         .flat_map(|(i, one)| (0..floors.get(one.floor).map_or(0, Vec::len)).map(move |motion| (i, motion)))
         .collect();
-    let followed: Vec<Result<Vec<Followed>, Problems>> = tasks
+    let followed: Vec<Result<(Vec<Followed>, Option<f64>), Problems>> = tasks
         .par_iter()
         .map(|&(i, motion)| {
             let one = objects.get(i).ok_or_else(missing)?;
             let shaking = floors.get(one.floor).and_then(|floor| floor.get(motion)).ok_or_else(missing)?;
             let runs = follow::first_runs(request, one, shaking, measures, go_on)?;
+            let uplift_ratio = follow::uplift_ratio(request, one, shaking);
             count()?;
-            Ok(runs)
+            Ok((runs, uplift_ratio))
         })
         .collect();
     for ((i, _), runs) in tasks.iter().zip(followed) {
         if let Some(one) = objects.get_mut(*i) {
-            one.motions.push(runs?);
+            let (runs, uplift_ratio) = runs?;
+            one.motions.push(runs);
+            one.uplifts_ratio.push(uplift_ratio);
         }
     }
     if request.method == Method::Incremental && request.scales.is_none() {
@@ -488,6 +516,7 @@ fn prepare(
             factors: RatioFactors::new(&nominal.block)?,
             floor,
             motions: Vec::new(),
+            uplifts_ratio: Vec::new(),
             spans: Vec::new(),
             has_tolerance: request.rotation_ratio.is_some() || nominal.has_tolerance(),
             limits_rotation: request.rotation_ratio.is_some(),
@@ -661,6 +690,16 @@ impl RunsReport {
         warnings
     }
 
+    /// `left_out.csv`: the objects that were not run, and why; `None` where all were.
+    ///
+    /// # Errors
+    /// None in practice: see [`of_rows`].
+    pub fn left_out_table(&self) -> Result<Option<Table>, Problem> {
+        let row = |(id, why): &'_ (String, String)| Facts::default().key("id", id.clone()).key("why", why.clone());
+        let rows: Vec<Facts> = self.left_out.iter().map(row).collect();
+        if rows.is_empty() { Ok(None) } else { of_rows(rows).map(Some) }
+    }
+
     /// The sentence that says whose building this is, where no study was given.
     pub fn no_study(&self) -> Option<&String> {
         self.study.as_ref()?.said.no_study.as_ref()
@@ -701,6 +740,9 @@ impl RunsReport {
             .key("tolerance_rotation_ratio", self.rotation_ratio)
             .key("inputs", inputs)
             .key("no_study", said.and_then(|said| said.no_study.clone()))
+            .key("assumptions", self.study.as_ref().map(|study| study.assumed.clone()))
+            .key("place_is_assumed", said.map(|said| said.place_is_assumed))
+            .key("building_is_assumed", said.map(|said| said.building_is_assumed))
             .key("place_name", said.and_then(|said| said.place_name.clone()))
             .key("building_name", said.and_then(|said| said.building_name.clone()))
             .key("hazard", self.study.as_ref().and_then(|study| study.hazard.clone()))
@@ -820,5 +862,25 @@ impl RunsReport {
     /// What the plot library says when it cannot draw.
     pub fn residuals_figure(&self) -> Result<Figure, FigureError> {
         figures::residuals(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ends as they are written, and one factor between neighbours; a list stays as it is.
+    #[test]
+    fn a_grid_of_levels_has_equal_ratios() {
+        let levels = |text: &str| scales(text, Method::Stripes, Measure::Pga).unwrap().unwrap();
+        let grid = levels("0.05 g:1.5 g:10");
+        assert_eq!((grid.len(), grid[0], grid[9]), (10, 0.05, 1.5));
+        let ratio = 30_f64.powf(1.0 / 9.0);
+        // Rounding of two powers.
+        assert!(grid.windows(2).all(|pair| (pair[1] / pair[0] / ratio - 1.0).abs() < 1e-12), "{grid:?}");
+        assert_eq!(levels("0.1 g, 0.2 g, 0.3 g"), [0.1, 0.2, 0.3]);
+        let factors = scales("0.5:2:3", Method::Incremental, Measure::Pga).unwrap().unwrap();
+        assert_eq!(factors, [0.5, 1.0, 2.0]);
+        assert!(scales("0 g:1 g:4", Method::Stripes, Measure::Pga).is_err());
     }
 }

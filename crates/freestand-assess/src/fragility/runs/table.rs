@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use freestand::fragility::level_weights;
+use freestand_input::formula::guarded;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::shortest;
 use freestand_output::rows::{csv_writer, table_of_csv};
@@ -11,7 +12,7 @@ use freestand_study::run::Progress;
 
 use super::super::go_on;
 use super::super::measure::{At, Measure};
-use super::super::outcomes::{OutcomeTable, UNRESOLVED};
+use super::super::outcomes::{OutcomeTable, UNRESOLVED, UPLIFT};
 use super::follow::Followed;
 use super::{Method, ObjectRuns, RunsReport};
 
@@ -43,10 +44,10 @@ pub(super) fn outcomes(
         Problem::new(ProblemKind::Computation, format!("the outcomes cannot be written: {error}"))
     };
     let is_weighted = report.method == Method::Incremental && report.scales.is_none();
-    let intensity = match measure.unit() {
-        "1" => measure.name(),
-        unit => format!("{} [{unit}]", measure.name()),
-    };
+    let [intensity, uplift] = [measure.name().as_str(), UPLIFT].map(|name| match measure.unit() {
+        "1" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
+    });
     // Each column with whether it holds numbers.
     let columns = [
         ("object", false),
@@ -57,6 +58,7 @@ pub(super) fn outcomes(
         ("weight", true),
         ("scale", true),
         ("rotation_ratio", true),
+        (&*uplift, true),
         ("reason", false),
     ];
     let levels = Levels::of(report, place);
@@ -71,21 +73,23 @@ pub(super) fn outcomes(
         let all: f64 = weights.iter().flatten().sum();
         // Together they count as many as there are runs.
         let factor = if all > 0.0 { known / all } else { 1.0 };
-        for (((runs, weights), shaking), unit) in one.motions.iter().zip(&weights).zip(shakings).zip(&units) {
+        let each = one.motions.iter().zip(&one.uplifts_ratio).zip(&weights).zip(shakings).zip(&units);
+        for ((((runs, uplift), weights), shaking), unit) in each {
             let Some(unit) = unit else { continue };
             go_on(progress)?;
             for (run, weight) in runs.iter().zip(weights) {
                 let text = |value: Option<f64>| value.map(shortest).unwrap_or_default();
                 let record = [
-                    one.id.clone(),
-                    shaking.name.clone(),
+                    guarded(&one.id).into_owned(),
+                    guarded(&shaking.name).into_owned(),
                     shortest(levels.exact(unit * run.scale_ratio)),
                     run.run().map_or(UNRESOLVED, |run| run.class.name()).to_owned(),
                     text(run.run().and_then(|run| run.edge_acceleration_g)),
                     if is_weighted { shortest(factor * weight) } else { "1".to_owned() },
                     shortest(run.scale_ratio),
-                    text(run.run().map(|run| run.rotation_ratio)),
-                    run.found.as_ref().err().cloned().unwrap_or_default(),
+                    text(run.run().and_then(|run| run.rotation_ratio)),
+                    text(uplift.map(|uplift| unit * uplift)),
+                    run.found.as_ref().err().map(|why| guarded(why).into_owned()).unwrap_or_default(),
                 ];
                 writer.write_record(&record).map_err(|error| broken(&error))?;
             }

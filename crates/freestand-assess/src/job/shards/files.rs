@@ -192,7 +192,7 @@ mod tests {
         let kept = KeptFiles { root: PathBuf::from("/a"), files: BTreeSet::from(files) };
         assert_eq!(kept.name(Path::new("/a/b/../c/list.csv")).unwrap(), "study/c/list.csv");
         assert!(kept.name(Path::new("/a/c/other.csv")).is_err());
-        let mut study = freestand_study::resolve::resolve("", None, Path::new("")).unwrap();
+        let mut study = freestand_study::resolve::resolve("[building]\nstoreys = 30\n", None, Path::new("")).unwrap();
         study.source = Some(PathBuf::from("/a/b/study.toml"));
         study.toml =
             "[ground]\nmotions = [\n  \"/a/c/records/x.AT2\", # first\n  \"/z\",\n]\nsuite = \"/a/b/../c/records\"\n"

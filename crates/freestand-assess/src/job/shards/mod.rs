@@ -179,7 +179,7 @@ pub fn merge_shards(dir: &Path, target: &Path, force: bool, progress: Progress) 
     }
     plan.check_original()?;
     let study = plan.study()?;
-    let (path, request) = plan.list();
+    let (path, request) = plan.list()?;
     let inventory = inventory_of(&study, Some(&path), &request)?;
     plan.check_list(&inventory)?;
     let job = Job { resume: false, force, parquet: true, outcomes: plan.outcomes(), part_rows: None };

@@ -18,9 +18,9 @@ pub(super) const MAX_FLOORS: usize = 100;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Counts {
     /// Rows of the inventory.
-    pub objects: [usize; 4],
+    pub objects: [usize; Decision::COUNT],
     /// Pieces: rows times their quantity.
-    pub pieces: [u64; 4],
+    pub pieces: [u64; Decision::COUNT],
 }
 
 impl Counts {

@@ -16,7 +16,7 @@ fn overview(count: usize, assessed: usize) -> Overview {
 #[test]
 fn decisions_are_counted() {
     let overview = overview(24, 24);
-    assert_eq!(Decision::ALL.map(|decision| overview.counts.of(decision)), [6, 6, 6, 6]);
+    assert_eq!(Decision::ALL.map(|decision| overview.counts.of(decision)), [6, 6, 0, 6, 6]);
     assert_eq!((overview.counts.total(), overview.without_tolerance, overview.tiers), (24, 6, [6; 4]));
     // The quantities are 1, 2, 3, 1, 2, 3 …
     assert_eq!(overview.counts.pieces.iter().sum::<u64>(), 48);

@@ -162,7 +162,7 @@ mod tests {
     /// 3 of 10 and 7 of 10 fill the bar of 180 px.
     #[test]
     fn a_bar_has_the_lengths_of_its_counts() {
-        let counts = Counts { objects: [3, 0, 0, 7], pieces: [0; 4] };
+        let counts = Counts { objects: [3, 0, 0, 0, 7], pieces: [0; 5] };
         let svg = stacked_bar(&counts, 10);
         assert!(
             svg.contains("x=\"0.0\" y=\"0.5\" width=\"54.0\"") && svg.contains("x=\"54.0\" y=\"0.5\" width=\"126.0\"")

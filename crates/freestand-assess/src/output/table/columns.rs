@@ -3,6 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 
+use crate::assumed;
 use crate::inventory::{Item, Rating};
 use crate::result::{
     Answers, Assessment, Cause, InSpace, ModelAnswers, ObjectModel, Probability, Ranked, RestraintForce, Rolled,
@@ -41,7 +42,7 @@ pub(crate) const COLUMNS: &[Column] = &[
     // The verdict.
     Column {
         kind: Kind::Decision,
-        ..text("decision", "the verdict: restrain, soften, no-verdict or leave; empty: not assessed yet", |l| {
+        ..text("decision", "the verdict: restrain, soften, lock, no-verdict or leave; empty: not assessed yet", |l| {
             of_text(l, |found| Some(found.decision.name()))
         })
     },
@@ -95,6 +96,16 @@ pub(crate) const COLUMNS: &[Column] = &[
         of_count(l, |answers| (!answers.is_close()).then_some(answers.worlds))
     }),
     count("worlds_cap", "worlds after which no more are added", |l| of_count(l, |answers| Some(answers.worlds_cap))),
+    count("worlds_needed", "fewest worlds that could leave it as it is, where the study allows fewer", |l| {
+        of_count(l, |answers| answers.worlds_needed)
+    }),
+    text("assumed", "columns that the list leaves empty, so that something is assumed", |l| {
+        Cell::owned(Some(assumed::columns(l.item).collect::<Vec<_>>().join(", ")))
+    }),
+    count("assumed_count", "how many these are", |l| Cell::count(Some(assumed::columns(l.item).count()))),
+    flag("is_round", "whether it is round: not calculated in three dimensions, and never left as it is", |l| {
+        yes(Some(l.item.is_round))
+    }),
     count("worlds_compliant", "worlds on the compliant base, where they are fewer", |l| {
         of_count(l, |answers| answers.worlds_compliant)
     }),
@@ -163,6 +174,16 @@ pub(crate) const COLUMNS: &[Column] = &[
     ranked("slide_m_p84", "m", "the same that 84 % of the worlds do not exceed", |l| {
         slide(l, |rolled| rolled.travel_m_p84, |space| space.walk_m_p84)
     }),
+    number(
+        "clearance_needed_m",
+        "m",
+        "room on every side that would suffice for its travel; only where it rolls or slides",
+        |l| of(l, |found| Some(found.rolled?.clearance_needed_m)),
+    ),
+    share("p_overturn_locked", "probability that it falls when it is locked; only where it lacks room", |l| {
+        of(l, |found| Some(found.braked?.overturn.value))
+    }),
+    share("p_overturn_locked_high", "upper end of its interval", |l| of(l, |found| Some(found.braked?.overturn.high))),
     count("falls_lower", "worlds in which an object with another one on it falls first", |l| {
         stacked(l, |stacked| stacked.lower_falls)
     }),

@@ -98,6 +98,11 @@ pub(super) fn sources(sources: &Sources, styles: &Styles) -> Result<Worksheet, X
     Ok(sheet)
 }
 
+/// The headers of a table with a count for each decision.
+fn with_decisions(first: [&'static str; 3]) -> Vec<&'static str> {
+    first.into_iter().chain(Decision::ALL.map(Decision::name)).collect()
+}
+
 /// A sheet that is written from the top down.
 struct Page<'s> {
     sheet: Worksheet,
@@ -185,7 +190,8 @@ impl Page<'_> {
 
     fn floors(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Verdicts by floor, from the top down")?;
-        self.header(&["floor", "level_ratio", "pfa_g_median", "restrain", "soften", "no verdict", "leave"], 1..7)?;
+        let header = with_decisions(["floor", "level_ratio", "pfa_g_median"]);
+        self.header(&header, 1..header.len() as ColNum)?;
         for floor in overview.floors() {
             self.text(0, &floor.name, &self.styles.text)?;
             put_number(&mut self.sheet, (self.row, 1), floor.level_ratio, &self.styles.number)?;
@@ -197,7 +203,8 @@ impl Page<'_> {
 
     fn consequences(&mut self, overview: &Overview) -> Result<(), XlsxError> {
         self.heading("Verdicts by consequence (FEMA E-74)")?;
-        self.header(&["consequence", "rating", "objects", "restrain", "soften", "no verdict", "leave"], 2..7)?;
+        let header = with_decisions(["consequence", "rating", "objects"]);
+        self.header(&header, 2..header.len() as ColNum)?;
         for consequence in &overview.consequences {
             for (counts, rating) in consequence.ratings.iter().zip(RATINGS) {
                 self.text(0, consequence.name, &self.styles.text)?;

@@ -1,5 +1,6 @@
 //! `freestand serve`: the local page.
 
+mod fields;
 mod request;
 
 use std::path::PathBuf;
@@ -9,7 +10,7 @@ use clap::Args;
 use freestand_input::file::read_only_from;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_output::json::document;
-use freestand_page::{Server, Settings};
+use freestand_page::{BindError, Server, Settings};
 use serde_json::json;
 
 use self::request::PROGRAM;
@@ -70,17 +71,27 @@ pub(crate) fn run(args: &ServeArgs, global: &GlobalArgs, printer: &Printer) -> R
         printer.print(&format!("The page is at {} until you press Ctrl-C.\n", server.url()))?;
     }
     if !args.no_open && !printer.json() {
-        open(&server.url(), printer);
+        open(&server.url_for_browser().unwrap_or_else(|_| server.url()), printer);
     }
     server.serve(|| stop.wanted());
     Ok(Done::OK)
 }
 
-fn refused(port: u16, error: &std::io::Error) -> Failure {
+fn refused(port: u16, error: &BindError) -> Failure {
+    let error = match error {
+        BindError::Port(error) => error,
+        BindError::Folder(error) => {
+            let folder = std::env::temp_dir();
+            return Problem::new(ProblemKind::Io, format!("no folder for uploaded files can be made here: {error}"))
+                .in_file(&folder)
+                .hint("check that it exists and can be written, or set TMPDIR to a folder that can")
+                .into();
+        }
+    };
     let hint = match error.kind() {
         std::io::ErrorKind::AddrInUse => "another program has this port: leave --port out",
         std::io::ErrorKind::PermissionDenied => "ports below 1024 belong to the system: leave --port out",
-        _ => "check that the folder for temporary files can be written, and leave --port out",
+        _ => "leave --port out",
     };
     Problem::new(ProblemKind::Io, format!("cannot listen on 127.0.0.1, port {port}: {error}")).hint(hint).into()
 }

@@ -25,7 +25,7 @@ export interface Row {
   [column: string]: unknown;
 }
 
-export const VERDICTS = { restrain: '▲', soften: '◆', 'no-verdict': '?', leave: '●' } as const;
+export const VERDICTS = { restrain: '▲', soften: '◆', lock: '■', 'no-verdict': '?', leave: '●' } as const;
 export type Verdict = keyof typeof VERDICTS;
 
 /** The line that asks the same in a shell: files that others name are there without being named. */

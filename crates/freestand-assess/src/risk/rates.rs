@@ -1,0 +1,184 @@
+//! How often an object reaches its limit states: by its curves, between the bounds that its runs
+//! leave, and in the order of the limit states.
+
+use freestand::fragility::{CurveKind, LimitState};
+use freestand::risk::{
+    AnnualRates, Capacity, Hazard, Tail, annual_rate, annual_rate_below, least_avoided, rate_bounds,
+};
+
+use crate::fragility::ObjectCurves;
+
+/// If a larger share of a rate is between two intensities of the runs, or below or above all of them,
+/// the runs do not tell the rate.
+const RESOLVED: f64 = 0.1;
+
+/// Where the runs leave most of a rate open.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Gap {
+    /// Below the lowest intensity.
+    Below(f64),
+    /// Between two intensities.
+    Between(f64, f64),
+    /// Above the highest intensity.
+    Above(f64),
+}
+
+/// How often a limit state is reached.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct StateRates {
+    pub(super) limit_state: LimitState,
+    /// With the bounds that the runs leave, whatever is above the last point of the hazard.
+    pub(super) rates: AnnualRates,
+    /// The bounds that the runs leave if the hazard goes on above its last point; `None` where only a
+    /// curve is known.
+    pub(super) by_runs: Option<(f64, Option<f64>)>,
+    /// The most that it can be because a milder limit state is not more frequent.
+    pub(super) most: Option<f64>,
+    pub(super) gap: Option<Gap>,
+}
+
+/// The rates of all limit states of an object that withstands `factor` times the intensity, from
+/// harmless to severe.
+pub(super) fn object_rates(curves: &ObjectCurves, factor: f64, hazard: &Hazard) -> Vec<StateRates> {
+    let of = |curve: &freestand::fragility::Curve| {
+        let kind = scaled(curve.kind, factor);
+        let found: Vec<Capacity> = curves.capacities(curve.limit_state).iter().map(|one| one.scaled(factor)).collect();
+        of_curve(hazard, curve.limit_state, kind, &found)
+    };
+    let mut states: Vec<StateRates> = curves.curves.iter().map(of).collect();
+    put_in_order(&mut states);
+    states
+}
+
+/// The curve of an object that withstands `factor` times the intensity.
+fn scaled(kind: CurveKind, factor: f64) -> CurveKind {
+    let times = |x: Option<f64>| x.map(|x| factor * x);
+    match kind {
+        CurveKind::Lognormal { median, beta } => CurveKind::Lognormal { median: factor * median, beta },
+        CurveKind::Step { lower, upper } => CurveKind::Step { lower: factor * lower, upper: factor * upper },
+        CurveKind::Bounds { lower, upper } => CurveKind::Bounds { lower: times(lower), upper: times(upper) },
+        CurveKind::None { lower } => CurveKind::None { lower: factor * lower },
+        CurveKind::All { upper } => CurveKind::All { upper: factor * upper },
+        CurveKind::NotIncreasing { lower, upper } => {
+            CurveKind::NotIncreasing { lower: factor * lower, upper: factor * upper }
+        }
+    }
+}
+
+fn of_curve(hazard: &Hazard, limit_state: LimitState, kind: CurveKind, found: &[Capacity]) -> StateRates {
+    let by_curve = annual_rate(hazard, kind);
+    if found.is_empty() {
+        return StateRates { limit_state, rates: by_curve, by_runs: None, most: None, gap: None };
+    }
+    let bounds = |tail| bounds_by_runs(hazard, kind, by_curve, found, tail);
+    let (least, most) = bounds((Tail::Absent, Tail::Level));
+    let rates = match by_curve.annual_rate {
+        Some(_) => by_curve.widened(least, most),
+        // Both hold.
+        None => AnnualRates {
+            annual_rate_lower: by_curve.annual_rate_lower.max(least),
+            annual_rate_upper: [by_curve.annual_rate_upper, most].into_iter().flatten().reduce(f64::min),
+            ..by_curve
+        },
+    };
+    let gap = gap(hazard, by_curve, most, found);
+    StateRates { limit_state, rates, by_runs: Some(bounds((Tail::Continued, Tail::Continued))), most: None, gap }
+}
+
+/// The bounds that the runs leave. Where the uplift of the motions is not known, the curve says how
+/// much is below the lowest intensity, if that is little.
+fn bounds_by_runs(
+    hazard: &Hazard,
+    kind: CurveKind,
+    by_curve: AnnualRates,
+    found: &[Capacity],
+    tail: (Tail, Tail),
+) -> (f64, Option<f64>) {
+    let (least, most) = rate_bounds(hazard, found, tail);
+    let (open, closed): (Vec<Capacity>, Vec<Capacity>) = found.iter().partition(|one| one.from.is_none());
+    let below_lowest = || {
+        let lowest = open.first()?.to?;
+        let below = annual_rate_below(hazard, kind, lowest)?;
+        let at_lowest = open.iter().map(|one| one.share).sum::<f64>() * hazard.annual_rate_with(lowest, tail.1);
+        let is_small = below <= RESOLVED * by_curve.annual_rate?;
+        Some(rate_bounds(hazard, &closed, tail).1? + at_lowest + below).filter(|_| is_small)
+    };
+    (least, most.or_else(below_lowest))
+}
+
+/// Where the largest part of a rate is open, if that is more than a tenth of it.
+fn gap(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Option<Gap> {
+    let rate = |x: Option<f64>| x.map_or(0.0, |x| hazard.annual_rate(x));
+    let all = by_curve.annual_rate.or(most);
+    // Those below the lowest intensity belong together.
+    let (lowest, others): (Vec<Capacity>, Vec<Capacity>) = found.iter().partition(|one| one.is_lowest);
+    let open = |one: &Capacity| one.share * (rate(one.from) - rate(one.to));
+    let below = lowest.first().and_then(|one| one.to).map(|to| {
+        let is_known = lowest.iter().all(|one| one.from.is_some()) || most.is_some();
+        let part =
+            if is_known { lowest.iter().filter(|one| one.from.is_some()).map(open).sum() } else { f64::INFINITY };
+        (part, Gap::Below(to))
+    });
+    let between = others.iter().filter_map(|one| {
+        let from = one.from?;
+        Some((open(one), one.to.map_or(Gap::Above(from), |to| Gap::Between(from, to))))
+    });
+    let largest = below.into_iter().chain(between).max_by(|a, b| a.0.total_cmp(&b.0));
+    largest.filter(|(part, _)| all.is_none_or(|all| *part > RESOLVED * all)).map(|(_, gap)| gap)
+}
+
+/// Whoever overturns has rocked: a severe limit state is never more frequent than a milder one.
+///
+/// What runs say of the milder one bounds the curve of the severe one, which may go on below the runs.
+/// Otherwise the milder one is at least as frequent as the severe one.
+fn put_in_order(states: &mut [StateRates]) {
+    for place in 1..states.len() {
+        let mild = states[place - 1].rates;
+        let Some(most) = mild.annual_rate_upper.filter(|_| mild.annual_rate.is_none()) else { continue };
+        states[place].most = Some(most);
+        let severe = &mut states[place].rates;
+        severe.annual_rate = severe.annual_rate.map(|rate| rate.min(most));
+        severe.annual_rate_in_table = severe.annual_rate_in_table.map(|rate| rate.min(most));
+        severe.annual_rate_lower = severe.annual_rate_lower.min(most);
+        severe.annual_rate_upper = Some(severe.annual_rate_upper.map_or(most, |upper| upper.min(most)));
+    }
+    for place in (1..states.len()).rev() {
+        let severe = states[place].rates;
+        let mild = &mut states[place - 1].rates;
+        let known = severe.annual_rate.unwrap_or(severe.annual_rate_lower);
+        mild.annual_rate_lower = match mild.annual_rate {
+            Some(_) => mild.annual_rate_lower.max(severe.annual_rate_lower),
+            None => mild.annual_rate_lower.max(known),
+        };
+        mild.annual_rate = mild.annual_rate.map(|rate| rate.max(known));
+        mild.annual_rate_upper = mild.annual_rate_upper.map(|upper| upper.max(known));
+        if let (Some(in_mild), Some(in_severe)) = (mild.annual_rate_in_table, severe.annual_rate_in_table) {
+            mild.annual_rate_in_table = Some(in_mild.max(in_severe));
+        }
+    }
+}
+
+/// The least that the rate of a limit state falls if the object withstands `factor` times the intensity,
+/// `factor` ≥ 1; `None` where nothing tells.
+///
+/// The capacities are the same with the option and without it, only farther up, and so is the hazard,
+/// so that the difference is known better than either rate: it is the least over what may be between
+/// the intensities of the runs, and above the last point of the hazard.
+pub(super) fn least_fall(curves: &ObjectCurves, state: LimitState, factor: f64, hazard: &Hazard) -> Option<f64> {
+    let kind = curves.curve(state)?;
+    let (without, with) = (annual_rate(hazard, kind), annual_rate(hazard, scaled(kind, factor)));
+    let fall = |of: fn(&AnnualRates) -> Option<f64>| Some(of(&without)? - of(&with)?);
+    let by_curve = without.annual_rate.and(
+        [
+            fall(|rates| Some(rates.annual_rate_lower)),
+            fall(|rates| rates.annual_rate),
+            fall(|rates| rates.annual_rate_upper),
+        ]
+        .into_iter()
+        .flatten()
+        .reduce(f64::min),
+    );
+    let found = curves.capacities(state);
+    let by_runs = if found.is_empty() { None } else { least_avoided(hazard, found, factor) };
+    by_curve.into_iter().chain(by_runs).reduce(f64::min).map(|fall| fall.max(0.0))
+}
