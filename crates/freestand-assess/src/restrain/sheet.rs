@@ -26,9 +26,12 @@ sub { font-size: .72em; line-height: 0; }
   .sub { margin-bottom: .5rem; }
   .sheet { flex-wrap: nowrap; gap: .9rem; }
   .sheet > div { flex-basis: 0; }
-  .sheet svg { max-height: 52mm; }
+  .sheet svg { max-height: 42mm; }
+  h2, .confirm h2, h3 { margin: .35rem 0 .1rem; }
+  .formula { margin: .1rem 0 .1rem 1rem; }
+  ul { margin: .1rem 0; }
   .confirm { padding: 0 .6rem .3rem; margin: .4rem 0; }
-  .sign { margin-top: 1.5rem; break-inside: avoid; }
+  .sign { margin-top: 1.1rem; break-inside: avoid; }
 }
 ";
 
