@@ -256,7 +256,7 @@ mod tests {
         }
         let modes = table(&building, [1.0; 4]);
         assert!(
-            matches!(doubts(&modes[1..]).first(), Some(ModalDoubt::EffectiveMass { sum_ratio }) if *sum_ratio < 0.3)
+            matches!(doubts(&modes[..1]).first(), Some(ModalDoubt::EffectiveMass { sum_ratio }) if *sum_ratio < 0.9)
         );
     }
 

@@ -542,16 +542,19 @@ impl<'a> Contact<'a> {
         std::iter::once(best).chain(others).any(|fit| data.cut(fit).is_some_and(|cost| cost + price(fit) < limit))
     }
 
-    /// F/d at the largest compression, from the samples integrated twice after the touch that their flank shows. What
-    /// the same steps make of the pulse of the fit, whose stiffness is known, removes the effects of a filter and of a
-    /// flank that begins like none of the known ones.
+    /// F/d at the largest compression, from the samples integrated twice after the touch that their flank shows. Behind
+    /// a filter, what the same steps make of the pulse of the fit, whose stiffness is known, removes its effect; without
+    /// one this would remove what the flank says about the touch.
     fn integrated(&self, best: &Fit, speed: f64, gravity: f64) -> Option<Integrated> {
+        let (known, beginning) = self.twice(self.accel, speed, gravity, None)?;
+        if best.model.filter.is_none() {
+            return Some(known).filter(|known| known.secant_n_m > 0.0 && known.secant_n_m.is_finite());
+        }
         let data = self.data(gravity);
         let touch = best.touch_s / self.dt_s + self.pulse.before as f64 + 0.5 - data.touch;
         let offset = best.offset_m_s2(self.peak_m_s2);
         let law = |i: usize| best.predicted.at((i as f64 - touch) * self.dt_s) + offset;
         let predicted: Vec<f64> = (0..self.accel.len()).map(law).collect();
-        let (known, beginning) = self.twice(self.accel, speed, gravity, None)?;
         let (of_law, _) = self.twice(&predicted, best.model.speed_m_s, gravity, Some(beginning))?;
         let secant_n_m = best.secant_n_m * known.secant_n_m / of_law.secant_n_m;
         (secant_n_m > 0.0 && secant_n_m.is_finite()).then_some(Integrated { secant_n_m, ..known })

@@ -148,11 +148,12 @@ fn campaign(drops: u64, states_corner: bool) {
 }
 
 /// A part of the campaign below: the intervals hold the truth, and are no excuse. Of 24 drops with intervals of 95 %, 20
-/// or fewer are held with a probability of 1 in 170; the half-width is twice the largest of the campaign.
+/// or fewer are held with a probability of 1 in 170; the half-width is twice the largest of the campaign. Behind a filter,
+/// a kink does not show, so that a pad with one is not among them there.
 #[test]
 fn pads_that_follow_no_law_are_inside_their_intervals() {
-    let wanted = ["hardening", "softening", "tangent", "table, kink up"];
-    for recorder in [&RECORDERS[0], &RECORDERS[4]] {
+    for (recorder, last) in [(&RECORDERS[0], "table, kink up"), (&RECORDERS[4], "hardening weakly")] {
+        let wanted = ["hardening", "softening", "tangent", last];
         let (mut held, mut given) = (0, 0);
         for (name, pad) in pads().into_iter().filter(|(name, _)| wanted.contains(name)) {
             let s = score(&pad, recorder, 6, true);
