@@ -116,7 +116,6 @@ pub(crate) fn is_counter_name(name: &str) -> bool {
         "nr",
         "num",
         "number",
-        
         "i",
         "k",
         "count",
