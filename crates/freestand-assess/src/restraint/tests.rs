@@ -231,7 +231,7 @@ fn stated_factors_replace_those_of_the_codes() {
                 amplification_ratio: Some(1.4),
                 response_ratio: Some(2.0),
                 importance_ratio: Some(1.2),
-                ..settings.clone()
+                ..*settings
             }
         }))
     };

@@ -127,9 +127,11 @@ fn score(pad: &Cushion, recorder: &Recorder, drops: u64, states_corner: bool) ->
     score
 }
 
+/// Drops of each pad on each recorder.
+const CAMPAIGN_DROPS: u64 = 100;
+
 fn campaign(drops: u64, states_corner: bool) {
-    let only = std::env::var("PAD").unwrap_or_default();
-    for (name, pad) in pads().into_iter().filter(|(name, _)| name.contains(&only)) {
+    for (name, pad) in pads() {
         for recorder in RECORDERS.iter().filter(|recorder| states_corner || recorder.corner.is_some()) {
             let s = score(&pad, recorder, drops, states_corner);
             let mean = s.errors.iter().sum::<f64>() / s.errors.len().max(1) as f64;
@@ -189,8 +191,7 @@ fn a_hardening_pad_is_no_power_law() {
 #[test]
 #[ignore = "some minutes: prints the figures of docs/cushion-laboratory.md"]
 fn every_pad_on_every_recorder() {
-    let drops = std::env::var("DROPS").ok().and_then(|n| n.parse().ok()).unwrap_or(100);
-    campaign(drops, true);
+    campaign(CAMPAIGN_DROPS, true);
     println!("the corner is not stated:");
-    campaign(drops, false);
+    campaign(CAMPAIGN_DROPS, false);
 }

@@ -343,6 +343,9 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     fit(request, measures, Prepared { objects, floors, left_out }, progress)
 }
 
+/// The runs of an object under one motion at several scales, and what lies beside them.
+type Followings = (Vec<Followed>, Option<f64>);
+
 /// Runs some objects under all motions of their floors.
 fn run_part(
     request: &RunsRequest,
@@ -357,7 +360,7 @@ fn run_part(
         .enumerate()
         .flat_map(|(i, one)| (0..floors.get(one.floor).map_or(0, Vec::len)).map(move |motion| (i, motion)))
         .collect();
-    let followed: Vec<Result<(Vec<Followed>, Option<f64>), Problems>> = tasks
+    let followed: Vec<Result<Followings, Problems>> = tasks
         .par_iter()
         .map(|&(i, motion)| {
             let one = objects.get(i).ok_or_else(missing)?;
