@@ -227,10 +227,8 @@ fn rigid<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) ->
         walls,
     };
     let friction = given.positive("friction");
-    if shaken.is_still() {
-        if options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
-            given.push(nothing_moves());
-        }
+    if shaken.is_still() && options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
+        given.push(nothing_moves());
     }
     given.finish()?;
     let request = RockRequest {

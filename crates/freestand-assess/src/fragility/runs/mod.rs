@@ -343,7 +343,7 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     fit(request, measures, Prepared { objects, floors, left_out }, progress)
 }
 
-/// The runs of an object under one motion at several scales, and what lies beside them.
+/// The runs of an object under one motion at several scales, and the scale at which it begins to lift.
 type Followings = (Vec<Followed>, Option<f64>);
 
 /// Runs some objects under all motions of their floors.
