@@ -336,7 +336,8 @@ fn a_wall_holds_an_object() {
         for height_m in [f64::INFINITY, 1.2] {
             let held = at(tall(height_m), &x);
             assert!(held.wall_contact_count > 0 && held.energy.residual_ratio < 1e-7, "{held:?}");
-            assert_eq!(held.body.outcome, Outcome::Rocked);
+            // On undamped cushions it still rocks where the motion ends.
+            assert!(matches!(held.body.outcome, Outcome::Rocked | Outcome::Unresolved), "{held:?}");
             let contact = (gap_m / height_m.min(1.8)).atan();
             // The foot may jump and come closer to the wall, but the object does not fall past it.
             let peak = held.body.peak_tilt_rad;
@@ -428,7 +429,14 @@ fn rock_both(stack: &Stack, x: &Motion) -> StackRocking {
 fn alone(block: &Block, mass_kg: f64, stiffness_n_m: f64, x: &Motion) -> f64 {
     let base = CompliantBase::new(mass_kg, Cushion::linear(stiffness_n_m).unwrap());
     let motion = Base { horizontal: Some(x), vertical: None };
-    rock_compliant(block, &base, motion, &CompliantOptions::default()).unwrap().peak_rotation_rad
+    rock_compliant(
+        block,
+        &base,
+        motion,
+        &CompliantOptions { duration_s: Some(x.duration_s()), ..CompliantOptions::default() },
+    )
+    .unwrap()
+    .peak_rotation_rad
 }
 
 /// min(b₂, B₁)/h₂ = 0.242/0.825, and (m₁ + m₂)B₁/[m₁H₁ + m₂(2H₁ + h₂)] by hand.
