@@ -100,7 +100,8 @@ fn a_register_of_a_hospital_reads_as_a_person_reads_it() {
     let options = ReadOptions { edits: &edits, ..options };
     let mended = inspect_inventory(&workbook, &options).unwrap().inventory;
     assert!(mended.items.iter().all(|item| item.to_confirm.is_empty()));
-    assert_eq!(mended.items[10].height_m, Some(1.45));
+    let mended = mended.items.iter().find(|item| item.id == "ED-011").unwrap();
+    assert_eq!((mended.height_m, mended.thickness_m), (Some(1.45), Some(0.85)));
 }
 
 #[test]
