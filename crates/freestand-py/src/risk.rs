@@ -147,6 +147,7 @@ pub(crate) fn risk(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<u
         hazard,
         hazard_at,
         site_deg,
+        list: Default::default(),
         inventory,
         options,
         budget,

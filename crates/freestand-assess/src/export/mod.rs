@@ -55,6 +55,8 @@ pub struct ExportRequest {
     pub site_deg: Option<(f64, f64)>,
     /// Quantities, costs, floors and coordinates (CSV).
     pub inventory: Option<PathBuf>,
+    /// How the cells of that list are read.
+    pub list: crate::inventory::CellsRequest,
     /// The hazard curve, for a second job of OpenQuake.
     pub hazard: Option<HazardSource>,
 }
@@ -85,7 +87,7 @@ pub fn check_export(request: &ExportRequest) -> Result<(), Problems> {
         return Err(Problem::value(message, hint).of(&["realizations"]).into());
     }
     if request.format != ExportFormat::Csv {
-        request.inventory.as_deref().map(load_costs).transpose()?;
+        request.inventory.as_deref().map(|path| load_costs(path, &request.list)).transpose()?;
     }
     Ok(())
 }
@@ -105,7 +107,7 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
         ExportFormat::OpenQuake => ("openquake", &OPENQUAKE_IDS),
     };
     check_fit(report, request)?;
-    let costs = request.inventory.as_deref().map(load_costs).transpose()?;
+    let costs = request.inventory.as_deref().map(|path| load_costs(path, &request.list)).transpose()?;
     warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
     let objects = objects(report, request, costs.as_ref(), ids, &mut warnings)?;
     let listed = Listed { objects: &objects, currency: costs.as_ref().and_then(|costs| costs.currency.as_deref()) };
@@ -124,7 +126,7 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
             let hazard = request
                 .hazard
                 .as_ref()
-                .map(|source| hazard_of(source, Some(report.at), request.site_deg))
+                .map(|source| hazard_of(source, Some(report.at), request.site_deg, None))
                 .transpose()?;
             warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
             openquake::files(report, request, &listed, demand, hazard.as_ref(), &mut warnings)?
@@ -425,10 +427,11 @@ mod tests {
             beta: None,
             is_discrete: false,
             site_deg: Some((151.2, -33.9)),
+            list: Default::default(),
             inventory: Some(path("i.csv")),
             hazard: Some(HazardSource::PowerLaw {
                 text: "k0=1e-3 /yr, k=2, reference=0.3 g".to_owned(),
-                measure: report.table.measure,
+                measure: Some(report.table.measure),
             }),
         };
         export(&report, &request).unwrap()
@@ -465,7 +468,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("hazard.csv");
         std::fs::write(&path, text_of(&exported, "hazard.csv")).unwrap();
-        let read = hazard_of(&HazardSource::File(path), None, None).unwrap();
+        let read = hazard_of(&HazardSource::File(path), None, None, None).unwrap();
         assert_eq!((read.measure.name(), read.at), ("sa_avg(0.2:2)".to_owned(), At::Ground));
         // λ = k0 at the reference; points are joined by power laws, so that only their digits
         // differ.

@@ -36,10 +36,35 @@ const MIN_TEXT_BYTES: u64 = 13;
 const SAVE_AGAIN: &str = "open it in a spreadsheet program and save it again as .xlsx, or as CSV";
 
 /// The results of the checks of a workbook.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Facts {
     /// Whether any sheet has merged cells.
     pub(super) has_merges: bool,
+    /// The names of the sheets, each with the id of its member.
+    sheets: Vec<(String, String)>,
+    /// Members by their ids.
+    members: Vec<(String, String)>,
+    /// Members with hidden rows: their number, and the first of them.
+    hidden: Vec<(String, HiddenRows)>,
+}
+
+/// Rows of a sheet that a spreadsheet does not show: hidden, or left out by a filter.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct HiddenRows {
+    pub(super) count: usize,
+    /// The first of them.
+    pub(super) first: Vec<u32>,
+}
+
+impl Facts {
+    /// The rows of a sheet that are not shown.
+    pub(super) fn hidden_rows(&self, sheet: &str) -> Option<&HiddenRows> {
+        let (_, id) = self.sheets.iter().find(|(name, _)| name == sheet)?;
+        let (_, target) = self.members.iter().find(|(other, _)| other == id)?;
+        let end = target.rsplit('/').next()?;
+        let is_member = |name: &str| name.rsplit('/').next() == Some(end) && name.contains("worksheets/");
+        self.hidden.iter().find(|(name, _)| is_member(name)).map(|(_, rows)| rows)
+    }
 }
 
 fn wrong(message: impl Into<String>, hint: &str) -> Problem {
@@ -61,7 +86,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
     }
     let names: Vec<String> = archive.file_names_raw().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
     is_workbook(&names, bytes)?;
-    let mut facts = Facts { has_merges: false };
+    let mut facts = Facts::default();
     let mut total = 0;
     let mut buffer = vec![0; 1 << 16];
     for index in 0..archive.len() {
@@ -95,6 +120,13 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
                 return Err(wrong(message, SAVE_AGAIN));
             }
             facts.has_merges |= tags.has_merges;
+            facts.sheets.extend(tags.sheets);
+            if name.ends_with("workbook.xml.rels") {
+                facts.members.extend(tags.members);
+            }
+            if tags.hidden.count > 0 {
+                facts.hidden.push((name.to_owned(), tags.hidden));
+            }
         }
     }
     Ok(facts)
@@ -143,7 +175,13 @@ struct Tags {
     begun: bool,
     texts_declared: u64,
     has_merges: bool,
+    sheets: Vec<(String, String)>,
+    members: Vec<(String, String)>,
+    hidden: HiddenRows,
 }
+
+/// Hidden rows that are named.
+const NAMED_HIDDEN: usize = 5;
 
 /// Parts that are skipped: their beginnings and their ends.
 const SKIPPED: [(&[u8], &[u8]); 3] = [(b"<!--", b"-->"), (b"<![CDATA[", b"]]>"), (b"<?", b"?>")];
@@ -207,6 +245,22 @@ impl Tags {
         let name = inner.split(|byte| byte.is_ascii_whitespace() || *byte == b'/').next().unwrap_or_default();
         let name = name.rsplit(|&byte| byte == b':').next().unwrap_or_default();
         match name {
+            b"row" if matches!(attribute(inner, b"hidden"), Some(b"1" | b"true")) => {
+                self.hidden.count += 1;
+                let row = attribute(inner, b"r").map(check_place).transpose()?;
+                if let Some((_, row)) = row.filter(|_| self.hidden.first.len() < NAMED_HIDDEN) {
+                    self.hidden.first.push(row);
+                }
+                Ok(())
+            }
+            b"sheet" => {
+                self.sheets.extend(pair(inner, b"name", b"r:id"));
+                Ok(())
+            }
+            b"Relationship" => {
+                self.members.extend(pair(inner, b"Id", b"Target"));
+                Ok(())
+            }
             b"c" | b"row" => attribute(inner, b"r").map_or(Ok(()), |place| check_place(place).map(|_| ())),
             b"dimension" | b"mergeCell" | b"f" => {
                 self.has_merges |= name == b"mergeCell";
@@ -220,6 +274,16 @@ impl Tags {
             _ => Ok(()),
         }
     }
+}
+
+/// Two attributes as texts.
+fn pair(inner: &[u8], first: &[u8], second: &[u8]) -> Option<(String, String)> {
+    let text = |name| {
+        let text = String::from_utf8_lossy(attribute(inner, name)?).into_owned();
+        let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&apos;", "'");
+        Some(text.replace("&amp;", "&"))
+    };
+    text(first).zip(text(second))
 }
 
 /// A declared count. Text that is not a number counts as 0, a number that is too large as the

@@ -76,7 +76,7 @@ pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: T
 /// appended to the names.
 fn headings(source: &Sheet) -> Vec<String> {
     let header = &source.header;
-    let body = body(&source.rows, header);
+    let (body, _) = body(&source.rows, header);
     let evidence = Evidence { rows: &source.rows, header, body: &body, mapping: None, has_semicolons: false };
     let understood = understand(&evidence);
     let width = header.headings.keys().last().map_or(0, |last| last + 1);

@@ -66,6 +66,11 @@ impl Edit {
         Self::new(cell, text)
     }
 
+    /// Whether it changes or confirms this cell; the row counts from 1, the column from 0.
+    pub(super) fn is_of(&self, row: u32, column: u32) -> bool {
+        (self.row, self.column) == (row, column)
+    }
+
     /// The name of the cell.
     pub fn cell(&self) -> String {
         format!("{}{}", letters(self.column as usize), self.row)

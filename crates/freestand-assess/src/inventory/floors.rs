@@ -38,7 +38,15 @@ pub(super) enum Storey {
     FromOne(u32),
 }
 
-const GROUND: [&str; 30] = [
+const GROUND: [&str; 38] = [
+    "zemin",
+    "zemin kat",
+    "terreo",
+    "res do chao",
+    "rez de chao",
+    "r c",
+    "giris kat",
+    "地面",
     "g",
     "gf",
     "gr",
@@ -70,7 +78,12 @@ const GROUND: [&str; 30] = [
     "bajos",
     "planta 0",
 ];
-const BELOW: [&str; 22] = [
+const BELOW: [&str; 27] = [
+    "bodrum",
+    "bodrum kat",
+    "subsolo",
+    "cave",
+    "below ground",
     "lg",
     "basement",
     "lower ground",
@@ -94,9 +107,26 @@ const BELOW: [&str; 22] = [
     "cantina",
     "地下室",
 ];
-const ROOF: [&str; 11] =
-    ["roof", "rf", "dach", "toiture", "toit", "azotea", "cubierta", "copertura", "tetto", "屋上", "terraza"];
-const TOP: [&str; 8] = ["dg", "dachgeschoss", "attic", "penthouse", "ph", "combles", "atico", "attico"];
+const ROOF: [&str; 16] = [
+    "catı",
+    "cati",
+    "telhado",
+    "屋顶",
+    "楼顶",
+    "roof",
+    "rf",
+    "dach",
+    "toiture",
+    "toit",
+    "azotea",
+    "cubierta",
+    "copertura",
+    "tetto",
+    "屋上",
+    "terraza",
+];
+const TOP: [&str; 10] =
+    ["catı katı", "sotao", "dg", "dachgeschoss", "attic", "penthouse", "ph", "combles", "atico", "attico"];
 const MEZZANINE: [&str; 8] =
     ["mezzanine", "mezz", "m", "zwischengeschoss", "entresol", "entresuelo", "mezzanino", "ammezzato"];
 
@@ -104,8 +134,17 @@ const MEZZANINE: [&str; 8] =
 pub(super) fn storey(text: &str) -> Option<Storey> {
     let text = text.trim();
     let words = canonical(text);
+    let is_digit = |c: char| c.is_ascii_digit();
     if let Some(depth) = text.strip_prefix(['-', '\u{2212}']).map(str::trim) {
-        return depth.chars().next().is_some_and(|c| c.is_ascii_digit()).then_some(Storey::Below);
+        return depth.starts_with(is_digit).then_some(Storey::Below);
+    }
+    // "Level -1" is below the ground; "L-1" and "Level - 1" may be either.
+    if let Some((before, after)) = text.split_once(['-', '\u{2212}'])
+        && after.trim_start().starts_with(is_digit)
+        && is_level_word(before)
+    {
+        let is_sign = before.ends_with(' ') && after.starts_with(is_digit);
+        return is_sign.then_some(Storey::Below);
     }
     if words.is_empty() {
         return None;
@@ -133,7 +172,55 @@ pub(super) fn storey(text: &str) -> Option<Storey> {
     {
         return Some(Storey::Roof);
     }
+    if let Some(number) = ordinal(w) {
+        return Some(Storey::Numbered(number));
+    }
     numbered(text, w)
+}
+
+/// Whether a text is only a word for a floor.
+fn is_level_word(text: &str) -> bool {
+    matches!(
+        canonical(text).as_str(),
+        "l" | "lv"
+            | "lvl"
+            | "level"
+            | "floor"
+            | "fl"
+            | "f"
+            | "storey"
+            | "story"
+            | "etage"
+            | "niveau"
+            | "ebene"
+            | "kat"
+            | "piso"
+            | "planta"
+            | "nivel"
+            | "piano"
+            | "livello"
+            | "andar"
+    )
+}
+
+/// The number of `first`, `Second floor`, `erster Stock`.
+fn ordinal(words: &str) -> Option<u32> {
+    const ORDINALS: [&[&str]; 10] = [
+        &["first", "erste", "erster", "erstes", "premier", "primer", "primera", "primo", "primeiro", "birinci"],
+        &["second", "zweite", "zweiter", "zweites", "deuxieme", "segundo", "segunda", "secondo", "ikinci"],
+        &["third", "dritte", "dritter", "drittes", "troisieme", "tercer", "tercera", "terzo", "terceiro", "ucuncu"],
+        &["fourth", "vierte", "vierter", "viertes", "quatrieme", "cuarto", "cuarta", "quarto", "dorduncu"],
+        &["fifth", "funfte", "funfter", "cinquieme", "quinto", "quinta", "besinci"],
+        &["sixth", "sechste", "sechster", "sixieme", "sexto", "sexta", "sesto", "altıncı"],
+        &["seventh", "siebte", "siebter", "septieme", "septimo", "septima", "settimo", "yedinci"],
+        &["eighth", "achte", "achter", "huitieme", "octavo", "octava", "ottavo", "sekizinci"],
+        &["ninth", "neunte", "neunter", "neuvieme", "noveno", "novena", "nono", "dokuzuncu"],
+        &["tenth", "zehnte", "zehnter", "dixieme", "decimo", "decima", "onuncu"],
+    ];
+    let (first, rest) = words.split_once(' ').unwrap_or((words, ""));
+    let is_floor = rest.is_empty() || is_level_word(rest) || matches!(rest, "stock" | "stockwerk" | "obergeschoss");
+    let number = (1..).zip(ORDINALS).find(|(_, names)| names.contains(&first)).map(|(number, _)| number);
+    number.filter(|_| is_floor)
 }
 
 /// `3`, `L3`, `Level 3`, `3rd`, `2nd floor`, `3. OG`, `R+3`, `3e étage`, `planta 3`, `3° piano`,
@@ -159,9 +246,10 @@ fn numbered(text: &str, words: &str) -> Option<Storey> {
         ("", "ug" | "untergeschoss" | "u g" | "sous sol" | "sotano") => Some(Storey::Below),
         ("", "og" | "o g" | "obergeschoss" | "ober") | ("og" | "obergeschoss" | "r", "") => pick(Storey::Above(number)),
         ("", "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock" | "stockwerk")
-        | ("etage", "") => pick(Storey::Above(number)),
+        | ("etage" | "kat" | "andar", "")
+        | ("", "kat" | "o andar" | "andar" | "a kat") => pick(Storey::Above(number)),
         ("piano" | "planta", "") | ("", "o piano" | "piano" | "a planta" | "planta") => pick(Storey::Above(number)),
-        ("", "階" | "f階") => pick(Storey::FromOne(number)),
+        ("", "階" | "f階" | "楼" | "层" | "樓" | "层楼") => pick(Storey::FromOne(number)),
         (
             "",
             "" | "st" | "nd" | "rd" | "th" | "o" | "a" | "f" | "fl" | "flr" | "floor" | "level" | "storey" | "story"
@@ -233,6 +321,23 @@ impl FloorFinder {
         Self { names, storeys: floors.storeys.filter(|storeys| *storeys > 0), first, is_assumed }
     }
 
+    /// What tells this floor from the others of its building; `None`: its name is not understood. "Level 6",
+    /// "L6" and "6" are one floor.
+    pub(super) fn identity(&self, text: &str) -> Option<(u8, u32)> {
+        let digits = || text.chars().filter(char::is_ascii_digit).collect::<String>().parse().unwrap_or(0);
+        Some(match storey(text)? {
+            Storey::Ground => (0, 0),
+            Storey::Below => (1, digits()),
+            Storey::Roof => (2, 0),
+            Storey::Top => (3, 0),
+            Storey::Mezzanine => (4, 0),
+            Storey::Above(number) => (5, number),
+            Storey::FromOne(number) => (5, number.saturating_sub(1)),
+            Storey::Numbered(number) if self.first == FirstFloor::Ground => (5, number.saturating_sub(1)),
+            Storey::Numbered(number) => (5, number),
+        })
+    }
+
     /// The height of a floor over that of the building.
     pub(super) fn find(&self, text: &str) -> Found {
         if let Some(ratio) = self.names.get(&bare(text)) {
@@ -288,6 +393,19 @@ mod tests {
             ("0", Some(Ground)),
             ("B1", Some(Below)),
             ("-1", Some(Below)),
+            ("Level -1", Some(Below)),
+            ("Level \u{2212}2", Some(Below)),
+            ("L-1", None),
+            ("Level - 1", None),
+            ("basement", Some(Below)),
+            ("first", Some(Numbered(1))),
+            ("Second floor", Some(Numbered(2))),
+            ("first aid room", None),
+            ("Zemin kat", Some(Ground)),
+            ("3. kat", Some(Above(3))),
+            ("3º andar", Some(Above(3))),
+            ("3楼", Some(FromOne(3))),
+            ("çatı", Some(Roof)),
             ("1. UG", Some(Below)),
             ("Sous-sol", Some(Below)),
             ("地下1階", Some(Below)),

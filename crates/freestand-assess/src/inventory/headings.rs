@@ -7,6 +7,7 @@ use freestand_input::quantity::{Dimension, lookup};
 use freestand_input::words::canonical;
 
 use super::columns::{COLUMNS, Column, Holds};
+use super::more_headings::MORE_HEADINGS;
 use super::numbers::plain;
 use super::units::{CellUnit, NoUnit, find};
 
@@ -82,8 +83,8 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
     (Column::Questions, ["questions|question", "", "", "", "", ""]),
     (Column::Anchored, ["anchored|anchorage|anchor|restrained|restraint|bolted|fixed|secured|is anchored|fixing", "verankert|befestigt|Verankerung|Befestigung|gesichert",
         "fixé|fixé au mur|ancré|ancrage|fixation", "anclado|fijado|anclaje|fijación", "ancorato|fissato|ancoraggio|fissaggio", "固定|固定有無|転倒防止"]),
-    (Column::RestsOn, ["rests_on|rests on|feet|base|stands on|support|supports|castors|wheels", "Füße|Rollen|Untergrund|steht auf", "pieds|roulettes|appui|repose sur",
-        "patas|ruedas|apoyo", "piedini|ruote|appoggio", "脚|脚部|キャスター"]),
+    (Column::RestsOn, ["rests_on|rests on|feet|base|stands on|support|supports", "Füße|Untergrund|steht auf", "pieds|appui|repose sur",
+        "patas|apoyo", "piedini|appoggio", "脚|脚部"]),
     (Column::WallGap, ["wall_gap|wall gap|gap to wall|distance to wall|distance from wall", "Wandabstand|Abstand zur Wand|Abstand von der Wand",
         "distance au mur|écart au mur", "distancia a la pared", "distanza dal muro|distanza dalla parete", "壁からの距離|壁との隙間"]),
     (Column::NeighbourGap, ["neighbour_gap|neighbour gap|neighbor gap|gap to neighbour|gap to neighbor", "Abstand zum Nachbarn", "écart au voisin", "distancia al vecino",
@@ -91,7 +92,8 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
     (Column::WallHeight, ["wall_height|wall height", "Wandhöhe", "hauteur du mur", "altura de la pared", "altezza del muro", ""]),
     (Column::WallStiffness, ["wall_stiffness|wall stiffness", "Wandsteifigkeit", "", "", "", ""]),
     (Column::WallRestitution, ["wall_restitution|wall restitution", "", "", "", "", ""]),
-    (Column::Casters, ["casters", "", "", "", "", ""]),
+    (Column::Casters, ["casters|castors|caster|castor|wheels|wheel|wheeled|on wheels|on castors|on casters|mobile",
+        "Rollen|Räder|Lenkrollen|fahrbar", "roulettes|roues|sur roulettes", "ruedas|con ruedas", "ruote|rotelle", "キャスター|車輪"]),
     (Column::RollingResistance, ["rolling_resistance|rolling resistance", "Rollwiderstand", "résistance au roulement", "resistencia a la rodadura",
         "resistenza al rotolamento", ""]),
     (Column::Clearance, ["clearance|free distance|clear distance", "Freiraum|freier Weg", "dégagement|espace libre", "espacio libre", "spazio libero", ""]),
@@ -100,7 +102,7 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
     (Column::UpperMass, ["upper_mass|upper mass", "", "", "", "", ""]),
     (Column::Notes, ["notes|note|comments|comment|remarks|remark|photo|photos|photo no", "Bemerkung|Bemerkungen|Anmerkung|Hinweis|Foto",
         "observations|remarques|remarque|commentaire", "observaciones|notas|comentarios", "note|osservazioni|annotazioni", "備考|注記|写真"]),
-    (Column::Dimensions, ["dimensions|dimension|dims|size|sizes|dimensions hxwxd|dimensions wxdxh|dimensions lxwxh|overall dimensions", "Maße|Abmessungen|Abmessung|Masse HxBxT|Größe",
+    (Column::Dimensions, ["dimensions|dimension|dims|size|sizes|overall dimensions", "Maße|Abmessungen|Abmessung|Größe",
         "dimensions|encombrement|taille", "dimensiones|medidas|tamaño", "ingombro|dimensioni|misure", "寸法|外形寸法|サイズ"]),
     (Column::Shape, ["shape|form|base shape|shape of base", "Form|Grundform|Grundriss", "forme", "forma", "forma", "形|形状"]),
     (Column::Diameter, ["diameter|dia|diam|ø|base diameter|outer diameter|outside diameter", "Durchmesser|Außendurchmesser", "diamètre|diam.", "diámetro", "diametro", "直径|外径"]),
@@ -151,9 +153,10 @@ const QUALIFIERS: [&str; 28] = [
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Language {
     English,
-    /// German, French, Spanish, Italian: numbers usually have a decimal comma.
+    /// German, French, Spanish, Italian, Turkish, Portuguese: numbers usually have a decimal comma.
     Comma,
-    Japanese,
+    /// Japanese and Chinese: floor 1 is the ground.
+    EastAsian,
 }
 
 /// A heading of the table.
@@ -173,22 +176,21 @@ fn squashed(text: &str) -> String {
 
 static TABLE: LazyLock<HashMap<String, Vec<Entry>>> = LazyLock::new(|| {
     let mut table: HashMap<String, Vec<Entry>> = HashMap::new();
-    for (column, languages) in HEADINGS {
-        for (place, texts) in languages.iter().enumerate() {
-            // Each language has its usual heading: "Inv.-Nr." is no worse than "Asset tag".
-            let language = match place {
-                0 => Language::English,
-                5 => Language::Japanese,
-                _ => Language::Comma,
-            };
-            for (rank, text) in (1..).zip(texts.split('|').filter(|text| !text.is_empty())) {
-                let (name, unit) = text.split_once('=').map_or((text, None), |(name, unit)| (name, Some(unit)));
-                let key = squashed(name);
-                let is_long_side = *column == Column::Width && LONG_SIDES.contains(&key.as_str());
-                let entries = table.entry(key).or_default();
-                if !entries.iter().any(|entry| entry.column == *column) {
-                    entries.push(Entry { column: *column, rank, language, unit, is_long_side });
-                }
+    use Language::{Comma, EastAsian, English};
+    const LANGUAGES: [Language; 6] = [English, Comma, Comma, Comma, Comma, EastAsian];
+    const MORE_LANGUAGES: [Language; 3] = [Comma, Comma, EastAsian];
+    let first = HEADINGS.iter().flat_map(|(column, texts)| texts.iter().zip(LANGUAGES).map(move |one| (column, one)));
+    let more =
+        MORE_HEADINGS.iter().flat_map(|(column, texts)| texts.iter().zip(MORE_LANGUAGES).map(move |one| (column, one)));
+    for (column, (texts, language)) in first.chain(more) {
+        // Each language has its usual heading: "Inv.-Nr." is no worse than "Asset tag".
+        for (rank, text) in (1..).zip(texts.split('|').filter(|text| !text.is_empty())) {
+            let (name, unit) = text.split_once('=').map_or((text, None), |(name, unit)| (name, Some(unit)));
+            let key = squashed(name);
+            let is_long_side = *column == Column::Width && LONG_SIDES.contains(&key.as_str());
+            let entries = table.entry(key).or_default();
+            if !entries.iter().any(|entry| entry.column == *column) {
+                entries.push(Entry { column: *column, rank, language, unit, is_long_side });
             }
         }
     }
@@ -226,6 +228,21 @@ pub(super) enum HeadingUnit {
     Wrong(String),
 }
 
+impl HeadingUnit {
+    /// The unit that is stated.
+    pub(super) fn stated(&self) -> Option<CellUnit> {
+        match self {
+            Self::Stated(unit) => Some(*unit),
+            Self::None | Self::Wrong(_) => None,
+        }
+    }
+
+    /// Its symbol.
+    pub(super) fn symbol(&self) -> Option<&'static str> {
+        self.stated().map(CellUnit::symbol)
+    }
+}
+
 /// Longest heading that is interpreted; known headings are far shorter.
 const MAX_HEADING_BYTES: usize = 120;
 
@@ -239,7 +256,22 @@ pub(super) fn meaning(text: &str) -> Option<Meaning> {
     if text.is_empty() {
         return None;
     }
+    if let Some(order) = order_of(bracketed(text).map_or(text, |(name, ..)| name)) {
+        return Some(of_order(text, order));
+    }
     whole(text).or_else(|| of_parts(text))
+}
+
+/// `H x W x D (mm)` alone: sizes in this order.
+fn of_order(text: &str, order: Vec<char>) -> Meaning {
+    let column = Column::Dimensions;
+    let unit = match bracketed(text) {
+        Some((_, inner, _)) => stated(inner, column),
+        None => text.rsplit_once(' ').map_or(HeadingUnit::None, |(_, last)| {
+            find(last, Dimension::Length).map_or(HeadingUnit::None, HeadingUnit::Stated)
+        }),
+    };
+    Meaning { column, rank: 50, language: Language::English, unit, is_long_side: false, order: Some(order) }
 }
 
 /// The meaning of a letter beside other sizes: `B`, `T` and `P` of German and French lists.
@@ -261,6 +293,9 @@ fn whole(text: &str) -> Option<Meaning> {
     {
         // "Area (m2)" is not a place, "Masse (mm)" not a mass but Swiss sizes.
         if dimension(found.column).is_none() && found.column != Column::Anchored && lookup(inner).is_some() {
+            return None;
+        }
+        if is_another(&found, inner) || is_another(&found, after) {
             return None;
         }
         let is_length = find(inner, Dimension::Length).is_ok() || order_of(inner).is_some();
@@ -310,7 +345,9 @@ fn named(text: &str) -> Option<Meaning> {
         return None;
     }
     let singular = || key.strip_suffix('s').filter(|rest| rest.chars().count() > 3);
-    let entries = TABLE.get(&key).or_else(|| TABLE.get(singular()?))?;
+    // "Storeys" counts them; it does not say on which one an object stands.
+    let is_floor = |entries: &&Vec<Entry>| entries.iter().any(|entry| entry.column == Column::Floor);
+    let entries = TABLE.get(&key).or_else(|| TABLE.get(singular()?).filter(|entries| !is_floor(entries)))?;
     // A name that two columns share is the one that is listed first; but German sizes (Maße) have
     // an ß that a mass (Masse) does not.
     let is_sizes = text.contains('ß') || text.contains('ẞ');
@@ -357,14 +394,89 @@ fn suffixed(text: &str) -> Option<Meaning> {
         let rest = text.get(start..)?.trim().trim_start_matches(['/', ',', '-', '_', '.', ':']).trim();
         let words = ["in ", "en ", "em ", "IN ", "in_", "IN_"];
         let rest = words.iter().find_map(|word| rest.strip_prefix(word)).unwrap_or(rest);
+        if found.column == Column::Mass && squashed(text.get(..end)?) == "masse" && order_of(rest).is_some() {
+            found.column = Column::Dimensions;
+        }
+        if is_another(&found, rest) {
+            return None;
+        }
         match stated(rest, found.column) {
-            HeadingUnit::Stated(unit) => found.unit = HeadingUnit::Stated(unit),
+            HeadingUnit::Stated(unit) if is_only_unit(rest, found.column) => found.unit = HeadingUnit::Stated(unit),
             _ if found.column == Column::Dimensions && order_of(rest).is_some() => {}
             _ => return None,
         }
         found.order = order_of(rest);
         Some(found)
     })
+}
+
+/// Whether words behind a name make it the name of something else: `Height above floor`,
+/// `Weight limit`, `Hauteur sous plafond`.
+fn is_another(found: &Meaning, words: &str) -> bool {
+    const OTHERS: [&str; 44] = [
+        "above",
+        "below",
+        "to",
+        "from",
+        "under",
+        "over",
+        "off",
+        "limit",
+        "contents",
+        "content",
+        "capacity",
+        "load",
+        "loading",
+        "shelf",
+        "shelves",
+        "aisle",
+        "ceiling",
+        "clearance",
+        "door",
+        "opening",
+        "floor",
+        "ground",
+        "grade",
+        "cg",
+        "cog",
+        "per",
+        "sous",
+        "sur",
+        "plafond",
+        "sol",
+        "charge",
+        "uber",
+        "unter",
+        "bis",
+        "decke",
+        "boden",
+        "inhalt",
+        "sopra",
+        "sotto",
+        "soffitto",
+        "techo",
+        "suelo",
+        "teto",
+        "limite",
+    ];
+    let is_measure = matches!(dimension(found.column), Some(Dimension::Length | Dimension::Mass));
+    let is_gap = matches!(found.column, Column::WallGap | Column::NeighbourGap | Column::Clearance | Column::CgHeight);
+    is_measure && !is_gap && canonical(words).split(' ').any(|word| OTHERS.contains(&word))
+}
+
+/// Whether the words behind a name are its unit and words that do not change it.
+fn is_only_unit(text: &str, column: Column) -> bool {
+    let is_whole = dimension(column).is_some_and(|dimension| find(text, dimension).is_ok());
+    let words = text.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '(' | ')' | '[' | ']' | '_'));
+    is_whole
+        || words.filter(|word| !word.is_empty()).all(|word| {
+            let plain = canonical(word);
+            let is_unit = dimension(column).is_some_and(|dimension| find(word, dimension).is_ok());
+            is_unit
+                || matches!(plain.as_str(), "" | "in" | "en" | "em" | "each" | "gross" | "net" | "full" | "empty" | "x")
+                || QUALIFIERS.contains(&plain.as_str())
+                || order_of(text).is_some()
+        })
 }
 
 /// The dimension of the numbers of a column; `None`: its cells have no unit.
@@ -428,11 +540,14 @@ pub(super) fn order_of(text: &str) -> Option<Vec<char>> {
     for part in head.split(['x', 'X', '×', '*', '/']).map(str::trim).filter(|part| !part.is_empty()) {
         let word = part.split(' ').next().unwrap_or_default();
         let letter = match canonical(word).as_str() {
-            "h" | "height" | "hohe" | "hauteur" | "a" | "alto" | "altura" | "altezza" | "高さ" | "高" => 'H',
-            "w" | "width" | "b" | "breite" | "ancho" | "largeur" | "larghezza" | "幅" => 'W',
+            "h" | "height" | "hohe" | "hauteur" | "a" | "alto" | "altura" | "altezza" | "yukseklik" | "高さ" | "高" => {
+                'H'
+            }
+            "w" | "width" | "b" | "breite" | "ancho" | "largeur" | "larghezza" | "largura" | "genislik" | "g"
+            | "宽" | "幅" => 'W',
             "l" | "length" | "lange" | "longueur" | "largo" | "lunghezza" | "長さ" => 'L',
             "d" | "depth" | "t" | "tiefe" | "p" | "profondeur" | "profundidad" | "profondita" | "f" | "fondo"
-            | "奥行" => 'D',
+            | "derinlik" | "profundidade" | "深" | "奥行" => 'D',
             _ => return None,
         };
         order.push(letter);
@@ -501,6 +616,21 @@ mod tests {
             ("Masse (kg)", Column::Mass, Some("kg")),
             ("Masse (cm)", Column::Dimensions, Some("cm")),
             ("kg", Column::Mass, Some("kg")),
+            ("Castors", Column::Casters, None),
+            ("Wheels?", Column::Casters, None),
+            ("Rollen", Column::Casters, None),
+            ("Ø (mm)", Column::Diameter, Some("mm")),
+            ("Dimensions H x W x D", Column::Dimensions, None),
+            ("Dimensions HxWxD mm", Column::Dimensions, Some("mm")),
+            ("H x W x D (cm)", Column::Dimensions, Some("cm")),
+            ("Yükseklik (cm)", Column::Height, Some("cm")),
+            ("Ağırlık (kg)", Column::Mass, Some("kg")),
+            ("Sabit mi?", Column::Anchored, None),
+            ("Duvara mesafe (cm)", Column::WallGap, Some("cm")),
+            ("Demirbaş No", Column::Id, None),
+            ("Largura (cm)", Column::Width, Some("cm")),
+            ("楼层", Column::Floor, None),
+            ("高度(mm)", Column::Height, Some("mm")),
         ] {
             assert_eq!(read(text), Some((column, unit)), "{text}");
         }
@@ -509,6 +639,19 @@ mod tests {
             "Floor type",
             "Mounting height",
             "Height above floor",
+            "Height above floor (mm)",
+            "Height (above floor)",
+            "Height mm above floor",
+            "Height to cg (mm)",
+            "Height_to_cg mm",
+            "Height (to cg), mm",
+            "Hauteur sous plafond (mm)",
+            "Weight limit (kg)",
+            "Weight (limit) kg",
+            "Mass of contents (kg)",
+            "Depth below grade (m)",
+            "Storeys",
+            "Floors",
             "Shelf width",
             "Floor/Room",
             "Total weight (kg)",
@@ -528,6 +671,9 @@ mod tests {
         assert_eq!(order_of("H x W x D"), Some(vec!['H', 'W', 'D']));
         assert_eq!(order_of("BxTxH mm"), Some(vec!['W', 'D', 'H']));
         assert_eq!(order_of("L×l×H"), Some(vec!['L', 'W', 'H']));
+        for text in ["Dimensions H x W x D", "Dimensions HxWxD mm", "H x W x D (cm)", "Size (mm) HxWxD"] {
+            assert_eq!(meaning(text).unwrap().order, Some(vec!['H', 'W', 'D']), "{text}");
+        }
         assert_eq!(order_of("mm"), None);
         assert_eq!(order_of("HxH"), None);
     }

@@ -20,7 +20,7 @@ use super::problems::Kind;
 use super::round::names_round_object;
 use super::template::EXAMPLE;
 use super::values::Values;
-use super::vocabulary::{casters, names_wheels};
+use super::vocabulary::{Wheels, casters, names_wheels};
 use super::{Casters, Consequences, Item, Surroundings, UpperBody};
 use freestand_study::restitution::checked;
 
@@ -39,8 +39,9 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     let support = support(values, reading.lookup, mass_kg);
     let quantity = values.whole(Column::Quantity).unwrap_or(1);
     let (floor, level_ratio) = floor(values, reading);
-    let rests_on = values.text(Column::RestsOn);
-    let surroundings = surroundings(values, &rests_on);
+    let (casters, stands_on) = values.casters(Column::Casters);
+    let rests_on = Some(values.text(Column::RestsOn)).filter(|text| !text.is_empty()).unwrap_or(stands_on);
+    let surroundings = surroundings(values, &rests_on, casters);
     let mut item = Item {
         row: values.row.number,
         section: reading.section.to_owned(),
@@ -79,6 +80,7 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
         surroundings,
         notes: values.text(Column::Notes),
         doubts: Vec::new(),
+        to_confirm: Vec::new(),
         carried,
     };
     for (kind, column) in plausible::doubts(&item) {
@@ -92,10 +94,14 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
 }
 
 /// What is around it and on it. What it stands on says whether it rolls, where no column does.
-fn surroundings(values: &mut Values<'_>, rests_on: &str) -> Surroundings {
-    let wheels = casters(rests_on).filter(|_| names_wheels(rests_on));
-    let stated = values.casters(Column::Casters);
-    if stated.is_none() && wheels == Some(Casters::Free) {
+fn surroundings(values: &mut Values<'_>, rests_on: &str, stated: Option<Casters>) -> Surroundings {
+    let wheels = match names_wheels(rests_on).then(|| casters(rests_on)) {
+        Some(Wheels::Said(found)) => Some(found),
+        Some(Wheels::Some) => Some(Casters::Free),
+        _ => None,
+    };
+    let is_said = matches!(casters(rests_on), Wheels::Said(_));
+    if stated.is_none() && wheels == Some(Casters::Free) && !is_said {
         values.report(Column::RestsOn, Kind::Casters, None);
     }
     Surroundings {
@@ -169,6 +175,11 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
             if is_assumed {
                 values.report(Column::Floor, Kind::FloorNumbering, None);
             }
+            match finder.identity(text) {
+                Some((1, _)) => values.findings.note("a basement moves like the ground: level 0", values.row.number),
+                Some((4, _)) => values.report(Column::Floor, Kind::Mezzanine, None),
+                _ => {}
+            }
             (text.to_owned(), Some(ratio))
         }
         _ if is_section => (name, None),
@@ -177,12 +188,8 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
             (name, None)
         }
         Found::NoStoreys => {
-            let said = "cannot be placed: nothing says how many storeys the building has".to_owned();
-            values.wrong(
-                Column::Floor,
-                Kind::FloorUnknown,
-                &Problem::value(said, "give `storeys`, or a study with the building"),
-            );
+            // One number is missing, however many rows need it.
+            values.report_once(Column::Floor, Kind::StoreysMissing);
             (name, None)
         }
     }

@@ -34,6 +34,8 @@ pub(super) struct Header {
     pub(super) above: usize,
     /// Number of cells in the row of headings, where the file says so.
     pub(super) width: Option<u32>,
+    /// The first row of what stands above it, behind the table before.
+    pub(super) first_row: u32,
 }
 
 /// Smallest number of known headings; with a size one less.
@@ -47,7 +49,12 @@ pub(super) fn find_header(rows: &[Row], mapping: Option<&Mapping>) -> Option<Hea
     let known: Vec<usize> = searched.iter().map(|row| score(&mapped(row, mapping))).collect();
     let most = known.iter().copied().max().filter(|&most| most > 0)?;
     let at = known.iter().position(|&count| count == most)?;
-    let main = searched.get(at)?;
+    header_at(rows, at, mapping)
+}
+
+/// The headings in the row at this place, and what belongs to them.
+fn header_at(rows: &[Row], at: usize, mapping: Option<&Mapping>) -> Option<Header> {
+    let main = rows.get(at)?;
     let mut header = Header {
         row: main.number,
         last_row: main.number,
@@ -55,20 +62,21 @@ pub(super) fn find_header(rows: &[Row], mapping: Option<&Mapping>) -> Option<Hea
         meanings: mapped(main, mapping),
         units: BTreeMap::new(),
         has_unit_row: false,
-        known: most,
+        known: 0,
         above: at,
         width: main.width,
+        first_row: 0,
     };
     // Some forms have "Location" above "building, floor, room", and "Size (mm)" above "H, W, D".
-    if let Some(above) = at.checked_sub(1).and_then(|at| searched.get(at)).filter(|row| row.number + 1 == main.number) {
+    if let Some(above) = at.checked_sub(1).and_then(|at| rows.get(at)).filter(|row| row.number + 1 == main.number) {
         header.take_group(above);
     }
-    let mut next = searched.get(at + 1).filter(|row| row.number == main.number + 1);
+    let mut next = rows.get(at + 1).filter(|row| row.number == main.number + 1);
     if let Some(below) = next.filter(|row| is_second_row(row, &header)) {
         header.last_row = below.number;
         header.headings.extend(texts(below));
         header.meanings.extend(meanings_of(below));
-        next = searched.get(at + 2).filter(|row| row.number == below.number + 1);
+        next = rows.get(at + 2).filter(|row| row.number == below.number + 1);
     }
     if let Some((row, units)) = next.and_then(|row| Some((row, unit_row(row, &header.meanings)?))) {
         header.last_row = row.number;
@@ -276,13 +284,42 @@ pub(super) struct Body {
     pub(super) left_out: Vec<LeftOut>,
     /// Units that apply to a column from a row on.
     pub(super) units: Vec<(u32, u32, CellUnit)>,
-    /// The row of headings of another table, which is not read.
-    pub(super) other_table: Option<u32>,
 }
 
-/// Tells objects from sections, totals, remarks, and headings that are repeated.
-pub(super) fn body(rows: &[Row], header: &Header) -> Body {
+/// A table of a sheet: its headings, and the rows below them.
+#[derive(Debug)]
+pub(super) struct Table {
+    pub(super) header: Header,
+    pub(super) body: Body,
+}
+
+/// Most tables of a sheet.
+const MAX_TABLES: usize = 200;
+
+/// The tables of a sheet, one below the other: headings that differ from those above begin another one.
+/// With them the row from which nothing is read, because there are too many.
+pub(super) fn tables(rows: &[Row], first: &Header, mapping: Option<&Mapping>) -> (Vec<Table>, Option<u32>) {
+    let mut found = Vec::new();
+    let mut header = first.clone();
+    loop {
+        let (body, other) = body(rows, &header);
+        let last =
+            body.objects.last().and_then(|(place, _)| rows.get(*place)).map_or(header.last_row, |row| row.number);
+        found.push(Table { header, body });
+        let next = other.and_then(|place| header_at(rows, place, mapping));
+        match next {
+            Some(next) if found.len() < MAX_TABLES => header = Header { first_row: last + 1, ..next },
+            Some(next) => return (found, Some(next.row)),
+            None => return (found, None),
+        }
+    }
+}
+
+/// Tells objects from sections, totals, remarks, and headings that are repeated; and the place of the
+/// headings of another table.
+pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
     let mut body = Body::default();
+    let mut other = None;
     if header.has_unit_row
         && let Some(row) = rows.iter().find(|row| row.number == header.last_row)
     {
@@ -294,10 +331,7 @@ pub(super) fn body(rows: &[Row], header: &Header) -> Body {
     for (place, row) in rows.iter().enumerate().skip(first) {
         match sort(row, header) {
             Sort::Other => {
-                body.other_table = Some(row.number);
-                kinds.push((place, Sort::Left(RowKind::Header)));
-                let rest = rows.iter().enumerate().skip(place + 1);
-                kinds.extend(rest.map(|(place, _)| (place, Sort::Left(RowKind::Note))));
+                other = Some(place);
                 break;
             }
             found => kinds.push((place, found)),
@@ -326,7 +360,7 @@ pub(super) fn body(rows: &[Row], header: &Header) -> Body {
                 body.units.extend(units.into_iter().map(|(column, unit)| (row.number, column, unit)));
             }
             // The headings again may state other units.
-            RowKind::Header if body.other_table != Some(row.number) => {
+            RowKind::Header => {
                 for (column, found) in meanings_of(row) {
                     if let HeadingUnit::Stated(unit) = found.unit {
                         body.units.push((row.number, column, unit));
@@ -338,7 +372,7 @@ pub(super) fn body(rows: &[Row], header: &Header) -> Body {
         body.left_out.push(LeftOut { row: row.number, kind, text: text_of(row) });
     }
     body.left_out.sort_by_key(|left| left.row);
-    body
+    (body, other)
 }
 
 /// What a row is, before it is known whether objects follow.
@@ -402,11 +436,23 @@ fn header_again(row: &Row, header: &Header) -> Option<Sort> {
             },
         }
     }
-    if same >= 2 && same > other {
-        return Some(Sort::Left(RowKind::Header));
-    }
     let here = meanings_of(row);
-    let is_other = score(&here) >= 4 && here.len() > other / 2;
+    // The same headings in another order are those of another table.
+    let is_moved = |(index, found): (&u32, &Meaning)| {
+        let is_same_text = header
+            .headings
+            .get(index)
+            .zip(row.get(*index))
+            .is_some_and(|(heading, cell)| canonical(heading) == canonical(&cell.shown()));
+        !is_same_text && header.meanings.get(index).is_none_or(|known| known.column != found.column)
+    };
+    let is_another = score(&here) > 0 && here.iter().any(is_moved);
+    if same >= 2 && same > other {
+        return Some(if is_another { Sort::Other } else { Sort::Left(RowKind::Header) });
+    }
+    let knows_all = here.values().all(|found| header.meanings.values().any(|known| known.column == found.column));
+    let enough = if knows_all { MIN_HEADINGS } else { 4 };
+    let is_other = score(&here) >= enough && here.len() > other / 2;
     is_other.then_some(Sort::Other)
 }
 
@@ -489,7 +535,8 @@ mod tests {
             "Measured in May,,,",
         ]);
         let header = find_header(&all, None).unwrap();
-        let body = body(&all, &header);
+        let (body, other) = body(&all, &header);
+        assert_eq!(other, None);
         let kinds: Vec<(u32, &str)> = body.left_out.iter().map(|left| (left.row, left.kind.name())).collect();
         assert_eq!(kinds, [(2, "section"), (4, "header"), (5, "total"), (6, "section"), (8, "units"), (10, "note")]);
         assert_eq!(body.sections, ["Ward 3", "Ward 4"]);

@@ -10,6 +10,7 @@ use freestand_study::study::FirstFloor;
 use toml_edit::{Document, Item, Value};
 
 use super::columns::{COLUMNS, Column};
+use super::costs::cost_name;
 use super::floors::Floors;
 use super::headings::{dimension, meaning};
 use super::numbers::Decimal;
@@ -23,6 +24,8 @@ pub struct Mapping {
     units: Vec<(Column, CellUnit)>,
     pub(super) decimal: Option<Decimal>,
     first_floor: Option<FirstFloor>,
+    /// Headings of costs, which only `risk` reads, with their currencies.
+    costs: Vec<(String, &'static str, Option<String>)>,
     /// Its SHA-256, in hexadecimal.
     pub sha256: String,
 }
@@ -113,6 +116,11 @@ impl Mapping {
                     }
                     _ => return Err(wrong(hint)),
                 };
+                if let Some(name) = cost_name(&name) {
+                    self.costs.push((canonical(key), name, unit));
+                    self.columns.push((canonical(key), Mapped { column: None, unit: None }));
+                    return Ok(());
+                }
                 let column = if name == "ignore" { None } else { Some(column(&name)?) };
                 let unit = match (column, unit) {
                     (Some(column), Some(unit)) => Some(unit_of(&unit, column)?),
@@ -163,6 +171,12 @@ impl Mapping {
     pub(super) fn column(&self, heading: &str) -> Option<Mapped> {
         let words = canonical(heading);
         self.columns.iter().find(|(other, _)| *other == words).map(|(_, mapped)| *mapped)
+    }
+
+    /// The column of costs that the file makes of a heading, and its currency.
+    pub(super) fn cost(&self, heading: &str) -> Option<(&'static str, Option<String>)> {
+        let words = canonical(heading);
+        self.costs.iter().find(|(other, ..)| *other == words).map(|(_, name, unit)| (*name, unit.clone()))
     }
 
     /// The unit of a column by its name.

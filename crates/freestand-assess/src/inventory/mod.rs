@@ -14,16 +14,19 @@ mod cell;
 mod cells;
 mod columns;
 mod convert;
+mod costs;
 mod csv_file;
 mod edits;
 mod encoding;
 mod floors;
 mod headings;
+mod implausible;
 mod item;
 mod kept;
 mod layout;
 mod mapping;
 mod marked;
+mod more_headings;
 mod named;
 mod numbers;
 mod plausible;
@@ -50,6 +53,7 @@ use serde::{Deserialize, Serialize};
 
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
+pub use costs::{CellsRequest, costs_of_list};
 pub use edits::Edit;
 pub use floors::Floors;
 pub use kept::{items_from_lines, lines_of_items};
@@ -59,12 +63,16 @@ pub use marked::marked_copy;
 pub use named::level_of_floor;
 pub use numbers::Decimal;
 pub use problems::{Finding, Kind, Severity, console_lines};
-pub use read::{CellsRead, ColumnRead, ReadOptions, Reading, inspect_inventory, parse_inventory, read_inventory};
+pub use read::{
+    CellsRead, ColumnRead, ReadOptions, Reading, inspect_headings, inspect_inventory, mapping_of_headings,
+    parse_inventory, read_inventory,
+};
 pub use report::{
-    CellsReport, CheckReport, Counts, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN, check_report,
-    problem_reports,
+    CellsReport, CheckReport, Counts, HeadingReport, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN,
+    SenseReport, check_report, problem_reports, senses,
 };
 pub use template::{template_csv, template_xlsx};
+pub(crate) use vocabulary::rating;
 
 use crate::library::Tolerance;
 use freestand_input::words::{Choices, name_of};
@@ -178,6 +186,9 @@ pub struct Item {
     pub notes: String,
     /// What is doubtful about the values of its row.
     pub doubts: Vec<Kind>,
+    /// Cells whose sizes are not believed, each with the text that would mend or confirm it (`F17=1.45 m`).
+    /// Where there are any, the object has no verdict.
+    pub to_confirm: Vec<String>,
     /// Cells of the other columns, in the order of [`Inventory::carried`].
     pub carried: Vec<String>,
 }

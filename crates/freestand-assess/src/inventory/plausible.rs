@@ -4,6 +4,7 @@ use freestand::G0_M_S2;
 
 use super::Item;
 use super::columns::Column;
+use super::implausible::is_possible;
 use super::problems::Kind;
 
 /// Density of the box around an object \[kg/m³\]: an empty cardboard box to solid stone.
@@ -33,13 +34,15 @@ pub(super) fn doubts(item: &Item) -> Vec<(Kind, Column)> {
     let mut found = Vec::new();
     let is_outside =
         |value: Option<f64>, range: &std::ops::RangeInclusive<f64>| value.is_some_and(|value| !range.contains(&value));
-    if is_outside(item.height_m, &HEIGHT_M) {
+    // What is not even possible is said by `implausible`.
+    let possible = |column, value: Option<f64>| value.filter(|value| is_possible(column, *value));
+    if is_outside(possible(Column::Height, item.height_m), &HEIGHT_M) {
         found.push((Kind::Height, Column::Height));
     }
-    if is_outside(item.thickness_m, &SIDE_M) {
+    if is_outside(possible(Column::Thickness, item.thickness_m), &SIDE_M) {
         found.push((Kind::Side, Column::Thickness));
     }
-    if is_outside(item.width_m, &SIDE_M) {
+    if is_outside(possible(Column::Width, item.width_m), &SIDE_M) {
         found.push((Kind::Side, Column::Width));
     }
     if is_outside(item.mass_kg, &MASS_KG) {

@@ -71,6 +71,8 @@ kinds! {
         "check the number and its unit";
     FloorUnknown Error "floor-unknown" "is not a floor that is known"
         "name it under [floors] of a mapping file, or among the floors under [building] of the study";
+    StoreysMissing Error "storeys-missing" "names floors, and nothing says how many storeys the building has"
+        "give `storeys`, or a study with the building";
     Formula Error "formula" "is a formula without a value"
         "open the workbook in a spreadsheet program, correct the formula and save it again";
     DimensionOrder Doubt "dimension-order" "does not say which size is which; the largest was taken as the height"
@@ -103,7 +105,7 @@ kinds! {
         "correct one of the columns, or set it to \"ignore\" in a mapping file";
     Merged Doubt "merged" "is merged over several objects; only the first has the value"
         "unmerge the cells and put the value into each row";
-    Casters Doubt "casters" "names wheels: taken as free to roll, so it does not rock"
+    Casters Doubt "casters" "has wheels and does not say whether they are braked: taken as free to roll, so it does not rock"
         "say in the cell if they are braked or locked";
     PadsMissing Doubt "pads-missing" "is the stiffness of one pad without pads_per_edge; no shock is computed"
         "add a column pads_per_edge";
@@ -115,6 +117,14 @@ kinds! {
         "give upper_height and upper_thickness, and upper_mass";
     PulseAlone Doubt "pulse-alone" "is the duration of a pulse without its peak"
         "give the peak of that pulse as the tolerance";
+    ImplausibleSize Doubt "implausible-size" "is a size that such an object can hardly have: no verdict until it is confirmed"
+        "correct the cell, or confirm it as it is";
+    Mezzanine Doubt "mezzanine" "is half a storey; it was taken as the one above the ground"
+        "give its height under [floors] of a mapping file, such as \"Mezzanine\" = 0.2";
+    NotUnderstood Doubt "not-understood" "is not understood; it was not used"
+        "write it in one of the usual words, or leave the cell empty if it is not known";
+    AnchoredUnclear Doubt "anchored-unclear" "does not clearly say that it is anchored; it was assessed as free"
+        "write yes or no";
     Round Doubt "round" "is the name of a round object; its base was taken as round"
         "add a column shape with box or cylinder";
     Example Doubt "example" "is an example of the template"
@@ -142,6 +152,8 @@ pub struct Finding {
     pub hint: String,
     /// What is wrong in the first of them, in words.
     pub detail: Option<String>,
+    /// Texts that would mend or confirm the cells, such as `F17=1.45 m`.
+    pub edits: Vec<String>,
 }
 
 impl Finding {
@@ -187,6 +199,10 @@ impl Finding {
             (None, kind) => format!("; {}", kind.words()),
         };
         let name = self.name();
+        if self.rows.is_empty() {
+            let (severity, kind, message) = (self.severity.name(), self.kind.name(), self.message());
+            return format!("{severity}: {kind}: {message}{such}; hint: {}", self.hint);
+        }
         format!("{}: {}: {name}: {count}{such}{said}; hint: {}", self.severity.name(), self.kind.name(), self.hint)
     }
 }
@@ -197,7 +213,8 @@ const MAX_LINES: usize = 12;
 /// The problems as lines for the console, most cells first.
 pub fn console_lines(findings: &[Finding]) -> Vec<String> {
     let mut order: Vec<&Finding> = findings.iter().collect();
-    order.sort_by_key(|finding| (std::cmp::Reverse(finding.rows.len()), finding.severity));
+    // What leaves objects without a verdict comes first.
+    order.sort_by_key(|finding| (finding.edits.is_empty(), std::cmp::Reverse(finding.rows.len()), finding.severity));
     let mut lines: Vec<String> = order.iter().take(MAX_LINES).map(|finding| finding.line()).collect();
     if order.len() > MAX_LINES {
         lines.push(format!("and {}: --json", more_kinds(order.len() - MAX_LINES)));
@@ -268,6 +285,7 @@ impl Findings {
                 examples: Vec::new(),
                 hint: kind.hint().to_owned(),
                 detail,
+                edits: Vec::new(),
             });
             self.all.len() - 1
         });
@@ -289,6 +307,7 @@ impl Findings {
             match self.places.get(&key).and_then(|at| self.all.get_mut(*at)) {
                 Some(first) => {
                     first.rows.extend(finding.rows);
+                    first.edits.extend(finding.edits);
                     for example in finding.examples {
                         if first.examples.len() < 3 && !first.examples.contains(&example) {
                             first.examples.push(example);
@@ -319,6 +338,22 @@ impl Findings {
         {
             finding.hint = hint;
         }
+    }
+
+    /// Adds a text that would mend or confirm a cell of a problem.
+    pub(super) fn propose(&mut self, kind: Kind, place: Place<'_>, edit: &str) {
+        let Some(at) = self.places.get(&(kind, place.column, place.index)) else { return };
+        let Some(finding) = self.all.get_mut(*at) else { return };
+        if finding.edits.is_empty() {
+            let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
+            let same = finding.examples.first().map_or("", String::as_str);
+            finding.hint = if edit.ends_with(&format!("={}", same.trim())) {
+                format!("correct {cell}, or confirm it by `edit = \"{edit}\"`")
+            } else {
+                format!("read {cell} otherwise by `edit = \"{edit}\"`, or confirm it by `edit = \"{cell}={same}\"`")
+            };
+        }
+        finding.edits.push(edit.to_owned());
     }
 
     /// Adds a warning about a row.

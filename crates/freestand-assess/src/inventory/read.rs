@@ -1,6 +1,6 @@
 //! Reading a file into an inventory.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use rayon::prelude::*;
@@ -17,12 +17,15 @@ use super::columns::{COLUMNS, Column, letters};
 use super::edits::{Edit, edited};
 use super::floors::{FloorFinder, Floors};
 use super::headings::dimension;
+use super::implausible::{SizeCell, confirm};
 use super::item::{self, item};
-use super::layout::{Body, LeftOut, body};
+use super::layout::{Header, LeftOut, Table, tables};
 use super::mapping::Mapping;
 use super::problems::{Findings, Kind, Place};
+use super::report::HeadingReport;
 use super::source::{Sheet, load};
 use super::understood::{Evidence, Understood, understand};
+use super::units::CellUnit;
 use super::values::Values;
 use super::{Inventory, Item};
 
@@ -32,6 +35,8 @@ const MAX_CARRIED: usize = 256;
 const MAX_CARRIED_CELLS: usize = 20_000_000;
 /// Rows that are read by one thread at a time.
 const ROWS_OF_A_PART: usize = 4096;
+/// Rows of which examples of cells are shown.
+const SAMPLED_ROWS: usize = 200;
 /// Largest number of headings that are checked for typing mistakes.
 const MAX_MEANT: usize = 20;
 
@@ -77,6 +82,8 @@ pub struct ColumnRead {
     pub letter: String,
     /// Its heading in the file.
     pub heading: String,
+    /// The row of its heading: a sheet may have several tables.
+    pub header_row: u32,
     /// Its name in freestand.
     pub name: &'static str,
     /// The unit of its bare numbers; `None`: it has none, or each cell has its own.
@@ -114,8 +121,8 @@ pub struct Reading {
     pub left_out: Vec<LeftOut>,
     /// A mapping file to edit, with what each heading was taken for.
     pub mapping_file: String,
-    /// Every heading, with the letter of its column.
-    pub headings: Vec<(String, String)>,
+    /// Every heading, with examples of its cells.
+    pub headings: Vec<HeadingReport>,
     /// The cells of each object; none where they are not wanted.
     pub cells: Vec<CellsRead>,
 }
@@ -170,117 +177,352 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     let mut warnings = std::mem::take(&mut sheet.warnings);
     warnings.extend(edited(options.edits));
     warnings.extend(sheet.title_warning());
-    let body = body(&sheet.rows, &sheet.header);
-    if body.objects.is_empty() {
+    let (tables, unread_from) = tables(&sheet.rows, &sheet.header, options.mapping);
+    if tables.iter().all(|table| table.body.objects.is_empty()) {
         let problem = Problem::new(ProblemKind::Format, "there are no rows below the headings");
         return Err(problem.hint("put one object into each row").in_file(path).into());
+    }
+    warnings.extend(sheet.formulas.warning());
+    if let Some(row) = unread_from {
+        warnings.push(format!("row {row} begins another table of very many: it and what follows are not read"));
     }
     let floors = match options.mapping {
         Some(mapping) => mapping.floors(&options.floors)?,
         None => options.floors.clone(),
     };
-    let evidence = Evidence {
-        rows: &sheet.rows,
-        header: &sheet.header,
-        body: &body,
-        mapping: options.mapping,
-        has_semicolons: sheet.separator == Some(b';'),
-    };
-    let mut columns = understand(&evidence);
-    let mapping_file = columns.mapping_file(&sheet.header, options.mapping);
-    bound_carried(&mut columns, body.objects.len());
-    warnings.append(&mut columns.warnings);
-    warnings.extend(unread(&columns));
-    warnings.extend(sheet.formulas.warning());
-    if let Some(row) = body.other_table {
-        warnings.push(format!("row {row} begins a table with other headings: it and what follows are not read"));
-    }
-    let mut findings = Findings::new(options.is_strict);
-    let finder = floor_finder(&floors, &columns, &sheet.rows, &body);
-    let read_part = |part: &[(usize, Option<usize>)]| {
-        let mut findings = Findings::new(options.is_strict);
-        let mut counts = vec![(0, 0); columns.uses.len()];
-        let mut items = Vec::with_capacity(part.len());
-        for (place, section) in part {
-            let Some(row) = sheet.rows.get(*place) else { continue };
-            let section = section.and_then(|section| body.sections.get(section)).map_or("", String::as_str);
-            let mut values = Values {
-                row,
+    let understood: Vec<Understood> = tables
+        .iter()
+        .map(|table| {
+            let mut columns = understand(&Evidence {
                 rows: &sheet.rows,
-                columns: &columns,
-                merges: &sheet.merges,
-                findings: &mut findings,
-                doubts: Vec::new(),
-                is_shifted: false,
-                counts: &mut counts,
-            };
-            let carried = carried(&mut values, &sheet);
-            let reading = item::Reading { lookup: options.lookup, floors: finder.as_ref(), section };
-            items.push(item(&mut values, &reading, carried));
+                header: &table.header,
+                body: &table.body,
+                mapping: options.mapping,
+                has_semicolons: sheet.separator == Some(b';'),
+            });
+            bound_carried(&mut columns, table.body.objects.len());
+            columns
+        })
+        .collect();
+    let names = floor_names(&sheet, &tables, &understood);
+    let mut findings = Findings::new(options.is_strict);
+    let mut whole = Whole::default();
+    for (table, columns) in tables.iter().zip(&understood) {
+        for warning in columns.warnings.iter().cloned().chain(unread(columns)) {
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
         }
-        (items, counts, findings)
-    };
-    // Parts are put together in their order: the result does not depend on the threads.
-    let parts: Vec<_> = body.objects.par_chunks(ROWS_OF_A_PART).map(read_part).collect();
-    let mut counts = vec![(0, 0); columns.uses.len()];
-    let mut items = Vec::with_capacity(body.objects.len());
-    for (part, part_counts, part_findings) in parts {
-        items.extend(part);
-        findings.append(part_findings);
-        for ((values, missing), (more_values, more_missing)) in counts.iter_mut().zip(part_counts) {
-            *values += more_values;
-            *missing += more_missing;
+        let finder = columns
+            .get(Column::LevelRatio)
+            .is_none()
+            .then(|| FloorFinder::new(&floors, &names, columns.is_imperial, columns.is_japanese));
+        let one = ReadTable { sheet: &sheet, table, columns, finder: finder.as_ref(), options };
+        whole.add(&one, &mut findings);
+    }
+    if let Some(mapping) = options.mapping {
+        let headings = tables.iter().flat_map(|table| table.header.headings.values().cloned());
+        for heading in mapping.unused(headings) {
+            warnings.push(format!("the mapping file names the heading \"{heading}\", which the list does not have"));
         }
     }
-    tell_duplicates(&mut items, &columns, &mut findings);
+    let Whole { mut items, columns: columns_read, carried, headings, mapped, same_floors, .. } = whole;
+    for item in &mut items {
+        item.carried.resize(carried.len(), String::new());
+    }
+    tell_duplicates(&mut items, &understood, &mut findings);
+    let cell = |item: &Item, column: Column| size_cell(item, column, &sheet, &tables, &understood);
+    confirm(&mut items, options.edits, &mut findings, &cell);
+    warnings.extend(same_floors.warning());
     let (findings, notes) = findings.finish();
     warnings.extend(notes);
-    let columns_read = columns_read(&columns, &counts);
+    let cells = if options.wants_cells { cells_read(&sheet, &tables) } else { Vec::new() };
+    let mut left_out: Vec<LeftOut> = tables.into_iter().flat_map(|table| table.body.left_out).collect();
+    left_out.sort_by_key(|left| left.row);
     let inventory = Inventory {
         libraries: Vec::new(),
         path: path.to_path_buf(),
         sha256,
         sheet: sheet.name,
-        carried: columns.carried.into_iter().map(|(_, heading)| heading).collect(),
+        carried,
         items,
         read_with: String::new(),
         findings,
         warnings,
     };
-    let texts = |row: &Row| {
-        let text = |index: &u32| row.get(*index).map(Cell::shown).unwrap_or_default();
-        CellsRead { row: row.number, texts: sheet.header.headings.keys().map(text).collect() }
-    };
-    let objects = body.objects.iter().filter(|_| options.wants_cells);
-    let cells = objects.filter_map(|(place, _)| sheet.rows.get(*place)).map(texts).collect();
-    let left_out = body.left_out;
     Ok(Reading {
         inventory,
         columns: columns_read,
         header_row: sheet.header.row,
         left_out,
-        mapping_file,
-        headings: sheet.header.headings.iter().map(|(index, text)| (letters(*index as usize), text.clone())).collect(),
+        mapping_file: super::mapping::written(&mapped, options.mapping.and_then(|mapping| mapping.decimal)),
+        headings,
         cells,
     })
 }
 
-/// Finds floors where the list has no shares of the height.
-fn floor_finder(floors: &Floors, columns: &Understood, rows: &[Row], body: &Body) -> Option<FloorFinder> {
-    if columns.get(Column::LevelRatio).is_some() {
-        return None;
-    }
-    let names = match columns.get(Column::Floor) {
-        Some(one) => {
-            let rows = body.objects.iter().filter_map(|(place, _)| rows.get(*place));
-            let mut names: Vec<String> = rows.filter_map(|row| Some(row.get(one.index)?.shown())).collect();
-            names.sort_unstable();
-            names.dedup();
-            names
-        }
-        None => body.sections.clone(),
+/// The cell of a size of an object.
+fn size_cell(
+    item: &Item,
+    column: Column,
+    sheet: &Sheet,
+    tables: &[Table],
+    understood: &[Understood],
+) -> Option<SizeCell> {
+    let table = tables.partition_point(|table| table.header.row < item.row).checked_sub(1)?;
+    let columns = understood.get(table)?;
+    let row = sheet.rows.get(sheet.rows.binary_search_by_key(&item.row, |row| row.number).ok()?)?;
+    let used = [column, Column::Dimensions, Column::Diameter].into_iter().filter_map(|column| columns.get(column));
+    let mut cells = used.filter_map(|one| Some((one, row.get(one.index)?)));
+    let (one, cell) = cells.find(|(_, cell)| !cell.is_blank())?;
+    Some(SizeCell {
+        column,
+        index: one.index,
+        heading: one.heading.clone(),
+        row: item.row,
+        text: cell.shown(),
+        unit: one.unit_at(item.row),
+    })
+}
+
+/// The texts of the cells of all objects, below the headings of the first table.
+fn cells_read(sheet: &Sheet, tables: &[Table]) -> Vec<CellsRead> {
+    let texts = |row: &Row| {
+        let text = |index: &u32| row.get(*index).map(Cell::shown).unwrap_or_default();
+        CellsRead { row: row.number, texts: sheet.header.headings.keys().map(text).collect() }
     };
-    Some(FloorFinder::new(floors, &names, columns.is_imperial, columns.is_japanese))
+    let objects = tables.iter().flat_map(|table| &table.body.objects);
+    objects.filter_map(|(place, _)| sheet.rows.get(*place)).map(texts).collect()
+}
+
+/// The names of floors in all tables, or of sections where a table has no column of floors.
+fn floor_names(sheet: &Sheet, tables: &[Table], understood: &[Understood]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for (table, columns) in tables.iter().zip(understood) {
+        match columns.get(Column::Floor) {
+            Some(one) => {
+                let rows = table.body.objects.iter().filter_map(|(place, _)| sheet.rows.get(*place));
+                names.extend(rows.filter_map(|row| Some(row.get(one.index)?.shown())));
+            }
+            None => names.extend(table.body.sections.iter().cloned()),
+        }
+    }
+    names.sort_unstable();
+    names.dedup();
+    names
+}
+
+/// A table with all that its rows are read with.
+struct ReadTable<'a> {
+    sheet: &'a Sheet,
+    table: &'a Table,
+    columns: &'a Understood,
+    /// `None`: the list has shares of the height.
+    finder: Option<&'a FloorFinder>,
+    options: &'a ReadOptions<'a>,
+}
+
+/// What the tables of a sheet have together.
+#[derive(Default)]
+struct Whole {
+    items: Vec<Item>,
+    columns: Vec<ColumnRead>,
+    /// The headings that are carried through.
+    carried: Vec<String>,
+    headings: Vec<HeadingReport>,
+    /// For a mapping file.
+    mapped: Vec<(String, Option<Column>, Option<CellUnit>)>,
+    /// The headings in it.
+    seen: HashSet<String>,
+    same_floors: SameFloors,
+}
+
+impl Whole {
+    fn add(&mut self, one: &ReadTable<'_>, findings: &mut Findings) {
+        let (mut items, counts) = one.items(findings);
+        // Columns of one heading in two tables are one.
+        let above = self.carried.len();
+        let mut slots = Vec::with_capacity(one.columns.carried.len());
+        for (_, heading) in &one.columns.carried {
+            let same = self.carried.iter().take(above).position(|other| canonical(other) == canonical(heading));
+            slots.push(same.unwrap_or(self.carried.len()));
+            if same.is_none() {
+                self.carried.push(heading.clone());
+            }
+        }
+        for item in &mut items {
+            let mut carried = vec![String::new(); self.carried.len()];
+            for (slot, text) in slots.iter().zip(std::mem::take(&mut item.carried)) {
+                if let Some(place) = carried.get_mut(*slot) {
+                    *place = text;
+                }
+            }
+            item.carried = carried;
+            if let Some(finder) = one.finder {
+                self.same_floors.take(item, finder);
+            }
+        }
+        self.items.extend(items);
+        self.columns.extend(columns_read(one.columns, &counts, one.table.header.row));
+        self.headings.extend(one.headings());
+        for heading in one.columns.headings(&one.table.header) {
+            if self.seen.insert(canonical(&heading.0)) {
+                self.mapped.push(heading);
+            }
+        }
+    }
+}
+
+/// The names of floors as they were first written: "Level 6", "L6" and "6" are one floor.
+#[derive(Default)]
+struct SameFloors {
+    first: HashMap<(String, (u8, u32)), String>,
+    others: Vec<(String, String)>,
+}
+
+impl SameFloors {
+    fn take(&mut self, item: &mut Item, finder: &FloorFinder) {
+        let Some(identity) = finder.identity(&item.floor) else { return };
+        let first = self.first.entry((item.building.clone(), identity)).or_insert_with(|| item.floor.clone());
+        if *first != item.floor {
+            let other = (item.floor.clone(), first.clone());
+            if !self.others.contains(&other) && self.others.len() < MAX_MEANT {
+                self.others.push(other);
+            }
+            item.floor.clone_from(first);
+        }
+    }
+
+    fn warning(&self) -> Option<String> {
+        let said: Vec<String> = self
+            .others
+            .iter()
+            .map(|(other, first)| format!("\"{}\" is \"{}\"", shorten(other), shorten(first)))
+            .collect();
+        (!said.is_empty()).then(|| format!("one floor has several names in the list: {}", said.join(", ")))
+    }
+}
+
+impl ReadTable<'_> {
+    /// The objects, and for each column the cells with and without a value.
+    fn items(&self, all_findings: &mut Findings) -> (Vec<Item>, Vec<(usize, usize)>) {
+        let Self { sheet, table, columns, finder, options } = *self;
+        let body = &table.body;
+        let read_part = |part: &[(usize, Option<usize>)]| {
+            let mut findings = Findings::new(options.is_strict);
+            let mut counts = vec![(0, 0); columns.uses.len()];
+            let mut items = Vec::with_capacity(part.len());
+            for (place, section) in part {
+                let Some(row) = sheet.rows.get(*place) else { continue };
+                let section = section.and_then(|section| body.sections.get(section)).map_or("", String::as_str);
+                let mut values = Values {
+                    row,
+                    rows: &sheet.rows,
+                    columns,
+                    merges: &sheet.merges,
+                    findings: &mut findings,
+                    doubts: Vec::new(),
+                    is_shifted: false,
+                    counts: &mut counts,
+                };
+                let carried = carried(&mut values, sheet, &table.header);
+                let reading = item::Reading { lookup: options.lookup, floors: finder, section };
+                items.push(item(&mut values, &reading, carried));
+            }
+            (items, counts, findings)
+        };
+        // Parts are put together in their order: the result does not depend on the threads.
+        let parts: Vec<_> = body.objects.par_chunks(ROWS_OF_A_PART).map(read_part).collect();
+        let mut counts = vec![(0, 0); columns.uses.len()];
+        let mut items = Vec::with_capacity(body.objects.len());
+        for (part, part_counts, part_findings) in parts {
+            items.extend(part);
+            all_findings.append(part_findings);
+            for ((values, missing), (more_values, more_missing)) in counts.iter_mut().zip(part_counts) {
+                *values += more_values;
+                *missing += more_missing;
+            }
+        }
+        (items, counts)
+    }
+
+    fn headings(&self) -> Vec<HeadingReport> {
+        let objects = &self.table.body.objects;
+        let one = |(index, heading): (&u32, &String)| {
+            let found = self.columns.uses.iter().find(|one| one.index == *index);
+            let rows = objects.iter().filter_map(|(place, _)| self.sheet.rows.get(*place)).take(SAMPLED_ROWS);
+            HeadingReport {
+                column: letters(*index as usize),
+                heading: heading.clone(),
+                name: found.map(|one| one.column.name()),
+                unit: found.and_then(|one| one.unit).map(|unit| unit.symbol().to_owned()),
+                header_row: self.table.header.row,
+                samples: samples(rows, *index),
+            }
+        };
+        self.table.header.headings.iter().map(one).collect()
+    }
+}
+
+/// Up to five different texts of a column.
+fn samples<'r>(rows: impl Iterator<Item = &'r Row>, index: u32) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    for row in rows {
+        let text = row.get(index).map(|cell| shorten(cell.shown().trim())).unwrap_or_default();
+        if !text.is_empty() && !found.contains(&text) {
+            found.push(text);
+        }
+        if found.len() == 5 {
+            break;
+        }
+    }
+    found
+}
+
+/// The headings of a list of which too few are known to read it: those of the row that looks most like
+/// headings.
+///
+/// # Errors
+/// A file that is no list at all.
+pub fn inspect_headings(path: &Path, sheet: Option<&str>) -> Result<Vec<HeadingReport>, Problems> {
+    let rows = super::source::first_rows(load(path)?, sheet).map_err(|problem| problem.in_file(path))?;
+    let texts = |row: &Row| row.cells.iter().filter(|(_, cell)| is_heading(cell)).count();
+    // The widest row of texts that has a row below it.
+    let most = rows.iter().take(rows.len().saturating_sub(1)).map(texts).max().unwrap_or(0);
+    let at = rows.iter().position(|row| texts(row) == most).filter(|_| most >= 2);
+    let Some((header, below)) = at.and_then(|at| Some((rows.get(at)?, rows.get(at + 1..)?))) else {
+        let problem =
+            Problem::new(ProblemKind::Format, "the first rows contain no row of texts that could be headings");
+        return Err(problem.hint("put a heading over each column").in_file(path).into());
+    };
+    let one = |(index, cell): &(u32, Cell)| {
+        let text = cell.shown().trim().to_owned();
+        let found = super::headings::meaning(&text);
+        HeadingReport {
+            column: letters(*index as usize),
+            name: found.as_ref().map(|found| found.column.name()),
+            unit: found.and_then(|found| found.unit.symbol()).map(str::to_owned),
+            header_row: header.number,
+            samples: samples(below.iter().take(SAMPLED_ROWS), *index),
+            heading: text,
+        }
+    };
+    Ok(header.cells.iter().filter(|(_, cell)| is_heading(cell)).map(one).collect())
+}
+
+fn is_heading(cell: &Cell) -> bool {
+    matches!(cell, Cell::Text(text) if text.chars().any(char::is_alphabetic) && text.len() <= 120)
+}
+
+/// A mapping file to edit, for headings of which too few are known to read the list.
+pub fn mapping_of_headings(headings: &[HeadingReport]) -> String {
+    let one = |one: &HeadingReport| {
+        let found = super::headings::meaning(&one.heading);
+        let unit = found.as_ref().and_then(|found| found.unit.stated());
+        (one.heading.clone(), found.map(|found| found.column), unit)
+    };
+    let all: Vec<_> = headings.iter().map(one).collect();
+    super::mapping::written(&all, None)
 }
 
 /// At most so many columns and cells are carried through as fit into memory.
@@ -313,7 +555,8 @@ fn unread(columns: &Understood) -> Vec<String> {
     let has = |column: Column| columns.get(column).is_some() || columns.get(Column::Dimensions).is_some();
     let is_round = columns.get(Column::Diameter).is_some();
     for (column, what) in [(Column::Height, "heights"), (Column::Thickness, "depths (thicknesses)")] {
-        if !has(column) && !(is_round && column == Column::Thickness) {
+        let has_side = is_round && column == Column::Thickness;
+        if !has(column) && !has_side {
             said.push(format!("the list has no column of {what} that is known: objects without it have no verdict"));
         }
     }
@@ -321,12 +564,12 @@ fn unread(columns: &Understood) -> Vec<String> {
 }
 
 /// The cells of other columns, unchanged.
-fn carried(values: &mut Values<'_>, sheet: &Sheet) -> Vec<String> {
+fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<String> {
     let row = values.row;
     let columns = values.columns;
     let mut carried = vec![String::new(); columns.carried.len()];
     // In a CSV a number with a decimal comma that is not in quotes moves every cell after it.
-    if let (Some(width), Some(_)) = (sheet.header.width, sheet.separator)
+    if let (Some(width), Some(_)) = (header.width, sheet.separator)
         && row.cells.iter().any(|(index, cell)| *index >= width && !cell.is_blank())
     {
         let count = row.cells.last().map_or(0, |(index, _)| index + 1);
@@ -350,7 +593,7 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet) -> Vec<String> {
             if let Some(slot) = carried.get_mut(at) {
                 *slot = cell.shown();
             }
-        } else if !sheet.header.headings.contains_key(index) && !cell.is_blank() && !values.is_shifted {
+        } else if !header.headings.contains_key(index) && !cell.is_blank() && !values.is_shifted {
             values.findings.note("cells in columns without a heading are not read", row.number);
         }
     }
@@ -358,7 +601,7 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet) -> Vec<String> {
 }
 
 /// Gives later rows with an id that occurred before a number: no output could tell them apart.
-fn tell_duplicates(items: &mut [Item], columns: &Understood, findings: &mut Findings) {
+fn tell_duplicates(items: &mut [Item], understood: &[Understood], findings: &mut Findings) {
     let mut seen: HashMap<String, u32> = items.iter().map(|item| (item.id.clone(), 0)).collect();
     for item in items {
         let count = seen.entry(item.id.clone()).or_insert(0);
@@ -370,7 +613,8 @@ fn tell_duplicates(items: &mut [Item], columns: &Understood, findings: &mut Find
         while seen.contains_key(&format!("{} #{number}", item.id)) {
             number += 1;
         }
-        let place = match columns.get(Column::Id) {
+        let id = understood.iter().find_map(|columns| columns.get(Column::Id));
+        let place = match id {
             Some(one) => Place { column: Some(Column::Id), index: Some(one.index), heading: Some(&one.heading) },
             None => Place::ROW,
         };
@@ -382,12 +626,13 @@ fn tell_duplicates(items: &mut [Item], columns: &Understood, findings: &mut Find
     }
 }
 
-fn columns_read(columns: &Understood, counts: &[(usize, usize)]) -> Vec<ColumnRead> {
+fn columns_read(columns: &Understood, counts: &[(usize, usize)], header_row: u32) -> Vec<ColumnRead> {
     let one = |(one, (values, missing)): (&super::understood::Use, &(usize, usize))| {
         let has_unit = dimension(one.column).is_some_and(|dimension| dimension != Dimension::Ratio);
         ColumnRead {
             letter: letters(one.index as usize),
             heading: one.heading.clone(),
+            header_row,
             name: one.column.name(),
             unit: one.unit.map(|unit| unit.symbol().to_owned()),
             unit_source: one.unit_source.map(|source| source.name()).or(has_unit.then_some("cell")),

@@ -5,7 +5,7 @@ use freestand_input::keys::KeyStyle;
 use freestand_study::cushion::cushion_words;
 use serde::Serialize;
 
-use super::{Casters, ColumnRead, Finding, Item, Rating, Reading};
+use super::{COLUMNS, Casters, ColumnRead, ColumnSpec, Finding, Item, Rating, Reading};
 
 /// The number of rows that people are shown.
 pub const SHOWN: usize = 10;
@@ -21,6 +21,10 @@ pub struct CheckReport {
     pub counts: Counts,
     /// The columns that freestand reads.
     pub columns: Vec<ColumnRead>,
+    /// Every column of the file, with examples of its cells and what it was taken for.
+    pub headings: Vec<HeadingReport>,
+    /// What a column can be taken for.
+    pub senses: Vec<SenseReport>,
     pub carried: Vec<String>,
     /// The first rows, in SI.
     pub first_rows: Vec<RowReport>,
@@ -31,6 +35,37 @@ pub struct CheckReport {
     pub cells: Option<CellsReport>,
     pub problems: Vec<ProblemReport>,
     pub marked_copy: Option<String>,
+}
+
+/// A column of the file.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document")]
+pub struct HeadingReport {
+    /// Its letter.
+    pub column: String,
+    pub heading: String,
+    /// What it was taken for; `None`: it is not read.
+    pub name: Option<&'static str>,
+    pub unit: Option<String>,
+    /// The row of its heading.
+    pub header_row: u32,
+    /// Up to five different texts of its cells.
+    pub samples: Vec<String>,
+}
+
+/// What a column can be taken for.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[expect(missing_docs, reason = "the names are those of the JSON document")]
+pub struct SenseReport {
+    pub name: &'static str,
+    pub meaning: &'static str,
+    pub unit: Option<&'static str>,
+}
+
+/// What a column can be taken for, in the order of the template.
+pub fn senses() -> Vec<SenseReport> {
+    let unit = |spec: &ColumnSpec| (!spec.unit.is_empty()).then_some(spec.unit);
+    COLUMNS.iter().map(|spec| SenseReport { name: spec.name, meaning: spec.meaning, unit: unit(spec) }).collect()
 }
 
 /// How many rows have each kind of value.
@@ -100,6 +135,8 @@ pub struct ObjectReport {
     pub casters: Option<&'static str>,
     pub clearance_m: Option<f64>,
     pub doubts: Vec<&'static str>,
+    /// Edits that would mend or confirm sizes that are not believed; no verdict before.
+    pub to_confirm: Vec<String>,
 }
 
 /// A row that is not an object.
@@ -137,6 +174,8 @@ pub struct ProblemReport {
     pub examples: Vec<String>,
     pub message: String,
     pub hint: String,
+    /// Texts that would mend or confirm the cells.
+    pub edits: Vec<String>,
 }
 
 /// The report on a list as it was read; messages name keys in this style.
@@ -154,6 +193,8 @@ pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeySt
         header_row: reading.header_row,
         counts: counts(&inventory.items),
         columns: reading.columns.clone(),
+        headings: reading.headings.clone(),
+        senses: senses(),
         carried: inventory.carried.clone(),
         first_rows: inventory.items.iter().take(SHOWN).map(row).collect(),
         objects: inventory.items.iter().map(object).collect(),
@@ -165,7 +206,8 @@ pub fn check_report(reading: &Reading, marked_copy: Option<String>, style: KeySt
 }
 
 fn cells(reading: &Reading) -> CellsReport {
-    let (columns, headings) = reading.headings.iter().cloned().unzip();
+    let first = reading.headings.iter().filter(|one| one.header_row == reading.header_row);
+    let (columns, headings) = first.map(|one| (one.column.clone(), one.heading.clone())).unzip();
     let rows = reading.cells.iter().map(|cells| cells.row).collect();
     CellsReport { columns, headings, rows, texts: reading.cells.iter().map(|cells| cells.texts.clone()).collect() }
 }
@@ -181,12 +223,14 @@ fn problem(finding: &Finding, style: KeyStyle) -> ProblemReport {
         kind: finding.kind.name(),
         column: finding.column.map(|column| column.name()),
         heading: finding.heading.clone(),
-        count: finding.rows.len(),
+        // A problem of the whole list is one.
+        count: finding.rows.len().max(1),
         rows: finding.rows.clone(),
         cells: finding.cells(),
         examples: finding.examples.clone(),
         message: style.shown(&finding.message()),
         hint: style.shown(&finding.hint),
+        edits: finding.edits.clone(),
     }
 }
 
@@ -223,6 +267,7 @@ fn object(item: &Item) -> ObjectReport {
         casters: item.surroundings.casters.map(Casters::name),
         clearance_m: item.surroundings.clearance_m,
         doubts: item.doubts.iter().map(|kind| kind.name()).collect(),
+        to_confirm: item.to_confirm.clone(),
     }
 }
 

@@ -19,7 +19,9 @@ pub(super) fn without_diameter(text: &str) -> (String, bool) {
         let without_mark = rest.trim_start_matches(['Ø', 'ø', '⌀']).trim_start();
         let start = without_mark.find(|c: char| !c.is_alphabetic()).unwrap_or(without_mark.len());
         let (first, after) = without_mark.split_at(start);
-        let begins = is_mark(first).then(|| after.trim_start_matches(['.', ':', '=', ' ']));
+        // "rund 180 cm" is about 180 cm, "180 cm rund" is a diameter.
+        let begins =
+            (is_mark(first) && canonical(first) != "rund").then(|| after.trim_start_matches(['.', ':', '=', ' ']));
         let before = begins.unwrap_or(without_mark);
         let bare = before.trim_end_matches(['.', ')', ' ', 'Ø', 'ø', '⌀']);
         let end = bare
@@ -42,10 +44,9 @@ pub(super) fn without_diameter(text: &str) -> (String, bool) {
     }
 }
 
-/// Whether a cell or a heading calls a size a diameter.
+/// Whether a cell calls a size a diameter.
 pub(super) fn names_diameter(text: &str) -> bool {
-    let is_word = |word: &str| DIAMETER.contains(&canonical(word).as_str());
-    text.contains(['Ø', '⌀', 'ø']) || text.split(|c: char| !c.is_alphabetic()).any(is_word)
+    without_diameter(text).1
 }
 
 /// Whether the cell of a column `shape` says that the base is round; `None`: it is not understood.
@@ -179,7 +180,7 @@ mod tests {
             assert_eq!(without_diameter(text), (rest.to_owned(), true), "{text}");
             assert!(names_diameter(text), "{text}");
         }
-        for text in ["230", "1.8 m", "6'2\"", "rack", "dia", "72\" (1829 mm)"] {
+        for text in ["230", "1.8 m", "6'2\"", "rack", "dia", "72\" (1829 mm)", "rund 180 cm"] {
             assert_eq!(without_diameter(text), (text.to_owned(), false), "{text}");
         }
         assert!(!names_diameter("1800 mm") && !names_diameter("ground"));

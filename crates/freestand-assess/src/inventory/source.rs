@@ -14,8 +14,10 @@ use super::{csv_file, encoding};
 
 /// Largest file \[bytes\].
 const MAX_BYTES: u64 = 512 << 20;
-/// Largest number of cells of a sheet that are held in memory.
+/// Largest number of cells of a CSV that are held in memory.
 const MAX_CELLS: usize = 25_000_000;
+/// The same for a workbook, whose cells take about 180 bytes each while they are read.
+const MAX_WORKBOOK_CELLS: usize = 8_000_000;
 
 /// What separates the cells of a CSV.
 const SEPARATORS: [u8; 4] = [b',', b';', b'\t', b'|'];
@@ -48,6 +50,36 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
         "is larger than 512 MB, too large for an inventory",
         "split it into one file for each building",
     )
+}
+
+/// The first rows of a list, whatever its headings are: of the sheet with most of them, or with the
+/// separator that finds most cells.
+///
+/// # Errors
+/// A file that is neither CSV nor XLSX.
+pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>, Problem> {
+    let mut found: Vec<Vec<Row>> = Vec::new();
+    if bytes.starts_with(b"PK") {
+        let mut workbook = Workbook::open(bytes)?;
+        for (name, is_visible) in workbook.sheets() {
+            if sheet.map_or(is_visible, |wanted| name.trim().eq_ignore_ascii_case(wanted.trim())) {
+                let mut rows = Vec::new();
+                workbook.rows(&name, &mut |row| keep(&mut rows, row))?;
+                found.push(rows);
+            }
+        }
+    } else {
+        let (text, _) = encoding::decode(bytes)?;
+        for separator in SEPARATORS {
+            let mut rows = Vec::new();
+            // With a wrong separator the quotes may be wrong, too.
+            if csv_file::rows(&text, separator, &mut |row| keep(&mut rows, row)).is_ok() {
+                found.push(rows);
+            }
+        }
+    }
+    let cells = |rows: &Vec<Row>| rows.iter().map(|row| row.cells.len()).sum::<usize>();
+    Ok(found.into_iter().max_by_key(cells).unwrap_or_default())
 }
 
 impl Sheet {
@@ -90,7 +122,7 @@ impl Sheet {
         }
         // A quote that is not closed hides the headings and everything else.
         let (header, separator) = best.ok_or_else(|| failure.unwrap_or_else(no_headings))?;
-        let mut all = Collected::default();
+        let mut all = Collected::up_to(MAX_CELLS);
         csv_file::rows(&text, separator, &mut |row| all.take(row))?;
         let rows = all.finish()?;
         Ok(Self {
@@ -158,10 +190,12 @@ impl Sheet {
     }
 
     fn of(workbook: &mut Workbook, name: &str, header: Header, warnings: Vec<String>) -> Result<Self, Problem> {
-        let mut all = Collected::default();
+        let mut all = Collected::up_to(MAX_WORKBOOK_CELLS);
         let formulas = workbook.rows(name, &mut |row| all.take(row))?;
         let rows = all.finish()?;
         let merges = workbook.merges(name)?;
+        let mut warnings = warnings;
+        warnings.extend(workbook.hidden_warning(name));
         Ok(Self { name: Some(name.to_owned()), rows, merges, header, separator: None, formulas, warnings })
     }
 
@@ -178,25 +212,29 @@ impl Sheet {
 }
 
 /// Rows that are not empty, up to a number of cells.
-#[derive(Default)]
 struct Collected {
     rows: Vec<Row>,
     cells: usize,
+    most: usize,
 }
 
 impl Collected {
+    fn up_to(most: usize) -> Self {
+        Self { rows: Vec::new(), cells: 0, most }
+    }
+
     fn take(&mut self, row: Row) -> Flow {
         if row.is_blank() {
             return Flow::More;
         }
         self.cells += row.cells.len();
         self.rows.push(row);
-        if self.cells > MAX_CELLS { Flow::Enough } else { Flow::More }
+        if self.cells > self.most { Flow::Enough } else { Flow::More }
     }
 
     fn finish(self) -> Result<Vec<Row>, Problem> {
-        if self.cells > MAX_CELLS {
-            let message = format!("the sheet has more than {MAX_CELLS} cells, too many for an inventory");
+        if self.cells > self.most {
+            let message = format!("the sheet has more than {} cells, too many for an inventory", self.most);
             return Err(Problem::new(ProblemKind::Format, message).hint("split it into one file for each building"));
         }
         Ok(self.rows)

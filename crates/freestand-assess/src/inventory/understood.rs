@@ -186,17 +186,13 @@ impl Understood {
         self.all(column).next()
     }
 
-    /// The columns that are read, as a mapping file has them.
-    pub(super) fn mapping_file(&self, header: &Header, mapping: Option<&Mapping>) -> String {
-        let columns: Vec<(String, Option<Column>, Option<CellUnit>)> = header
-            .headings
-            .iter()
-            .map(|(index, heading)| {
-                let found = self.uses.iter().find(|one| one.index == *index);
-                (heading.clone(), found.map(|one| one.column), found.and_then(|one| one.unit))
-            })
-            .collect();
-        super::mapping::written(&columns, mapping.and_then(|mapping| mapping.decimal))
+    /// Every heading with what it was taken for, as a mapping file has it.
+    pub(super) fn headings(&self, header: &Header) -> Vec<(String, Option<Column>, Option<CellUnit>)> {
+        let one = |(index, heading): (&u32, &String)| {
+            let found = self.uses.iter().find(|one| one.index == *index);
+            (heading.clone(), found.map(|one| one.column), found.and_then(|one| one.unit))
+        };
+        header.headings.iter().map(one).collect()
     }
 }
 
@@ -244,16 +240,11 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
         }
     }
     let mut warnings = Vec::new();
-    if let Some(mapping) = mapping {
-        for heading in mapping.unused(header.headings.values().cloned()) {
-            warnings.push(format!("the mapping file names the heading \"{heading}\", which the list does not have"));
-        }
-    }
     by_content(&mut candidates, evidence, &mut carried);
     sides(&mut candidates, header, &mut carried, &mut warnings);
     let is_japanese = {
         let of = |language| candidates.values().filter(|one| one.language == Some(language)).count();
-        of(Language::Japanese) > of(Language::English) + of(Language::Comma)
+        of(Language::EastAsian) > of(Language::English) + of(Language::Comma)
     };
     second_texts(&mut candidates, header, &mut carried);
     carried.sort_by_key(|(index, _)| *index);
@@ -455,7 +446,9 @@ fn stated_units(all: &mut Understood, evidence: &Evidence<'_>) {
 
 /// Texts beside the table: above it, remarks in it, below it.
 fn sentences(evidence: &Evidence<'_>) -> Vec<String> {
-    let above = evidence.rows.iter().take_while(|row| row.number < evidence.header.row);
+    let header = evidence.header;
+    let above = evidence.rows.iter().skip_while(|row| row.number < header.first_row);
+    let above = above.take_while(|row| row.number < header.row);
     let cells = above.flat_map(|row| row.cells.iter().map(|(_, cell)| cell.shown()));
     let left = evidence.body.left_out.iter().map(|left| left.text.clone());
     cells.chain(left).filter(|text| text.len() < 400).take(300).collect()

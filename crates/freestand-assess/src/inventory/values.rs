@@ -14,7 +14,7 @@ use super::numbers::Decimal;
 use super::problems::{Findings, Kind, Place, Severity};
 use super::round::{names_diameter, shape};
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
-use super::vocabulary::{casters, is_missing, is_no_value, rating};
+use super::vocabulary::{Answer, Wheels, casters, is_ditto, is_missing, is_no_value, rating, without_state, yes_or_no};
 use super::workbook::Merges;
 use super::{Casters, Rating};
 
@@ -58,6 +58,15 @@ impl<'a> Values<'a> {
         let example = one.and_then(|one| self.row.get(one.index)).map(Cell::shown).unwrap_or_default();
         let place = one.map_or(Place { column: Some(column), index: None, heading: None }, Self::place);
         self.add(place, kind, &example, detail);
+    }
+
+    /// Adds a problem of the whole list that this row shows.
+    pub(super) fn report_once(&mut self, column: Column, kind: Kind) {
+        let columns = self.columns;
+        let one = columns.get(column);
+        let example = one.and_then(|one| self.row.get(one.index)).map(Cell::shown).unwrap_or_default();
+        let place = one.map_or(Place { column: Some(column), index: None, heading: None }, Self::place);
+        self.findings.add(kind, place, None, &example, None);
     }
 
     /// Adds a wrong value with a message of another reader.
@@ -164,6 +173,16 @@ impl<'a> Values<'a> {
             }
             Ok(None) => {
                 self.count(one, false);
+                let text = cell.shown();
+                // "Housner" in a column of restitutions says what an empty cell does.
+                let is_usual = one.column == Column::Restitution && canonical(&text) == "housner";
+                if is_ditto(&text) {
+                    let detail = "points to another cell: write the value itself".to_owned();
+                    self.problem(one, Kind::NotUnderstood, &text, Some(detail));
+                } else if !is_no_value(&text) && !is_usual {
+                    let detail = "is not a number, nor a usual word for a value that is not known".to_owned();
+                    self.problem(one, Kind::NotUnderstood, &text, Some(detail));
+                }
                 None
             }
             Err(wrong) => self.refused(one, cell, wrong),
@@ -190,10 +209,11 @@ impl<'a> Values<'a> {
         } else {
             &text
         };
+        let (text, is_too_small) = if one.column == Column::Mass { without_state(text) } else { (text, false) };
         let found = self.chosen(one, cell, text, |choice| quantity(text, dimension, unit, choice));
         let finite = |found: Measured| if found.si.is_finite() { Ok(found) } else { Err(Wrong::new(Kind::Unreadable)) };
         let found = self.taken(one, cell, found.and_then(finite))?;
-        self.doubts_of(one, cell, found.is_approximate, found.is_bare);
+        self.doubts_of(one, cell, found.is_approximate || is_too_small, found.is_bare);
         Some(found)
     }
 
@@ -358,13 +378,27 @@ impl<'a> Values<'a> {
         let bare = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim();
         let rest = canonical(text.get(bare.len()..).unwrap_or_default());
         let text = if WORDS.contains(&rest.as_str()) { bare } else { &text };
+        // "2 pairs" are four.
+        let times = match rest.as_str() {
+            "pair" | "pairs" | "pr" | "prs" | "paar" | "paare" | "paire" | "paires" | "pares" | "paia" | "対" => 2.0,
+            "dozen" | "dz" | "dutzend" | "douzaine" | "docena" | "dozzina" => 12.0,
+            _ => 1.0,
+        };
+        let text = if times > 1.0 { bare } else { text };
         let text = text.strip_prefix(['x', 'X', '×']).map_or(text, str::trim);
         let found = self.chosen(one, cell, text, |choice| quantity(text, Dimension::Ratio, None, choice));
-        let whole = |found: Measured| match found.si >= 1.0 && found.si <= 1e6 && found.si.fract() == 0.0 {
-            true => Ok(found),
-            false => Err(Wrong::out_of_range("must be a whole number, at least 1")),
+        let whole = |found: Measured| {
+            let found = Measured { si: times * found.si, ..found };
+            match found.si >= 1.0 && found.si <= 1e6 && found.si.fract() == 0.0 {
+                true => Ok(found),
+                false => Err(Wrong::out_of_range("must be a whole number, at least 1")),
+            }
         };
         let found = self.taken(one, cell, found.and_then(whole))?;
+        if times > 1.0 {
+            let detail = format!("was read as {}", found.si);
+            self.problem(one, Kind::Approximate, &cell.shown(), Some(detail));
+        }
         self.doubts_of(one, cell, found.is_approximate, false);
         Some(found.si as u32)
     }
@@ -386,33 +420,41 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Yes or no.
+    /// Yes or no; what is not clearly one of them is a doubt.
     pub(super) fn answer(&mut self, column: Column) -> Option<bool> {
-        let columns = self.columns;
-        let one = columns.get(column)?;
-        let found = self.cell(one).and_then(|cell| match cell {
-            Cell::Bool(value) => Some(*value),
-            other => super::vocabulary::yes_or_no(&other.shown()),
-        });
-        self.count(one, found.is_some());
-        found
-    }
-
-    /// Whether it stands on casters, and whether they are braked.
-    pub(super) fn casters(&mut self, column: Column) -> Option<Casters> {
         let text = self.text(column);
         if text.is_empty() {
             return None;
         }
-        let found = casters(&text);
-        if found.is_none() {
-            self.report(
-                column,
-                Kind::Unreadable,
-                Some("does not say whether it rolls: write no, free or braked".to_owned()),
-            );
+        match yes_or_no(&text) {
+            Answer::Yes => Some(true),
+            Answer::No => Some(false),
+            Answer::Unclear => {
+                self.report(column, Kind::AnchoredUnclear, None);
+                None
+            }
         }
-        found
+    }
+
+    /// What a cell says about its casters, and what else it says that the object stands on.
+    pub(super) fn casters(&mut self, column: Column) -> (Option<Casters>, String) {
+        let text = self.text(column);
+        if text.is_empty() {
+            return (None, text);
+        }
+        match casters(&text) {
+            Wheels::Said(found) => (Some(found), String::new()),
+            Wheels::Some => {
+                self.report(column, Kind::Casters, None);
+                (Some(Casters::Free), String::new())
+            }
+            Wheels::Other => (Some(Casters::None), text),
+            Wheels::Unclear => {
+                let detail = "does not say whether it rolls: write no, free or braked";
+                self.report(column, Kind::NotUnderstood, Some(detail.to_owned()));
+                (None, text)
+            }
+        }
     }
 
     /// What is asked of the object.

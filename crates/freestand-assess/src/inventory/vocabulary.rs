@@ -22,7 +22,7 @@ pub(super) fn is_no_value(text: &str) -> bool {
 }
 
 /// In the form of [`canonical`].
-const MISSING: [&str; 54] = [
+const MISSING: [&str; 57] = [
     "n a",
     "na",
     "tbd",
@@ -42,13 +42,16 @@ const MISSING: [&str; 54] = [
     "not measured",
     "to be confirmed",
     "to be determined",
-    "ditto",
     "k a",
     "ka",
     "unbekannt",
     "entfallt",
-    "s o",
-    "siehe oben",
+    "bilinmiyor",
+    "desconhecido",
+    "nao disponivel",
+    "未知",
+    "无",
+    "yok",
     "nicht bekannt",
     "keine",
     "keine angabe",
@@ -127,60 +130,108 @@ pub(super) fn begins_note(text: &str) -> bool {
         || ["note", "notes", "nb", "hinweis", "anmerkung", "remarque", "nota", "remark", "continued"].contains(&first)
 }
 
-/// Whether an object is anchored; `None`: the text does not say.
-pub(super) fn yes_or_no(text: &str) -> Option<bool> {
-    const YES: [&str; 49] = [
-        "y",
+/// What a cell answers to yes or no.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Answer {
+    Yes,
+    No,
+    /// Neither for certain: "Y?", "yes but loose", "planned 2026", a letter.
+    Unclear,
+}
+
+/// Whether an object is anchored. Yes is only what cannot mean anything else: an object that is taken
+/// as anchored is not assessed. Letters and signs are no words: "x" may mean either.
+pub(super) fn yes_or_no(text: &str) -> Answer {
+    const YES: [&str; 51] = [
         "yes",
         "true",
-        "1",
-        "x",
         "anchored",
         "bolted",
         "fixed",
         "secured",
         "restrained",
         "screwed",
-        "braced",
-        "strapped",
-        "wall",
         "ja",
-        "j",
         "verankert",
         "verschraubt",
         "befestigt",
         "gesichert",
         "angeschraubt",
+        "wahr",
         "oui",
-        "o",
         "fixe",
         "fixee",
         "ancre",
         "ancree",
         "visse",
+        "vissee",
         "boulonne",
+        "boulonnee",
+        "vrai",
         "si",
-        "s",
         "anclado",
         "anclada",
         "fijado",
         "fijada",
         "fijo",
         "atornillado",
+        "verdadero",
         "ancorato",
         "ancorata",
         "fissato",
         "fissata",
         "vero",
-        "vrai",
-        "wahr",
-        "verdadero",
+        "sim",
+        "ancorado",
+        "fixado",
+        "aparafusado",
+        "evet",
+        "sabit",
+        "sabitlenmis",
         "有",
         "あり",
         "固定",
         "固定済",
+        "はい",
+        "是",
     ];
-    const NO: [&str; 35] = [
+    // What may stand beside a yes: "bolted to the slab", "yes, 4 bolts M12".
+    const HOW: [&str; 33] = [
+        "to",
+        "the",
+        "a",
+        "floor",
+        "slab",
+        "wall",
+        "concrete",
+        "base",
+        "with",
+        "and",
+        "by",
+        "at",
+        "bolt",
+        "bolts",
+        "anchor",
+        "anchors",
+        "screws",
+        "x",
+        "each",
+        "corner",
+        "corners",
+        "expansion",
+        "chemical",
+        "am",
+        "an",
+        "im",
+        "boden",
+        "der",
+        "wand",
+        "au",
+        "sol",
+        "mur",
+        "al",
+    ];
+    const NO: [&str; 46] = [
         "n",
         "no",
         "false",
@@ -199,54 +250,63 @@ pub(super) fn yes_or_no(text: &str) -> Option<bool> {
         "freistehend",
         "nicht verankert",
         "nicht befestigt",
+        "falsch",
         "non",
         "libre",
         "non fixe",
         "pas fixe",
+        "non ancre",
+        "faux",
         "sin anclar",
         "sin fijar",
         "libero",
         "non fissato",
         "non ancorato",
         "falso",
-        "faux",
-        "falsch",
+        "nao",
+        "nao fixado",
+        "solto",
+        "livre",
+        "hayır",
+        "hayir",
+        "yok",
+        "sabit degil",
+        "serbest",
         "無",
         "なし",
         "未固定",
         "否",
-        "non ancre",
+        "いいえ",
+        "没有",
     ];
     match text.trim() {
-        "✓" | "✔" | "☑" | "○" | "◯" | "〇" | "●" => return Some(true),
-        "×" | "✗" | "✘" | "☐" => return Some(false),
+        "✓" | "✔" | "☑" | "○" | "◯" | "〇" | "●" => return Answer::Yes,
+        "×" | "✗" | "✘" | "☐" => return Answer::No,
         _ => {}
     }
     let words = canonical(text);
+    if text.contains(['?', '？']) {
+        return Answer::Unclear;
+    }
     if NO.contains(&words.as_str()) {
-        return Some(false);
+        return Answer::No;
     }
-    if YES.contains(&words.as_str()) {
-        return Some(true);
-    }
-    // "Yes, 4 bolts", "bolted to slab", "No (castors)"; a partial "no" says neither.
+    // Sizes of bolts: M12, 4x.
+    let is_size = |word: &str| word.trim_start_matches(['m', 'x']).trim_end_matches('x').parse::<u32>().is_ok();
     let mut each = words.split(' ');
     let first = each.next().unwrap_or_default();
-    let negations = ["not", "nicht", "pas", "sin", "non", "no", "partly", "partially", "teilweise"];
-    if each.any(|word| negations.contains(&word) || word.starts_with("part")) {
-        return None;
+    if YES.contains(&first) && each.all(|word| YES.contains(&word) || HOW.contains(&word) || is_size(word)) {
+        return Answer::Yes;
     }
-    match first {
-        "yes" | "ja" | "oui" | "anchored" | "bolted" | "screwed" | "verankert" | "verschraubt" | "fixe" | "ancre"
-        | "anclado" | "ancorato" | "fissato" => Some(true),
-        "no" | "nein" | "unanchored" | "freestanding" => Some(false),
-        "not" | "nicht" => Some(false),
-        _ => None,
+    // "No (castors)": whatever follows, it is not anchored.
+    if matches!(first, "no" | "nein" | "not" | "nicht" | "unanchored" | "freestanding" | "hayır") {
+        return Answer::No;
     }
+    Answer::Unclear
 }
 
 /// A rating by its word: 2 high, 1 medium, 0 low.
-pub(super) fn rating(text: &str) -> Option<u8> {
+pub(crate) fn rating(text: &str) -> Option<u8> {
     let words = canonical(text.split(['(', '[']).next().unwrap_or_default());
     Some(match words.as_str() {
         "h" | "high" | "hi" | "hoch" | "eleve" | "elevee" | "haut" | "haute" | "fort" | "forte" | "alto" | "alta"
@@ -260,42 +320,182 @@ pub(super) fn rating(text: &str) -> Option<u8> {
 
 /// Whether something rests on wheels.
 pub(super) fn names_wheels(text: &str) -> bool {
+    const WHEELS: [&str; 20] = [
+        "castor",
+        "caster",
+        "wheel",
+        "rollen",
+        "rader",
+        "fahrbar",
+        "roulette",
+        "roues",
+        "ruedas",
+        "ruote",
+        "rotelle",
+        "rodas",
+        "rodizio",
+        "tekerlek",
+        "キャスター",
+        "車輪",
+        "轮",
+        "mobile",
+        "on rollers",
+        "roller base",
+    ];
     let words = canonical(text);
-    ["castor", "caster", "wheel", "rollen", "rader", "roulette", "ruedas", "ruote", "rotelle", "キャスター", "車輪"]
-        .iter()
-        .any(|word| words.contains(word))
+    WHEELS.iter().any(|word| words.contains(word))
+}
+
+/// What a cell says about the casters of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wheels {
+    /// In so many words.
+    Said(Casters),
+    /// It has some; whether they are braked is not said.
+    Some,
+    /// It stands on something else: feet, pads.
+    Other,
+    /// The text is not understood.
+    Unclear,
 }
 
 /// Whether something rolls: by a word of its own, or by what is said about its wheels.
-pub(super) fn casters(text: &str) -> Option<Casters> {
-    const BRAKED: [&str; 12] = [
+pub(super) fn casters(text: &str) -> Wheels {
+    const BRAKED: [&str; 19] = [
         "braked",
         "brakes on",
+        "brake on",
         "locked",
+        "parked",
         "gebremst",
         "festgestellt",
+        "arretiert",
         "frein",
         "bloque",
         "frenad",
         "bloquead",
+        "travad",
         "frenat",
         "bloccat",
+        "kilitli",
+        "frenli",
         "ロック",
+        "锁",
     ];
-    const FREE: [&str; 9] =
-        ["free", "unlocked", "unbraked", "frei", "libre", "libero", "libera", "ungebremst", "フリー"];
+    const FREE: [&str; 17] = [
+        "free",
+        "unlocked",
+        "unbraked",
+        "not locked",
+        "not braked",
+        "frei",
+        "ungebremst",
+        "nicht gebremst",
+        "libre",
+        "libero",
+        "libera",
+        "livre",
+        "non bloqu",
+        "non frein",
+        "serbest",
+        "kilitsiz",
+        "フリー",
+    ];
+    const OTHER: [&str; 26] = [
+        "feet",
+        "foot",
+        "pad",
+        "pads",
+        "mounts",
+        "springs",
+        "legs",
+        "plinth",
+        "skids",
+        "glides",
+        "base",
+        "fusse",
+        "fuss",
+        "sockel",
+        "pieds",
+        "patas",
+        "pes",
+        "piedini",
+        "ayak",
+        "takoz",
+        "脚",
+        "stand",
+        "floor",
+        "boden",
+        "levellers",
+        "rails",
+    ];
     let words = canonical(text);
-    if FREE.iter().any(|word| words.contains(word)) {
-        return Some(Casters::Free);
+    let is_asked = text.contains(['?', '？']);
+    if !is_asked {
+        if FREE.iter().any(|word| words.contains(word)) {
+            return Wheels::Said(Casters::Free);
+        }
+        if BRAKED.iter().any(|word| words.contains(word)) {
+            return Wheels::Said(Casters::Braked);
+        }
     }
-    if BRAKED.iter().any(|word| words.contains(word)) {
-        return Some(Casters::Braked);
+    if names_wheels(text) {
+        let first = words.split(' ').next().unwrap_or_default();
+        let is_none =
+            !is_asked && matches!(first, "no" | "not" | "nein" | "keine" | "ohne" | "without" | "sans" | "sin");
+        return if is_none { Wheels::Said(Casters::None) } else { Wheels::Some };
     }
     match yes_or_no(text) {
-        Some(true) => Some(Casters::Free),
-        Some(false) => Some(Casters::None),
-        None => names_wheels(text).then_some(Casters::Free),
+        Answer::Yes => Wheels::Some,
+        Answer::No => Wheels::Said(Casters::None),
+        Answer::Unclear if matches!(words.as_str(), "y" | "x" | "j" | "o" | "s" | "1") => Wheels::Some,
+        Answer::Unclear if words.split(' ').any(|word| OTHER.contains(&word)) => Wheels::Other,
+        Answer::Unclear => Wheels::Unclear,
     }
+}
+
+/// Whether a text points to another cell.
+pub(super) fn is_ditto(text: &str) -> bool {
+    let words = canonical(text);
+    matches!(words.as_str(), "ditto" | "do" | "s o" | "siehe oben" | "wie oben" | "idem" | "as above" | "same" | "同上")
+        || matches!(text.trim(), "\"" | "''" | "″" | "〃" | "”" | "“")
+}
+
+/// A number without the words behind it that say in which state a mass was taken, and whether it may be
+/// too small: `1400 full`, `85 kg empty`.
+pub(super) fn without_state(text: &str) -> (&str, bool) {
+    const FULL: [&str; 17] = [
+        "full",
+        "loaded",
+        "laden",
+        "filled",
+        "gross",
+        "operating",
+        "wet",
+        "in service",
+        "voll",
+        "beladen",
+        "brutto",
+        "plein",
+        "charge",
+        "lleno",
+        "pieno",
+        "cheio",
+        "dolu",
+    ];
+    const EMPTY: [&str; 11] =
+        ["empty", "dry", "net", "unladen", "tare", "leer", "netto", "vide", "vacio", "vuoto", "bos"];
+    let trimmed = text.trim().trim_end_matches([')', '.', ' ']);
+    let Some(at) = trimmed.rfind(|c: char| !c.is_alphabetic()) else { return (text, false) };
+    let start = at + trimmed.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8);
+    let (before, word) = trimmed.split_at(start);
+    let word = canonical(word);
+    let before = before.trim_end_matches(['(', ',', ' ', '-']);
+    let is_empty = EMPTY.contains(&word.as_str());
+    if !before.chars().any(|c| c.is_ascii_digit()) || !(is_empty || FULL.contains(&word.as_str())) {
+        return (text, false);
+    }
+    (before, is_empty)
 }
 
 /// The text without the words that make its number a rough one, and whether there were any.
@@ -397,17 +597,37 @@ mod tests {
     }
 
     #[test]
-    fn answers_to_yes_or_no() {
-        for text in
-            ["Y", "x", "✓", "Bolted to slab", "ja", "fixé au mur".split(' ').next().unwrap(), "sì", "有", "TRUE"]
+    fn only_an_unequivocal_yes_is_one() {
+        for text in ["Yes", "✓", "Bolted to slab", "ja", "sì", "有", "TRUE", "Yes - bolted", "yes, 4x M12", "evet"]
         {
-            assert_eq!(yes_or_no(text), Some(true), "{text}");
+            assert_eq!(yes_or_no(text), Answer::Yes, "{text}");
         }
-        for text in ["N", "free", "nicht verankert", "無", "×", "not bolted", "No (castors)", "FALSE"] {
-            assert_eq!(yes_or_no(text), Some(false), "{text}");
+        for text in ["N", "free", "nicht verankert", "無", "×", "not bolted", "No (castors)", "FALSE", "hayır", "yok"]
+        {
+            assert_eq!(yes_or_no(text), Answer::No, "{text}");
         }
-        for text in ["", "?", "partly bolted", "to be checked", "anchored at top, not at base"] {
-            assert_eq!(yes_or_no(text), None, "{text}");
+        for text in [
+            "Y?",
+            "fixed?",
+            "Yes – planned 2026",
+            "Yes but loose",
+            "y",
+            "x",
+            "s",
+            "j",
+            "o",
+            "1",
+            "wall",
+            "chained to wall",
+            "chained",
+            "bolts missing",
+            "partially",
+            "partly bolted",
+            "to be checked",
+            "anchored at top, not at base",
+            "fixed to trolley",
+        ] {
+            assert_eq!(yes_or_no(text), Answer::Unclear, "{text}");
         }
     }
 
@@ -415,17 +635,39 @@ mod tests {
     fn casters_by_their_words() {
         use Casters::{Braked, Free, None as No};
         for (text, expected) in [
-            ("free", Some(Free)),
-            ("yes", Some(Free)),
-            ("4 castors, 75 mm", Some(Free)),
-            ("Rollen, gebremst", Some(Braked)),
-            ("roulettes bloquées", Some(Braked)),
-            ("wheels locked", Some(Braked)),
-            ("castors unlocked", Some(Free)),
-            ("no", Some(No)),
-            ("four levelling feet", None),
+            ("free", Wheels::Said(Free)),
+            ("castors free", Wheels::Said(Free)),
+            ("yes, free", Wheels::Said(Free)),
+            ("yes", Wheels::Some),
+            ("4 castors, 75 mm", Wheels::Some),
+            ("Rollen, gebremst", Wheels::Said(Braked)),
+            ("roulettes bloquées", Wheels::Said(Braked)),
+            ("wheels locked", Wheels::Said(Braked)),
+            ("yes, locked", Wheels::Said(Braked)),
+            ("kilitli", Wheels::Said(Braked)),
+            ("castors unlocked", Wheels::Said(Free)),
+            ("locked?", Wheels::Unclear),
+            ("no", Wheels::Said(No)),
+            ("no castors", Wheels::Said(No)),
+            ("four levelling feet", Wheels::Other),
+            ("rubber pads", Wheels::Other),
+            ("spring mounts", Wheels::Other),
+            ("see photo", Wheels::Unclear),
         ] {
             assert_eq!(casters(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn the_state_of_a_mass_is_no_unit() {
+        for (text, rest, is_too_small) in [
+            ("1400 full", "1400", false),
+            ("85 kg empty", "85 kg", true),
+            ("85 kg (voll)", "85 kg", false),
+            ("85 kg", "85 kg", false),
+            ("full", "full", false),
+        ] {
+            assert_eq!(without_state(text), (rest, is_too_small), "{text}");
         }
     }
 

@@ -15,7 +15,7 @@ use super::columns::letters;
 /// An open workbook.
 pub(super) struct Workbook {
     xlsx: Xlsx<Cursor<Vec<u8>>>,
-    has_merges: bool,
+    facts: archive::Facts,
 }
 
 /// The formulas of a sheet.
@@ -53,7 +53,7 @@ impl Workbook {
     pub(super) fn open(bytes: Vec<u8>) -> Result<Self, Problem> {
         let facts = archive::check(&bytes)?;
         let xlsx = Xlsx::new(Cursor::new(bytes)).map_err(|error| unreadable(&error))?;
-        Ok(Self { xlsx, has_merges: facts.has_merges })
+        Ok(Self { xlsx, facts })
     }
 
     /// The sheets in their order, and whether each is visible.
@@ -107,12 +107,28 @@ impl Workbook {
         Ok(formulas)
     }
 
+    /// A warning about the rows of a sheet that a spreadsheet does not show.
+    pub(super) fn hidden_warning(&self, sheet: &str) -> Option<String> {
+        let hidden = self.facts.hidden_rows(sheet)?;
+        let rows: Vec<String> = hidden.first.iter().map(u32::to_string).collect();
+        let more = hidden.count - rows.len();
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let (noun, verb) = if hidden.count == 1 { ("row", "is") } else { ("rows", "are") };
+        Some(format!(
+            "sheet \"{}\": {} {noun} that a spreadsheet does not show (hidden, or left out by a filter) {verb} read like \
+             the others: {}{more}; delete what is no longer there",
+            shorten(sheet),
+            hidden.count,
+            rows.join(", ")
+        ))
+    }
+
     /// Cells of a sheet that are merged with one before them.
     ///
     /// # Errors
     /// A sheet that cannot be read.
     pub(super) fn merges(&mut self, sheet: &str) -> Result<Merges, Problem> {
-        if !self.has_merges {
+        if !self.facts.has_merges {
             return Ok(Merges::default());
         }
         let all = self.xlsx.merge_cells_by_sheet_name(sheet).map_err(|error| unreadable(&error))?;

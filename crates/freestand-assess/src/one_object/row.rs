@@ -7,7 +7,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_study::study::{FirstFloor, Study};
 
 use super::{Earthquake, FloorPlace, Object, ObjectRequest, RestsOn};
-use crate::inventory::{Column, Finding, Item, Mapping, ReadOptions, Severity, Surroundings, parse_inventory};
+use crate::inventory::{Column, Finding, Item, Kind, Mapping, ReadOptions, Severity, Surroundings, parse_inventory};
 use crate::job::floors_of;
 use crate::library::Libraries;
 
@@ -41,7 +41,7 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
     // A problem of the list is that of the flag whose value it is; the path has no meaning.
     let mut problems = Problems::default();
     let mut warnings = Vec::new();
-    for finding in &reading.inventory.findings {
+    for finding in reading.inventory.findings.iter().filter(|one| one.kind != Kind::ImplausibleSize) {
         let problem = problem(finding, request, study);
         match finding.severity {
             Severity::Error => problems.push(problem),
@@ -52,6 +52,9 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
         }
     }
     let mut item = problems.finish(reading.inventory.items.into_iter().next())?;
+    // Who gives one object with its units means it; what is unusual about it is said.
+    item.to_confirm.clear();
+    item.doubts.retain(|doubt| *doubt != Kind::ImplausibleSize);
     if let Earthquake::Motions { .. } = request.earthquake {
         // Under given motions nothing is drawn.
         item.cushion_log_sd = None;
@@ -67,6 +70,7 @@ fn list(request: &ObjectRequest) -> Result<Vec<u8>, Problem> {
         height_m,
         thickness_m,
         width_m,
+        is_round,
         cg_height_m,
         mass_kg,
         rests_on,
@@ -101,6 +105,7 @@ fn list(request: &ObjectRequest) -> Result<Vec<u8>, Problem> {
         (Column::Height, Some(format!("{height_m} m"))),
         (Column::Thickness, Some(format!("{thickness_m} m"))),
         (Column::Width, width_m.map(with("m"))),
+        (Column::Shape, is_round.then(|| "cylinder".to_owned())),
         (Column::CgHeight, cg_height_m.map(with("m"))),
         (Column::Mass, mass_kg.map(with("kg"))),
         (Column::Stiffness, stiffness),

@@ -14,6 +14,7 @@ use freestand_output::paths::io_problem;
 use freestand_output::rows::{broken, csv_writer};
 
 use super::csv::push_field;
+use super::hold::how_to_hold;
 use super::overview::{FloorKey, floor_key, floor_words};
 use super::table::{Cell, Line};
 
@@ -71,7 +72,7 @@ pub(super) fn task(line: &Line) -> Option<Task> {
         how: how(item, found, force),
         force_n: force.map(|force| force.force_n),
         anchor_tension_n: force.map(|force| force.anchor_tension_n),
-        why: found.why.clone(),
+        why: format!("{}{}", found.why, doubted(item)),
     })
 }
 
@@ -80,17 +81,7 @@ fn how(item: &Item, found: &Assessment, force: Option<&RestraintForce>) -> Strin
         (Decision::Leave, _) => String::new(),
         (Decision::Lock, _) => give_room(found, "Lock it, tether it, or"),
         (Decision::Restrain, _) if found.rolled.is_some() => give_room(found, "Tether it or restrain it, or"),
-        (Decision::Restrain, Some(force)) => {
-            let bracket_mm = number(1e3 * force.bracket_height_m, 4);
-            if force.anchor_tension_n > 0.0 {
-                format!("Anchor it along both edges, or fix it with a bracket at a height of {bracket_mm} mm.")
-            } else {
-                format!(
-                    "No tension: its weight holds it down. Fix its base against the force, or fix it with a bracket at \
-                     a height of {bracket_mm} mm."
-                )
-            }
-        }
+        (Decision::Restrain, Some(force)) => how_to_hold(item, force),
         (Decision::Restrain, None) => "Find out its mass: the force of the restraint depends on it.".to_owned(),
         (Decision::Soften, _) => {
             let stiffness = found.softening.as_ref().and_then(|softening| softening.max_stiffness_n_m);
@@ -111,10 +102,19 @@ fn give_room(found: &Assessment, or_else: &str) -> String {
     format!("{or_else} give it at least {} mm of room on every side.", number((1e3 * needed_m).ceil(), 6))
 }
 
+/// What is doubtful about the row of an object, behind the reason of its verdict.
+fn doubted(item: &Item) -> String {
+    let kinds: Vec<&str> = item.doubts.iter().map(|doubt| doubt.name()).collect();
+    if kinds.is_empty() { String::new() } else { format!(" Check the input: {}.", kinds.join(", ")) }
+}
+
 /// What to find out about an object without a verdict.
 fn find_out(item: &Item, found: &Assessment) -> String {
     if item.anchored == Some(true) {
         return "Check its anchors.".to_owned();
+    }
+    if !item.to_confirm.is_empty() {
+        return format!("Confirm or correct its size: read {}.", item.to_confirm.join(", "));
     }
     if let Some(unstated) = found.unstated {
         return format!("State {}: give {}.", unstated.words(), unstated.keys());

@@ -192,9 +192,18 @@ impl AxisGeometry {
         Some(Self { axis, height_m, side_m, base_m, cg_height_m, block })
     }
 
+    /// Of a block of any shape, to which no factor applies.
+    pub(super) fn of_block(block: Block) -> Self {
+        let (height_m, side_m) = (block.height_m(), block.base_width_m());
+        Self { axis: Axis::Thickness, height_m, side_m, base_m: None, cg_height_m: None, block }
+    }
+
     /// The block with its heights and sides multiplied by these factors; unchanged where the result
     /// is not a block.
     pub(super) fn scaled(&self, heights: f64, sides: f64) -> Block {
+        if heights == 1.0 && sides == 1.0 {
+            return self.block;
+        }
         let times = |length_m: Option<f64>, factor: f64| length_m.map(|length_m| length_m * factor);
         let (base_m, cg_m) = (times(self.base_m, sides), times(self.cg_height_m, heights));
         Self::new(self.axis, self.height_m * heights, self.side_m * sides, base_m, cg_m)
@@ -305,6 +314,9 @@ impl Gliding {
     }
 }
 
+/// What an object lacks whose size is not believed, as [`Item::to_confirm`] says.
+const UNCONFIRMED: &str = "confirmation of its size";
+
 impl Subject {
     /// Whether it rocks: it neither rolls nor slides to a stop.
     pub(crate) fn rocks(&self) -> bool {
@@ -336,6 +348,10 @@ impl Subject {
 
     /// The object, or the names of what is missing.
     pub(crate) fn new(item: &Item, settings: &Settings) -> Result<Self, Vec<&'static str>> {
+        // A size that nobody would believe is none until a person has confirmed it.
+        if !item.to_confirm.is_empty() {
+            return Err(vec![UNCONFIRMED]);
+        }
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
             (item.level_ratio, item.height_m, item.thickness_m)
         else {

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use freestand_assess::inventory::{Edit, Inventory, problem_reports};
+use freestand_assess::inventory::{Inventory, problem_reports};
 use freestand_assess::job::{Finished, Job, JobReport, ListRequest, SCHEMA, assess_telling, inventory_of};
 use freestand_assess::output::object_rows;
 use freestand_assess::output::words::advice;
@@ -19,10 +19,11 @@ use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::{Progress, Step};
-use freestand_study::study::Study;
+use freestand_study::study::{Outputs, Study};
 use serde_json::{Map, Value};
 
 use super::Done;
+use super::list::CellsArgs;
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::hazard::HazardArgs;
@@ -57,9 +58,6 @@ docs/assessment.md.")]
 pub(crate) struct AssessArgs {
     #[command(flatten)]
     list: ListArgs,
-    /// Read a cell as if it contained TEXT; may be given several times. The file is not changed
-    #[arg(long, value_name = "CELL=TEXT")]
-    edit: Vec<String>,
     /// Continue an earlier run in the same folder
     #[arg(long)]
     resume: bool,
@@ -72,6 +70,18 @@ pub(crate) struct AssessArgs {
     /// Number of objects, the most urgent first, that get a page in the report [default: 200]
     #[arg(long, value_name = "N")]
     pages: Option<usize>,
+    /// Print the card of every object too, where the report is printed
+    #[arg(long, help_heading = "The report")]
+    cards: bool,
+    /// Date on the report [default: a line to fill in]
+    #[arg(long, value_name = "DATE", help_heading = "The report")]
+    date: Option<String>,
+    /// Who prepared the report [default: a line to fill in]
+    #[arg(long, value_name = "NAME", help_heading = "The report")]
+    preparer: Option<String>,
+    /// Revision of the report [default: a line to fill in]
+    #[arg(long, value_name = "TEXT", help_heading = "The report")]
+    revision: Option<String>,
     /// End with status 1 if an object gets this verdict; give it once for each verdict
     #[arg(long, value_enum, value_name = "VERDICT")]
     fail_on: Vec<FailOn>,
@@ -88,12 +98,8 @@ pub(crate) struct ListArgs {
     /// Inventory (CSV or XLSX); replaces the inventory of the study
     #[arg(long, value_name = "FILE")]
     pub(crate) inventory: Option<PathBuf>,
-    /// Sheet of the workbook [default: the first with headings of an inventory]
-    #[arg(long, value_name = "NAME")]
-    sheet: Option<String>,
-    /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
-    #[arg(long, value_name = "MAP.toml")]
-    columns: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) cells: CellsArgs,
     /// Number of storeys: of the building where the study states none, else only to place floors by their
     /// numbers [default: the study's]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=500))]
@@ -168,7 +174,8 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
             "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
         ));
     }
-    let (study, _, inventory) = args.list.read(global, args.pages, edits(&args.edit)?)?;
+    let (mut study, _, inventory) = args.list.read(global, args.pages)?;
+    args.write_title(&mut study.outputs);
     let out = global.folder(FOLDER);
     let parquet = args.format.contains(&Format::Parquet);
     let part_rows = printer.session().map(|_| watched_rows(inventory.items.len()));
@@ -188,6 +195,17 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named })
 }
 
+impl AssessArgs {
+    /// The flags of the report in place of the keys of the study.
+    fn write_title(&self, outputs: &mut Outputs) {
+        outputs.cards |= self.cards;
+        let title = &mut outputs.title;
+        title.date = self.date.clone().or(title.date.take());
+        title.preparer = self.preparer.clone().or(title.preparer.take());
+        title.revision = self.revision.clone().or(title.revision.take());
+    }
+}
+
 impl ListArgs {
     /// A flag that only a list or its study needs.
     pub(crate) fn of_list(&self) -> Option<&'static str> {
@@ -196,8 +214,6 @@ impl ListArgs {
             (hazard.get("place").is_some(), "--place"),
             (hazard.get("site").is_some(), "--site"),
             (hazard.get("return_period_years").is_some(), "--return-period"),
-            (self.sheet.is_some(), "--sheet"),
-            (self.columns.is_some(), "--columns"),
             (self.storeys.is_some(), "--storeys"),
             (self.strict, "--strict"),
             (self.assess_anchored, "--assess-anchored"),
@@ -212,7 +228,6 @@ impl ListArgs {
         &self,
         global: &GlobalArgs,
         pages: Option<usize>,
-        edits: Vec<Edit>,
     ) -> Result<(Study, ListRequest, Inventory), Failure> {
         let overrides =
             Overrides { seed: global.seed, hazard: self.hazard.words(), storeys: self.storeys, ..Overrides::default() };
@@ -226,24 +241,16 @@ impl ListArgs {
         settings.library = self.library.clone().or(settings.library.take());
         settings.cushion_library = self.cushion_library.clone().or(settings.cushion_library.take());
         let request = ListRequest {
-            sheet: self.sheet.clone(),
-            columns: self.columns.clone(),
+            sheet: self.cells.sheet.clone(),
+            columns: self.cells.columns.clone(),
             storeys: self.storeys.map(usize::from),
             is_strict: self.strict,
             assess_anchored: self.assess_anchored,
-            edits,
+            edits: self.cells.edits()?,
         };
         let inventory = inventory_of(&study, self.inventory.as_deref(), &request)?;
         Ok((study, request, inventory))
     }
-}
-
-/// The cells that are read otherwise, by `--edit`.
-pub(crate) fn edits(texts: &[String]) -> Result<Vec<Edit>, Problems> {
-    let mut problems = Problems::default();
-    let edits = texts.iter().filter_map(|text| problems.keep(Edit::parse(text).map_err(|one| one.named("edit"))));
-    let edits = edits.collect();
-    problems.finish(Some(edits))
 }
 
 /// Long work with a bar of its progress, which Ctrl-C stops.

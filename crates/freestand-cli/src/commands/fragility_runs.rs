@@ -8,7 +8,7 @@ use freestand_assess::fragility::{
     At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, KeepRuns, Limits, METHODS, Measure, Method,
     RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
-use freestand_assess::risk::load_changed;
+use freestand_assess::risk::{LEFT_OUT, load_changed};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -22,6 +22,7 @@ use super::Done;
 use super::assess::{ListArgs, watched};
 use super::block::ShapeArgs;
 use super::fragility::{Exports, FragilityArgs, curves_text, stopped};
+use super::list::CellsArgs;
 use crate::args::GlobalArgs;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -84,9 +85,9 @@ pub(crate) struct RunArgs {
     /// How the runs are chosen
     #[arg(long, value_parser = choice(METHODS), default_value = name_of(METHODS, Method::Incremental), help_heading = "The runs")]
     method: Method,
-    /// `adaptive`, or a grid "from:to:count" or a list. For ida these are factors on the motions, such
-    /// as "0.5:5:10"; for stripes intensities by the first measure, such as "0.1 m/s:2 m/s:12"
-    /// [default: adaptive]
+    /// `adaptive`, or a grid "from:to:count" of equal ratios, or a list. For ida these are factors on the
+    /// motions, such as "0.5:5:10"; for stripes intensities by the first measure, such as
+    /// "0.1 m/s:2 m/s:12" [default: adaptive]
     #[arg(long, conflicts_with = "outcomes", value_name = "adaptive|GRID", help_heading = "The runs")]
     scales: Option<String>,
     /// Largest factor on a motion [default: 10]
@@ -127,6 +128,11 @@ impl RunArgs {
     /// As [`RunArgs::is_given`] with a table of outcomes, for which the inventory has costs.
     pub(crate) fn is_given_beside_outcomes(&self) -> bool {
         self.height.is_some() || self.thickness.is_some() || !self.motion.is_empty() || self.list.study.is_some()
+    }
+
+    /// How the cells of the list are read.
+    pub(crate) fn cells(&self) -> &CellsArgs {
+        &self.list.cells
     }
 
     /// The list of the objects.
@@ -215,6 +221,8 @@ impl RunArgs {
     /// Refuses flags of a list where nothing reads one.
     pub(super) fn refuse_list(&self) -> Result<(), Failure> {
         let flag = self.list.of_list().or(self.worlds.map(|_| "--worlds"));
+        // Beside outcomes, an inventory has the costs.
+        let flag = flag.or(self.list.cells.given().filter(|_| self.list.inventory.is_none()));
         flag.map_or(Ok(()), |flag| {
             let message = format!("{flag} is for an inventory in the building of a study, and none is run");
             Err(Failure::usage(message, "leave it out, or give --inventory or a study in place of one object"))
@@ -294,7 +302,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
             RunObjects::Given(Box::new(GivenObject { motions, ..object }))
         }
         None => {
-            let (of_study, _, of_list) = runs.list.read(global, None, Vec::new())?;
+            let (of_study, _, of_list) = runs.list.read(global, None)?;
             (study, inventory) = (of_study, of_list);
             has_errors = inventory.has_errors();
             if let Some(path) = &study.source {
@@ -377,6 +385,9 @@ fn write(
         go_on()?;
         files.table(&name("fragility"), || fit.table())?;
         files.table(&name("empirical"), || fit.empirical_table())?;
+    }
+    if let Some(table) = report.left_out_table()? {
+        files.table(LEFT_OUT.trim_end_matches(".csv"), || Ok(table))?;
     }
     go_on()?;
     let json = document(FRAGILITY_SCHEMA, facts, warnings)?;

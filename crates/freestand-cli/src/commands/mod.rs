@@ -10,6 +10,7 @@ mod fragility;
 mod fragility_runs;
 mod inventory;
 mod library;
+mod list;
 mod motion;
 mod object;
 mod place;

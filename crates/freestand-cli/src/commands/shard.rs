@@ -127,7 +127,7 @@ fn out<'g>(global: &'g GlobalArgs, hint: &str) -> Result<&'g Path, Failure> {
 
 fn plan(args: &PlanArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let out = out(global, "name the folder of the plan: one that all machines can read and write")?;
-    let (study, list, inventory) = args.list.read(global, args.pages, Vec::new())?;
+    let (study, list, inventory) = args.list.read(global, args.pages)?;
     let request = PlanRequest {
         study: &study,
         seed: global.seed,

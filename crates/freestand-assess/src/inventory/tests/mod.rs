@@ -2,6 +2,7 @@
 
 mod hostile;
 mod large;
+mod registers;
 mod round_trip;
 
 use std::io::{Cursor, Write};
@@ -254,8 +255,8 @@ fn doubts_are_one_for_each_kind_and_column() {
     let reading = read(&text).unwrap();
     let said: Vec<String> = reading.inventory.findings.iter().map(Finding::line).collect();
     for one in [
-        "doubt: height: height [mm]: 40 cells (C4, C5, C6 …), such as \"1.8\"",
-        "doubt: side: thickness [mm]: 40 cells (D4, D5, D6 …), such as \"0.45\"",
+        "doubt: implausible-size: height [mm]: 40 cells (C4, C5, C6 …), such as \"1.8\"",
+        "doubt: implausible-size: thickness [mm]: 40 cells (D4, D5, D6 …), such as \"0.45\"",
         "doubt: stiffness: stiffness [N/mm]: 1 cell (F44), such as \"4.38\"",
         "doubt: pads-missing: pad_stiffness [N/mm]: 1 cell (G45)",
         "doubt: density: mass [kg]: 1 cell (E46), such as \"9000\"",
@@ -271,8 +272,9 @@ fn doubts_are_one_for_each_kind_and_column() {
     assert_eq!((reading.header_row, reading.inventory.items.len()), (3, 43));
     let left: Vec<(u32, &str)> = reading.left_out.iter().map(|left| (left.row, left.kind.name())).collect();
     assert_eq!(left, [(47, "total")]);
-    // Values are used all the same; with `strict` the doubts are errors.
+    // The value is kept, and waits for a person; with `strict` the doubts are errors.
     assert_eq!(reading.inventory.items[0].height_m, Some(0.0018));
+    assert_eq!(reading.inventory.items[0].to_confirm, ["C4=1.8 m", "D4=0.45 m"]);
     assert!(!reading.inventory.has_errors());
     let strict = ReadOptions { is_strict: true, ..ReadOptions::new(&Lookup::NONE) };
     let reading = parse_inventory(text.into_bytes(), Path::new("a.csv"), &strict).unwrap();
@@ -490,10 +492,8 @@ fn what_is_around_an_object() {
     let mut said: Vec<String> =
         reading.inventory.findings.iter().map(|one| format!("{} {}", one.kind.name(), one.cells().join(" "))).collect();
     said.sort();
-    let unreadable = ["unreadable D6", "unreadable G5", "unreadable I6"];
-    assert_eq!(said[..3], ["casters H2", "out-of-range D5", "out-of-range F4"]);
-    assert_eq!(said[3..6], unreadable);
-    assert_eq!(said[6..], ["upper-alone J5"]);
+    assert_eq!(said[..4], ["casters H2", "not-understood G5", "out-of-range D5", "out-of-range F4"]);
+    assert_eq!(said[4..], ["unreadable D6", "unreadable I6", "upper-alone J5"]);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::files::{KeptFiles, absolute};
 use super::{MOTIONS, OUT};
-use crate::inventory::{Inventory, lines_of_items};
+use crate::inventory::{Edit, Inventory, lines_of_items};
 use crate::job::key::resume_key;
 use crate::job::store::part_size;
 use crate::job::{ListRequest, said};
@@ -125,6 +125,9 @@ struct PlannedList {
     storeys: Option<usize>,
     is_strict: bool,
     assess_anchored: bool,
+    /// Cells that are read otherwise, such as `D7=900 mm`.
+    #[serde(default)]
+    edits: Vec<String>,
 }
 
 /// A plan on disk.
@@ -246,6 +249,7 @@ fn write(request: &PlanRequest, key: String, dir: &Path, force: bool) -> Result<
             storeys: list.storeys,
             is_strict: list.is_strict,
             assess_anchored: list.assess_anchored,
+            edits: list.edits.iter().map(Edit::to_string).collect(),
         },
         files: folder.names()?.into_iter().chain([PLAN.to_owned()]).collect(),
         files_sha256: BTreeMap::new(),
@@ -397,18 +401,19 @@ impl Plan {
     }
 
     /// The copy of the inventory, and how it is read.
-    pub(super) fn list(&self) -> (PathBuf, ListRequest) {
-        let PlannedList { file, sheet, columns, storeys, is_strict, assess_anchored, sha256: _, original: _ } =
+    pub(super) fn list(&self) -> Result<(PathBuf, ListRequest), Problem> {
+        let PlannedList { file, sheet, columns, storeys, is_strict, assess_anchored, edits, sha256: _, original: _ } =
             &self.file.inventory;
+        let edits = edits.iter().map(|edit| Edit::parse(edit)).collect::<Result<_, _>>()?;
         let request = ListRequest {
             sheet: sheet.clone(),
             columns: columns.as_ref().map(|name| self.dir.join(name)),
             storeys: *storeys,
             is_strict: *is_strict,
             assess_anchored: *assess_anchored,
-            edits: Vec::new(),
+            edits,
         };
-        (self.dir.join(file), request)
+        Ok((self.dir.join(file), request))
     }
 
     /// Refuses a copy of the inventory that was changed.

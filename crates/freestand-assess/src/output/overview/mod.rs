@@ -290,10 +290,19 @@ fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
         demand_capacity: found.demand_capacity_median(),
         falls: falls(found),
         exceeded: exceeded(found),
-        chance: chance(found),
+        chance: to_check(chance(found), item),
         shock_g: found.edge_acceleration_g_median(),
         force_n: found.design_force().map(|force| force.force_n),
         why: found.why.clone(),
+    }
+}
+
+/// A probability, and whether the row that it rests on is in doubt.
+fn to_check(chance: String, item: &Item) -> String {
+    match (item.doubts.is_empty(), chance.is_empty()) {
+        (true, _) => chance,
+        (false, true) => "check the input".to_owned(),
+        (false, false) => format!("{chance}; check the input"),
     }
 }
 

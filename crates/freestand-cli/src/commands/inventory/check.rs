@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand_assess::inventory::{
-    CheckReport, Inventory, Item, Mapping, ReadOptions, SHOWN, check_report, console_lines, inspect_inventory,
-    marked_copy,
+    CheckReport, HeadingReport, Inventory, Item, Mapping, ReadOptions, Reading, SHOWN, SenseReport, check_report,
+    console_lines, inspect_headings, inspect_inventory, mapping_of_headings, marked_copy, senses,
 };
 use freestand_assess::job::floors_of;
 use freestand_assess::library::Libraries;
@@ -16,20 +16,22 @@ use freestand_input::words::counted;
 use freestand_output::folder::write_file;
 use freestand_study::cushion::cushion_words;
 use freestand_study::resolve::{Overrides, load};
+use serde::Serialize;
 
 use super::SCHEMA;
 use crate::args::GlobalArgs;
 use crate::commands::Done;
-use crate::commands::assess::edits;
+use crate::commands::list::CellsArgs;
 use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
+use crate::reading::path_text;
 
 /// Read a list of objects and show how it was understood, with all its problems
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Reads CSV, TSV and XLSX with headings in English, German, French, Spanish, Italian or Japanese;
-see docs/inventory.md. Exit status: 0 no errors, 1 some cells have errors, 2 the file is not a list.
+Reads CSV, TSV and XLSX with headings in English, German, French, Spanish, Italian, Portuguese,
+Turkish, Japanese or Chinese; see docs/inventory.md. Exit status: 0 no errors, 1 some cells have errors, 2 the file is not a list.
 
 Examples:
   freestand inventory check objects.csv
@@ -42,13 +44,9 @@ pub(crate) struct CheckArgs {
     /// List of objects (CSV, TSV or XLSX)
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Sheet of the workbook [default: the one with the best headings]
-    #[arg(long, value_name = "NAME")]
-    sheet: Option<String>,
-    /// Mapping file (TOML) that says what columns, floors and numbers mean
-    #[arg(long, value_name = "MAP.toml")]
-    columns: Option<PathBuf>,
-    /// Write a mapping file to edit
+    #[command(flatten)]
+    how: CellsArgs,
+    /// Write a mapping file to edit, also where too few headings are known to read the list
     #[arg(long, value_name = "MAP.toml")]
     write_columns: Option<PathBuf>,
     /// Study file (TOML) whose building has the floors
@@ -60,9 +58,10 @@ pub(crate) struct CheckArgs {
     /// Count every doubt as an error
     #[arg(long)]
     strict: bool,
-    /// Read a cell as if it contained TEXT; may be given several times. The file is not changed
-    #[arg(long, value_name = "CELL=TEXT")]
-    edit: Vec<String>,
+    /// Show only the headings, with examples of their cells and what each was taken for; also for a list of
+    /// which too few headings are known
+    #[arg(long, conflicts_with_all = ["study", "storeys", "strict", "cells", "columns", "edit", "library", "cushion_library"])]
+    headings: bool,
     /// Also list the text of every cell (with --json)
     #[arg(long)]
     cells: bool,
@@ -76,11 +75,14 @@ pub(crate) struct CheckArgs {
 
 pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let inputs: Vec<PathBuf> =
-        [Some(&args.file), args.columns.as_ref(), args.study.as_ref()].into_iter().flatten().cloned().collect();
+        [Some(&args.file), args.how.columns.as_ref(), args.study.as_ref()].into_iter().flatten().cloned().collect();
     let files = Files::begin(global, &inputs)?;
+    if args.headings {
+        return headings(args, files, printer, &inputs);
+    }
     let libraries = Libraries::with_files(args.library.as_deref(), args.cushion_library.as_deref())?;
-    let mapping = args.columns.as_deref().map(Mapping::load).transpose()?;
-    let edits = edits(&args.edit)?;
+    let mapping = args.how.columns.as_deref().map(Mapping::load).transpose()?;
+    let edits = args.how.edits()?;
     let storeys = args.storeys.map(usize::from);
     let floors = match &args.study {
         Some(path) => floors_of(&load(path, &Overrides::default())?, storeys),
@@ -88,7 +90,7 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
     };
     let (reading, copy) = libraries.looked_up(|lookup| -> Result<_, Problems> {
         let options = ReadOptions {
-            sheet: args.sheet.as_deref(),
+            sheet: args.how.sheet.as_deref(),
             mapping: mapping.as_ref(),
             floors,
             is_strict: args.strict,
@@ -96,7 +98,7 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
             wants_cells: args.cells,
             lookup,
         };
-        let reading = inspect_inventory(&args.file, &options)?;
+        let reading = inspect_inventory(&args.file, &options).or_else(|problems| unread(args, &inputs, problems))?;
         let copy =
             if files.wanted() { Some(marked_copy(&args.file, &options, &reading.inventory.findings)?) } else { None };
         Ok((reading, copy))
@@ -113,6 +115,47 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
     printer.said(&console_lines(&inventory.findings));
     files.print(printer, SCHEMA, &report, &inventory.warnings, || text(&report, inventory))?;
     Ok(Done { criterion_met: !inventory.has_errors() })
+}
+
+/// The headings alone.
+#[derive(Debug, Serialize)]
+struct HeadingsReport {
+    path: String,
+    headings: Vec<HeadingReport>,
+    senses: Vec<SenseReport>,
+}
+
+fn headings(args: &CheckArgs, files: Files, printer: &Printer, inputs: &[PathBuf]) -> Result<Done, Failure> {
+    let headings = inspect_headings(&args.file, args.how.sheet.as_deref())?;
+    if let Some(path) = &args.write_columns {
+        write_file(path, mapping_of_headings(&headings).as_bytes(), inputs)?;
+    }
+    let report = HeadingsReport { path: path_text(&args.file), headings, senses: senses() };
+    let lines: Vec<Vec<String>> = report
+        .headings
+        .iter()
+        .map(|one| {
+            let name = one.name.unwrap_or("-").to_owned();
+            vec![one.column.clone(), one.heading.clone(), name, one.samples.join(" | ")]
+        })
+        .collect();
+    files.print(printer, SCHEMA, &report, &[], || table(&["column", "heading", "meaning", "examples"], &lines))?;
+    Ok(Done::OK)
+}
+
+/// A list that cannot be read, because too few of its headings are known: its mapping file is written all
+/// the same, to be completed.
+fn unread(args: &CheckArgs, inputs: &[PathBuf], problems: Problems) -> Result<Reading, Problems> {
+    let (Some(path), None) = (&args.write_columns, &args.how.columns) else { return Err(problems) };
+    let Ok(headings) = inspect_headings(&args.file, args.how.sheet.as_deref()) else { return Err(problems) };
+    write_file(path, mapping_of_headings(&headings).as_bytes(), inputs)?;
+    let unknown = headings.iter().filter(|one| one.name.is_none()).count();
+    let hint = format!(
+        "{} was written: put the names of {} into it, and give it as `columns`",
+        path.display(),
+        counted(unknown, "heading")
+    );
+    Err(problems.problems.into_iter().map(|problem| problem.hint(hint.clone())).collect())
 }
 
 fn text(report: &CheckReport, inventory: &Inventory) -> String {
