@@ -737,7 +737,7 @@ mod tests {
     #[test]
     fn no_uplift_above_the_threshold() {
         let told = answer(Told::Motions, Counts { floor_g_max: 0.25, ..counts(6, 0, 0) });
-        assert_eq!(told.sentence(), "Under these 6 motions, this object does not rock: none lifts an edge.");
+        assert_eq!(told.sentence(), "Under these 6 motions, this object rocks in none of them: none lifts an edge.");
         let near = answer(Told::Motions, Counts { floor_g_max: 0.2096, ..counts(6, 0, 0) });
         assert!(near.sentence().contains("reaches 0.2096 g at most and it takes 0.21 g"), "{}", near.sentence());
     }
