@@ -1,5 +1,6 @@
 //! The result for one object: everything that its row, its page and the workbook show.
 
+use freestand_input::words::number;
 use serde::{Deserialize, Serialize};
 
 pub use freestand_study::result::Ranked;
@@ -116,6 +117,10 @@ pub struct Answers {
     pub restitution_p16_p84: [f64; 2],
     /// The motions that the worlds use in turn, where they are too few for `leave`.
     pub few_motions: Option<FewMotions>,
+    /// The fewest worlds that could carry `leave`, where that is more than [`Self::worlds_cap`].
+    pub worlds_needed: Option<u32>,
+    /// Whether it is round: no model follows it, and the answers are those of the square prism around it.
+    pub is_round: bool,
 }
 
 /// Motions that are too few for `leave`, however many worlds use them.
@@ -255,10 +260,12 @@ pub struct AtWall {
 /// How far an object rolls or slides, and what a stop does to it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rolled {
-    /// Travel to one side as if nothing were in the way, median world \[m\].
+    /// Largest distance from where it stood as if nothing were in the way, median world \[m\].
     pub travel_m_median: f64,
     /// Travel that 84 % of the worlds do not exceed \[m\].
     pub travel_m_p84: f64,
+    /// Whether one horizontal component of its floor is all that is known: it travels at least so far.
+    pub is_at_least: bool,
     /// The way to its stop; `None`: nothing stops it \[m\].
     pub clearance_m: Option<f64>,
     /// The least room on every side that would suffice: the upper end of the probability that it goes
@@ -304,6 +311,15 @@ pub struct BeforeWall {
 }
 
 impl Rolled {
+    /// How far it goes in words: no farther than its stop, and `at least` where one component of the floor
+    /// is all that is known.
+    pub(crate) fn reach_words(&self) -> String {
+        let to_stop_m = self.clearance_m.filter(|_| self.stop_share > 0.0).unwrap_or(f64::INFINITY);
+        let reach_m = self.travel_m_p84.min(to_stop_m);
+        let at_least = if self.is_at_least && reach_m < to_stop_m { "at least " } else { "" };
+        format!("{at_least}{} mm", number((1e3 * reach_m).ceil(), 6))
+    }
+
     /// Trip speed over the speed at the stop; above 1 the stop does not overturn it.
     pub fn trip_margin(&self) -> Option<f64> {
         Some(self.trip_speed_m_s / self.stop_speed_m_s_p84?)

@@ -141,6 +141,31 @@ impl FloorOfWorld {
         Self { pfa_m_s2: motion.peak_m_s2(), pfv_m_s: motion.peak_velocity_m_s(), motion, vertical }
     }
 
+    /// One that moves as given, in every direction alike.
+    pub(crate) fn given(horizontal: &Motion, vertical: Option<&Motion>) -> Self {
+        Self::new(HorizontalMotion { along: horizontal.clone(), across: None }, vertical.cloned())
+    }
+
+    /// Every component multiplied by a factor; `None` where their numbers have no end.
+    pub(crate) fn scaled(&self, scale_ratio: f64) -> Option<Self> {
+        let scaled = |motion: Option<&Motion>| motion.map(|motion| motion.scaled(scale_ratio)).transpose().ok();
+        Some(Self {
+            motion: HorizontalMotion {
+                along: self.motion.along.scaled(scale_ratio).ok()?,
+                across: scaled(self.motion.across.as_ref())?,
+            },
+            vertical: scaled(self.vertical.as_ref())?,
+            pfa_m_s2: self.pfa_m_s2 * scale_ratio,
+            pfv_m_s: self.pfv_m_s * scale_ratio,
+        })
+    }
+
+    /// The same, in which the acceleration of the floor itself counts for nothing: only what the object
+    /// does.
+    pub(crate) fn without_peak(self) -> Self {
+        Self { pfa_m_s2: 0.0, ..self }
+    }
+
     /// How the base of an object moves, in the plane of x or of y.
     pub(crate) fn base(&self, is_x: bool) -> Base<'_> {
         Base { horizontal: Some(self.component(is_x)), vertical: self.vertical.as_ref() }

@@ -12,6 +12,7 @@ use freestand_output::parquet::provenance;
 use freestand_output::streamed::StreamedFile;
 use freestand_output::table::Table;
 use serde::Serialize;
+use serde_json::Value;
 
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
@@ -138,7 +139,7 @@ impl Files {
         text: impl FnOnce() -> String,
     ) -> Result<(), Failure> {
         if let Some((_, folder)) = &self.folder {
-            folder.write(RESULT, document(schema, body, warnings)?.as_bytes())?;
+            folder.write(RESULT, document(schema, &without_timing(body)?, warnings)?.as_bytes())?;
             if let Some(session) = printer.session() {
                 let mut names = folder.names()?;
                 names.push(MANIFEST.to_owned());
@@ -189,7 +190,17 @@ pub(crate) fn fingerprints(inputs: &[PathBuf]) -> Result<Vec<(String, Option<Str
     inputs.iter().map(one).collect()
 }
 
-/// The file in the output folder with the document that `--json` prints.
+/// A body without the time that its calculation took: equal runs write equal files.
+pub(crate) fn without_timing<T: Serialize>(body: &T) -> Result<Value, Failure> {
+    let defect = |error| Failure::computation(format!("the result is not JSON: {error}"));
+    let mut body = serde_json::to_value(body).map_err(defect)?;
+    if let Some(timing) = body.get_mut("timing").and_then(Value::as_object_mut) {
+        timing.retain(|name, _| !name.ends_with("_s"));
+    }
+    Ok(body)
+}
+
+/// The file in the output folder with the document that `--json` prints, without the seconds of its `timing`.
 pub(crate) const RESULT: &str = "result.json";
 
 /// A document with the files that were written. From this list, the next run knows which files it

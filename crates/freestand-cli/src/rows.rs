@@ -12,7 +12,7 @@ use freestand_study::spectrum::{SpectrumChunk, column_type};
 use serde::Serialize;
 
 use crate::failure::Failure;
-use crate::files::{Files, RESULT, fingerprints};
+use crate::files::{Files, RESULT, fingerprints, without_timing};
 use crate::printer::Printer;
 
 /// Name of the table in the output folder.
@@ -141,8 +141,9 @@ impl Rows {
             self.document(rows_head(self.schema)?.as_bytes())?;
         }
         let tail = rows_tail(self.schema, others, warnings)?;
+        let kept = rows_tail(self.schema, &without_timing(others)?, warnings)?;
         for document in &mut self.documents {
-            document.write(tail.as_bytes())?;
+            document.write(kept.as_bytes())?;
         }
         for file in self.tables.into_iter().chain(self.documents) {
             file.finish()?;

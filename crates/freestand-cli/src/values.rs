@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, ValueParserFactory};
 use clap::{Arg, Command};
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{self, Dimension};
+use freestand_input::quantity::{self, Dimension, UnitSystem};
 pub(crate) use freestand_input::words::{Choices, name_of};
 
 use crate::failure::Failure;
@@ -17,6 +17,13 @@ use crate::failure::Failure;
 /// [`Reads`].
 #[derive(Debug, Clone)]
 pub(crate) struct Given<T = f64>(pub(crate) Result<T, Problem>);
+
+/// A value and the system of units in which it was typed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Typed {
+    pub(crate) value_si: f64,
+    pub(crate) system: Option<UnitSystem>,
+}
 
 /// Reads a flag with a function.
 #[derive(Debug, Clone)]
@@ -72,6 +79,15 @@ pub(crate) trait Reads: Into<Arg> {
     fn positive(self, dimension: Dimension) -> Arg {
         let arg = self.into().value_name(value_name(dimension));
         arg.read(move |text| quantity::parse_positive(text, dimension, "the value"))
+    }
+
+    /// A value above zero, with the system of units in which it was typed.
+    fn typed(self, dimension: Dimension) -> Arg {
+        let arg = self.into().value_name(value_name(dimension));
+        arg.read(move |text| {
+            let value_si = quantity::parse_positive(text, dimension, "the value")?;
+            Ok(Typed { value_si, system: UnitSystem::of(text) })
+        })
     }
 
     /// A value of zero or more.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 use std::fs::File;
-use std::io::Read;
+use std::io::{IsTerminal, Read};
 use std::path::{Component, Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -98,6 +98,11 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
             .in_file(path)
             .hint("name the file itself"));
     }
+    if is_endless(&file) {
+        return Err(Problem::new(ProblemKind::Io, "is a device, not a file")
+            .in_file(path)
+            .hint("name the file itself"));
+    }
     let mut bytes = Vec::new();
     file.take(most + 1).read_to_end(&mut bytes).map_err(|error| io("cannot read the file", &error))?;
     if bytes.len() as u64 > most {
@@ -106,9 +111,31 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
     Ok(bytes)
 }
 
+/// Whether a file is a device, such as /dev/zero: it may have no end. A terminal ends with Ctrl-D.
+#[cfg(unix)]
+fn is_endless(file: &File) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    let kind = file.metadata().map(|data| data.file_type());
+    kind.is_ok_and(|kind| kind.is_char_device() || kind.is_block_device()) && !file.is_terminal()
+}
+
+#[cfg(not(unix))]
+fn is_endless(_: &File) -> bool {
+    false
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_device_is_not_read() {
+        // Without an end: a test that reads it takes two gigabytes, and fails by its message.
+        let problem = load(Path::new("/dev/zero")).unwrap_err();
+        assert_eq!((problem.kind, problem.message.as_str()), (ProblemKind::Io, "is a device, not a file"));
+        assert!(problem.hint.is_some());
+    }
 
     #[test]
     fn a_folder_is_not_left() {

@@ -17,7 +17,7 @@ use crate::assets::asset;
 use crate::guard::Guard;
 use crate::jobs::Jobs;
 use crate::reply::{Answered, Content, Refusal, Status, document, not_allowed, nothing, refused, response, value};
-use crate::slots::Slots;
+use crate::slots::{Slot, Slots};
 use crate::uploads::Uploads;
 use crate::{Cancel, Edit, Events, History, Program, Request, Shape};
 
@@ -71,6 +71,9 @@ struct Asked {
     shape: Shape,
     #[serde(default)]
     slot: Option<String>,
+    /// The tab that asks: the newest request of a slot counts within it.
+    #[serde(default)]
+    tab: String,
     #[serde(default)]
     edits: Vec<Edit>,
     /// The job that this one continues.
@@ -236,7 +239,7 @@ async fn live(site: Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
         let message = format!("{MAX_LIVE} requests are being answered already");
         return Err(Refusal::new(Status::TooMany, "busy", message, "wait for one of them"));
     };
-    let slot = asked.slot.clone();
+    let slot = asked.slot.as_ref().map(|name| Slot { tab: asked.tab.clone(), name: name.clone() });
     let request = understood(&site, asked, None)?;
     let entered = site.jobs.live.enter();
     let program = site.program;

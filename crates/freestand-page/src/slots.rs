@@ -1,4 +1,5 @@
-//! Requests of which only the newest counts, such as those of a slider that is being moved.
+//! Requests of which only the newest counts, such as those of a slider that is being moved. They count
+//! within one tab of a browser: two tabs that show different places do not stop each other.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
@@ -7,6 +8,14 @@ use tokio::sync::oneshot;
 
 use crate::Cancel;
 
+/// A slot of a tab.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(crate) struct Slot {
+    /// The tab, by a name that it made up; one without a name shares its slots with others of them.
+    pub(crate) tab: String,
+    pub(crate) name: String,
+}
+
 /// The running request of each slot.
 #[derive(Default)]
 pub(crate) struct Slots(Mutex<Running>);
@@ -14,7 +23,7 @@ pub(crate) struct Slots(Mutex<Running>);
 #[derive(Default)]
 struct Running {
     last: u64,
-    slots: HashMap<String, (u64, Cancel, oneshot::Sender<()>)>,
+    slots: HashMap<Slot, (u64, Cancel, oneshot::Sender<()>)>,
 }
 
 /// A request in a slot.
@@ -27,13 +36,13 @@ pub(crate) struct Taken {
 
 impl Slots {
     /// Takes a slot; the request that was in it is cancelled.
-    pub(crate) fn take(&self, slot: &str) -> Taken {
+    pub(crate) fn take(&self, slot: &Slot) -> Taken {
         let cancel = Cancel::default();
         let (sender, superseded) = oneshot::channel();
         let mut running = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         running.last += 1;
         let number = running.last;
-        if let Some((_, older, told)) = running.slots.insert(slot.to_owned(), (number, cancel.clone(), sender)) {
+        if let Some((_, older, told)) = running.slots.insert(slot.clone(), (number, cancel.clone(), sender)) {
             older.cancel();
             let _ = told.send(());
         }
@@ -41,7 +50,7 @@ impl Slots {
     }
 
     /// Leaves a slot, unless a newer request has it.
-    pub(crate) fn leave(&self, slot: &str, number: u64) {
+    pub(crate) fn leave(&self, slot: &Slot, number: u64) {
         let mut running = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if running.slots.get(slot).is_some_and(|(own, ..)| *own == number) {
             running.slots.remove(slot);

@@ -485,6 +485,21 @@ fn the_newer_request_of_a_slot_wins() {
     assert!(began.elapsed() < Duration::from_secs(4), "the older one was stopped");
 }
 
+/// Two tabs that show two places are two people: neither stops the other.
+#[test]
+fn the_newer_request_of_another_tab_stops_nothing() {
+    let site = Site::new();
+    let asked = |tab: &str, steps: u32| {
+        site.post("/api/v1/run", &json!({"command": "wait", "options": {"steps": steps}, "slot": "one", "tab": tab}))
+    };
+    std::thread::scope(|scope| {
+        let older = scope.spawn(|| asked("a", 40));
+        std::thread::sleep(Duration::from_millis(100));
+        assert_eq!(asked("b", 1).status, 200);
+        assert_eq!(older.join().unwrap().status, 200, "the request of another tab has stopped it");
+    });
+}
+
 /// The events of a job after a number: their names, numbers and data.
 fn events(site: &Site, id: &str, after: usize) -> Vec<(usize, String, Value)> {
     let last = format!("Last-Event-ID: {after}");

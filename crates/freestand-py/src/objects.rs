@@ -12,6 +12,7 @@ use freestand_assess::restrain::{
 };
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
+use freestand_input::quantity::UnitSystem;
 use freestand_study::resolve::Overrides;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -109,6 +110,10 @@ pub(crate) fn check_object(
     let tolerance = tolerance.map(|of_g| Withstood { peak_m_s2: of_g * G0_M_S2, duration_s });
     let (height, thickness) = (given.positive("height_m"), given.positive("thickness_m"));
     let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
+    let shape = given.text("shape");
+    if let Some(other) = shape.as_deref().filter(|shape| !["box", "cylinder"].contains(shape)) {
+        given.push(Problem::value(format!("shape \"{other}\" is not known"), "give \"box\" or \"cylinder\""));
+    }
     let mass_kg = given.positive("mass_kg");
     let friction_ratio = given.range("friction");
     let surroundings = surroundings(&mut given);
@@ -144,6 +149,7 @@ pub(crate) fn check_object(
             height_m,
             thickness_m,
             width_m,
+            is_round: shape.as_deref() == Some("cylinder"),
             cg_height_m,
             mass_kg,
             rests_on,
@@ -193,6 +199,7 @@ pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(
     let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
     let anchors_per_edge = given.count("anchors_per_edge").unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get());
     let is_compared = given.flag("compare");
+    let (component, anchor_inset_m) = (given.text("component"), given.non_negative("anchor_inset_m"));
     given.finish()?;
     let (Some(mass_kg), Some(height_m), Some(thickness_m)) = (mass, height, thickness) else {
         let hint = "give mass_kg, height_m and thickness_m";
@@ -213,6 +220,9 @@ pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(
         hazard,
         floor,
         factors,
+        component,
+        anchor_inset_m,
+        units: UnitSystem::Si,
         anchors_per_edge,
         is_compared,
     };

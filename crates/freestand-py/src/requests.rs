@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use freestand::G0_M_S2;
+use freestand::identify::Toe;
 use freestand::motion::Motion;
 use freestand::shock_response::ShockSpectrumOptions;
 use freestand::synthesis::SynthesisOptions;
@@ -141,7 +142,8 @@ pub(crate) fn static_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResul
         files: given.paths("files"),
         load_n: given.positive("load_n"),
         machine_stiffness_n_m: given.positive("machine_stiffness_n_m"),
-        compensates_toe: given.optional_flag("cut_toe"),
+        toe: given.optional_flag("cut_toe").map(|cuts| if cuts { Toe::Slack } else { Toe::Keep }),
+        inverted: false,
         impactor: one_of(&mut given, "impactor", &IMPACTORS),
         boundary: one_of(&mut given, "boundary", &BOUNDARIES),
         dynamic_stiffness_n_m: given.positive("dynamic_stiffness_n_m"),

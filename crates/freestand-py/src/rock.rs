@@ -4,7 +4,7 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::{CompliantBase, CompliantOptions, Start};
 use freestand::motion::Motion;
-use freestand::rocking::{Restitution, RockingModel, RockingOptions, Until};
+use freestand::rocking::{Restitution, RockingModel, RockingOptions};
 use freestand::sliding::Clearance;
 use freestand_input::problem::Problem;
 use freestand_output::facts::{Facts, Value};
@@ -12,7 +12,7 @@ use freestand_study::compliant::{
     self as on_cushions, CompliantRequest, Release, accuracy, rock_on_cushions, start, with_tangential_stiffness,
 };
 use freestand_study::restitution::checked;
-use freestand_study::rock::{ACCURACIES, HISTORY, MODELS, RockRequest, history_row, rock as calculated};
+use freestand_study::rock::{ACCURACIES, HISTORY, MODELS, RockRequest, history_row, rock as calculated, until};
 use freestand_study::sliding::{self, Contact, SlideRequest, StopShock, Surface, SurfaceGiven, slide as slid};
 use freestand_study::walls::{GivenWalls, WallStiffness, needs_a_gap};
 use pyo3::prelude::*;
@@ -128,13 +128,8 @@ pub(crate) fn surface(given: &mut Given<'_, '_>) -> Option<Surface> {
     given.keep(Surface::new(&of))
 }
 
-/// The time at which a history ends.
-fn until(duration_s: Option<f64>) -> Until {
-    duration_s.map_or(Until::EndOfMotion, Until::Time)
-}
-
 fn nothing_moves() -> Problem {
-    let hint = "give a motion, or initial_rotation_rad or initial_velocity_rad_s with duration_s";
+    let hint = "give a motion, or initial_rotation_rad or initial_velocity_rad_s";
     Problem::value("nothing moves the object", hint)
 }
 
@@ -232,13 +227,8 @@ fn rigid<'py>(py: Python<'py>, shaken: Shaken<'_>, mut given: Given<'_, 'py>) ->
         walls,
     };
     let friction = given.positive("friction");
-    if shaken.is_still() {
-        if options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
-            given.push(nothing_moves());
-        } else if duration_s.is_none() {
-            let message = "free rocking needs a time at which to stop";
-            given.push(Problem::value(message, "give duration_s, for example duration_s=30"));
-        }
+    if shaken.is_still() && options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
+        given.push(nothing_moves());
     }
     given.finish()?;
     let request = RockRequest {

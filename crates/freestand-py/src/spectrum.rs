@@ -4,10 +4,10 @@ use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand::block::Block;
-use freestand::rocking::{Base, RockingModel, RockingOptions};
+use freestand::rocking::{Base, Restitution, RockingModel, RockingOptions};
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::facts::{Facts, Value};
-use freestand_study::rock::{ACCURACIES, MODELS, problem};
+use freestand_study::rock::{ACCURACIES, MODELS, problem, until};
 use freestand_study::spectrum::{
     Grid, SpectrumChunk, SpectrumMotion, SpectrumRequest, SpectrumTally, chunk_objects, spectrum as calculated,
 };
@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::arguments::Given;
-use crate::errors::raised_all;
+use crate::errors::{raised, raised_all};
 use crate::motion::Record;
 use crate::rock::{restitution, surface, walls};
 use crate::work::watched;
@@ -185,6 +185,7 @@ pub(crate) fn spectrum<'py>(
         restitution: restitution(&mut given, blocks),
         accuracy: given.choice("accuracy", ACCURACIES).unwrap_or_default(),
         walls,
+        until: until(None),
         ..RockingOptions::default()
     };
     let sensitivity = given.flag("sensitivity");
@@ -196,6 +197,15 @@ pub(crate) fn spectrum<'py>(
     given.finish()?;
     let Some(grid) = grid else { return Err(raised_all(Problems::default())) };
     let request = SpectrumRequest { grid, options, cushion: mass_kg.zip(edge), wall, sensitivity, surface };
+    let of_rocking = [
+        ("restitution", matches!(request.options.restitution, Restitution::Value(_))),
+        ("restitution_factor", matches!(request.options.restitution, Restitution::Factor(_))),
+        ("model", request.options.model == RockingModel::Linearised),
+    ];
+    if let Some((name, _)) = of_rocking.into_iter().find(|(_, is_given)| *is_given && request.none_rocks()) {
+        let message = format!("{name} has no effect: every object slides or rolls, and none rocks");
+        return Err(raised(Problem::value(message, "leave it out")));
+    }
     let taken = |(name, horizontal, vertical): &(String, PyRef<'py, Record>, Option<PyRef<'py, Record>>)| {
         let vertical = vertical.as_ref().map(|record| record.motion().clone());
         SpectrumMotion { name: name.clone(), horizontal: horizontal.motion().clone(), vertical }

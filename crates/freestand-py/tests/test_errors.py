@@ -41,7 +41,6 @@ def caught(kind, call):
         (lambda: fs.Block(1, 0.5, 100, cushion=fs.Cushion(pad_stiffness_n_m=2e6)), "pads_per_edge"),
         (lambda: fs.Block(1, 0.5, 100, cushion=fs.Cushion(stiffness_n_m=2e6, law="rubber")), "law"),
         (lambda: fs.Block(1, 0.5).rock(), "initial_rotation_rad"),
-        (lambda: fs.Block(1, 0.5).rock(initial_rotation_rad=0.1), "duration_s"),
         (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), restitution=1.5), "restitution"),
         (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), restitution=0.5, restitution_factor=0.5), "restitution"),
         (lambda: fs.Block(1, 0.5).rock(fs.Motion([0, 1, 0], 0.1), accuracy="good"), "standard"),

@@ -167,7 +167,12 @@ def test_a_place_replaces_the_hazard_of_a_study(tmp_path):
     replaced = fs.check_object(2, 0.3, study=path, place="Wellington", worlds=40)
     same(replaced.to_dict(), told("object", *flags, "--place", "Wellington"))
     assert "Wellington" in replaced.answer and "Wellington" not in alone.answer
-    assert "Melbourne" in fs.check_object(2, 0.3, study={}, worlds=40).answer
+    unstated = fs.check_object(2, 0.3, study={"building": {"storeys": 5}}, worlds=40)
+    assert "Melbourne" in unstated.answer and unstated.place_is_assumed and not alone.place_is_assumed
+    with pytest.raises(fs.FreestandError, match="the study is empty"):
+        fs.check_object(2, 0.3, study={}, worlds=40)
+    round_one = fs.check_object(2, 0.3, shape="cylinder", study=path, worlds=40)
+    assert round_one.is_round and round_one.decision == "restrain"
     with pytest.raises(fs.BadValue, match="place does not apply: the ground motions are records"):
         fs.check_object(2, 0.3, study={"ground": {"motions": [str(FLOOR)]}}, place="Wellington")
 
@@ -198,7 +203,7 @@ def test_fragility_and_risk():
                    options=RISK / "options.csv", budget="2000 AUD", horizon_years=40, discount_ratio=0.03)  # fmt: skip
     same(ours.to_dict(), theirs)
     for wrong, said in (
-        ({}, "there is no hazard curve"), ({"hazard_power": "k0=1e-4 /yr, k=2.5, reference=1 m/s"}, "hazard_im"),
+        ({}, "there is no hazard curve"), ({"hazard_code": "as1170.4"}, "site"),
         ({"hazard_code": "as1170.4", "hazard_im": "pgx"}, "pgx"),
     ):  # fmt: skip
         with pytest.raises(fs.BadValue, match=said) as raised:

@@ -120,3 +120,14 @@ def test_conversions(cabinet, floor_motion):
     assert "edge_acceleration_g" in result._repr_html_() and "rocked" in repr(result)
     with pytest.raises(fs.BadValue, match="history=True"):
         cabinet.rock(floor_motion).to_xarray()
+
+
+def test_the_object_is_followed_until_it_rests_or_lies():
+    """A pulse that ends while the object is beyond its balance point, with zeros after it and without."""
+    sine = 0.5 * 9.80665 * np.sin(2 * np.pi * np.arange(101) * 0.01)
+    bare, padded = fs.Motion(sine, 0.01), fs.Motion(np.append(sine, np.zeros(2000)), 0.01)
+    block = fs.Block(1.5, 0.3)
+    assert [block.rock(motion).outcome for motion in (bare, padded)] == ["overturned"] * 2
+    assert block.rock(bare, duration_s=1).outcome == "unresolved"
+    assert block.rock(initial_rotation_rad=0.1).outcome == "rocked"
+    assert list(fs.spectrum(bare, [1.5], [0.3]).column("outcome")) == ["overturned"]

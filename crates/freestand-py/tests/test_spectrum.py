@@ -65,8 +65,8 @@ def test_arrow_takes_it_without_a_copy(table, document):
     assert again.num_rows == 1 and again.to_pylist()[0]["height_m"] == 1.0
 
 
-def _wave():
-    return fs.Motion(6 * np.sin(np.arange(300) * 0.05), 0.01)
+def _wave(name=None):
+    return fs.Motion(6 * np.sin(np.arange(300) * 0.05), 0.01, name)
 
 
 def test_pandas(table):
@@ -148,7 +148,7 @@ def test_tables_pickle(table):
         ((_wave(), [1], [0.3]), {"mass_kg": 150}),
         ((_wave(), [1], [0.3]), {"accuracy": "best"}),
         ((_wave(), [1], [0.3]), {"restitution": 2}),
-        (([_wave(), _wave()], [1], [0.3]), {}),
+        (([_wave("a"), _wave("a")], [1], [0.3]), {}),
     ],
 )
 def test_wrong_grids_are_refused(arguments, options):

@@ -22,7 +22,7 @@ use crate::result::{
 };
 use crate::statistics::object_statistics;
 use crate::study::{
-    BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround,
+    BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study, SyntheticGround, TitleBlock,
     VerticalTarget,
 };
 use crate::target::CodeParts;
@@ -50,6 +50,7 @@ pub(crate) fn study() -> Study {
         is_builtin: false,
         place_is_assumed: false,
         building_is_assumed: false,
+        assumed: Vec::new(),
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
             target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),
@@ -95,6 +96,8 @@ pub(crate) fn study() -> Study {
             figures: true,
             parquet: false,
             report: true,
+            cards: false,
+            title: TitleBlock::default(),
             history: Some(HistoryChoice { level: "roof".into(), motion: None, height_m: 1.5, thickness_m: 0.3 }),
         },
         warnings: vec!["the building is a uniform beam".into()],
@@ -241,7 +244,7 @@ fn rocked(block: &Block, peak_g: f64, motion: usize) -> UpliftCell {
     };
     let peak = match outcome {
         Outcome::NoUplift => 0.0,
-        Outcome::Rocked => ratio * pivot.slenderness_angle_rad,
+        Outcome::Rocked | Outcome::Unresolved => ratio * pivot.slenderness_angle_rad,
         Outcome::Overturned | Outcome::Leaned => FRAC_PI_2,
     };
     let cg_rise_m = pivot.cg_rise_m(peak.min(pivot.slenderness_angle_rad));

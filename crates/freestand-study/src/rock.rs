@@ -8,8 +8,8 @@ use freestand::impact::{
 };
 use freestand::motion::{MAX_SAMPLES, Motion};
 use freestand::rocking::{
-    Accuracy, Base, HistoryPoint, HistoryRecorder, Outcome, Rocking, RockingError, RockingImpact, RockingModel,
-    RockingOptions, SideExtremes, Until, WallImpact, rock_observed,
+    Accuracy, Base, HistoryPoint, HistoryRecorder, LONGEST_TAIL_S, Outcome, Rocking, RockingError, RockingImpact,
+    RockingModel, RockingOptions, SideExtremes, Until, WallImpact, rock_observed,
 };
 use freestand::spectra::{UpliftCell, landings};
 use freestand::wall::{Contact, Walls};
@@ -38,6 +38,21 @@ pub const ACCURACIES: Choices<Accuracy> = &[
     (Accuracy::Standard, "standard", "Error of 1e-13 per step; rotations in spectra to 1e-9 or better"),
     (Accuracy::Tight, "tight", "The limit of double precision; nearly so in spectra"),
 ];
+
+/// When a history ends: at a time that was given \[s\], else when the object rests or lies after the
+/// last sample.
+pub fn until(duration_s: Option<f64>) -> Until {
+    duration_s.map_or(Until::Settled { at_most_s: LONGEST_TAIL_S }, Until::Time)
+}
+
+/// What to do about a history that ended before it was certain what becomes of the object.
+pub(crate) fn unresolved_warning(outcome: Outcome) -> Option<String> {
+    (outcome == Outcome::Unresolved).then(|| {
+        "at the end of the calculation the object is neither at rest nor down: leave `duration` out, or give a longer \
+         one, to see whether it falls"
+            .to_owned()
+    })
+}
 
 /// An object under a motion.
 #[derive(Debug, Clone)]
@@ -147,6 +162,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
     if block.landing_ratio() < 0.0 {
         warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
     }
+    warnings.extend(unresolved_warning(rocking.outcome));
     warnings.extend(crate::walls::doubts(block, &request.options.walls, rocking.contacts));
     if let Some((mass, EdgeCushion { cushion, pad_thickness_m, .. })) = request.cushion.as_ref() {
         warnings.extend(stiffness_warnings(*mass, cushion, *pad_thickness_m).iter().map(ToString::to_string));

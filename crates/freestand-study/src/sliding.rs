@@ -12,6 +12,7 @@ use freestand::sliding::{
 };
 
 use crate::rock;
+use crate::rock::until;
 use freestand_input::problem::Problem;
 use freestand_input::words::significant;
 use freestand_output::facts;
@@ -251,12 +252,12 @@ pub fn slide(request: &SlideRequest, record: bool) -> Result<SlideReport, Proble
 }
 
 /// The slide of every object on this surface under one motion, which does not depend on their size,
-/// up to the end of the motion or to free flight.
+/// until it rests, or up to free flight.
 ///
 /// # Errors
 /// Input that the solver refuses.
 pub fn slide_under(surface: &Surface, base: Base) -> Result<Sliding, Problem> {
-    freestand::sliding::slide(base, &surface.options(G0_M_S2, Until::EndOfMotion)).map_err(problem)
+    freestand::sliding::slide(base, &surface.options(G0_M_S2, until(None))).map_err(problem)
 }
 
 fn facts(request: &SlideRequest, sliding: &Sliding) -> Facts<'static> {

@@ -122,6 +122,14 @@ pub struct SpectrumRequest {
 }
 
 impl SpectrumRequest {
+    /// Whether every object slides or rolls: nothing then reads the restitution and the model of rocking.
+    pub fn none_rocks(&self) -> bool {
+        let carried = |surface: &Surface| {
+            self.grid.blocks(0..self.grid.objects()).all(|block| surface.carries(&block) == Ok(true))
+        };
+        self.surface.as_ref().is_some_and(carried)
+    }
+
     /// Warnings about the validity of the results, which `tallies` sum up.
     pub fn warnings(&self, tallies: &[SpectrumTally]) -> Vec<String> {
         let objects = self.grid.objects();

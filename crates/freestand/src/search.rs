@@ -15,7 +15,16 @@ pub(crate) fn bisect(mut low: f64, mut high: f64, is_beyond: impl Fn(f64) -> boo
 /// The largest value of a function with a single maximum between `low` and `high`, by golden
 /// section. The location is accurate to 1e-8 of the bracket, below which rounding hides the
 /// differences, and the value to rounding.
-pub(crate) fn golden_maximum(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+pub(crate) fn golden_maximum(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
+    golden(f, low, high).1
+}
+
+/// Where [`golden_maximum`] finds the largest value.
+pub(crate) fn golden_maximum_at(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
+    golden(f, low, high).0
+}
+
+fn golden(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
     const SHARE: f64 = 0.618_033_988_749_895;
     let (mut a, mut b) = (high - SHARE * (high - low), low + SHARE * (high - low));
     let (mut fa, mut fb) = (f(a), f(b));
@@ -31,7 +40,7 @@ pub(crate) fn golden_maximum(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64
             fa = f(a);
         }
     }
-    fa.max(fb)
+    if fa < fb { (b, fb) } else { (a, fa) }
 }
 
 #[cfg(test)]

@@ -140,7 +140,7 @@ impl UpliftCell {
             // Only the rocking before remains to compare: where an error has become visible in it,
             // the overturning is in doubt.
             Outcome::Overturned => Sensitivity { ratio: None, sensitive: lower.max(speed) > DOUBTFUL_RATIO },
-            Outcome::Rocked | Outcome::Leaned => {
+            Outcome::Rocked | Outcome::Leaned | Outcome::Unresolved => {
                 let peak = self.rocking.peak_rotation_rad;
                 let ratio = amplified(peak, changed.peak_rotation_rad, peak);
                 // A block at the threshold that does not rise may rise under the changed motion: it
@@ -190,6 +190,7 @@ pub fn landings(block: &Block, model: ImpactModel) -> [Landing; 2] {
 mod tests {
     use super::*;
     use crate::motion::Motion;
+    use crate::rocking::Until;
 
     /// On a spring the shock of one landing goes with √(k/m), whatever the shape: the page shows other
     /// masses and stiffnesses without rocking again.
@@ -236,8 +237,12 @@ mod tests {
         Motion::new(0.01, (0..800).map(sample).collect()).unwrap()
     }
 
+    fn settled() -> RockingOptions {
+        RockingOptions { until: Until::Settled { at_most_s: 120.0 }, ..RockingOptions::default() }
+    }
+
     fn under_pulse(amplitude: f64) -> (Outcome, Sensitivity) {
-        let (motion, options) = (pulse(amplitude), RockingOptions::default());
+        let (motion, options) = (pulse(amplitude), settled());
         let base = Base { horizontal: Some(&motion), vertical: None };
         let cells = uplift_spectrum(&[Block::uniform(1.5, 0.4).unwrap()], base, &options);
         (cells[0].unwrap().rocking.outcome, uplift_sensitivity(&cells, base, &options)[0])

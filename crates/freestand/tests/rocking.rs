@@ -306,6 +306,36 @@ fn chatter_ends_in_rest() {
     assert_eq!(rock(&block, Base::default(), &halted).unwrap().impacts.len(), 1);
 }
 
+/// A block that is thrown beyond its balance point within the record is followed until it lies, one that
+/// is not until it rests; zeros after the record change nothing, and a time that was given ends it.
+#[test]
+fn a_history_goes_on_until_the_block_rests_or_lies() {
+    let block = Block::uniform(1.5, 0.3).unwrap();
+    let settled = RockingOptions { until: Until::Settled { at_most_s: 120.0 }, ..RockingOptions::default() };
+    let sine = |peak_g: f64| {
+        let sample = |i: u32| peak_g * G0_M_S2 * (std::f64::consts::TAU * f64::from(i) / 100.0).sin();
+        Motion::new(0.01, (0..=100).map(sample).collect()).unwrap()
+    };
+    for (peak_g, outcome) in [(0.1, Outcome::NoUplift), (0.23, Outcome::Rocked), (0.5, Outcome::Overturned)] {
+        let motion = sine(peak_g);
+        let bare = rock(&block, under(&motion), &settled).unwrap();
+        let padded = rock(&block, under(&motion.with_zero_tail(20.0).unwrap()), &settled).unwrap();
+        assert_eq!((bare.outcome, padded.outcome), (outcome, outcome), "{peak_g} g");
+        // The steps of the padded history end at its samples.
+        assert!((bare.peak_rotation_rad - padded.peak_rotation_rad).abs() <= 1e-9 * padded.peak_rotation_rad);
+    }
+    let ended = RockingOptions { until: Until::Time(1.0), ..RockingOptions::default() };
+    assert_eq!(rock(&block, under(&sine(0.5)), &ended).unwrap().outcome, Outcome::Unresolved);
+    // A restitution of 1 never ends: what comes down fast enough falls over on the other side.
+    let fast = RockingOptions {
+        restitution: Restitution::Value(1.0),
+        initial_rotation_rad: 0.1,
+        initial_omega_rad_s: -3.0,
+        ..settled
+    };
+    assert_eq!(rock(&block, Base::default(), &fast).unwrap().outcome, Outcome::Overturned);
+}
+
 /// The quiet after a short record is calculated once: a block released at α + 0.01 is still falling
 /// at 0.8 s.
 #[test]
@@ -315,7 +345,7 @@ fn the_tail_is_passed_once() {
     let options = free(0.21, 0.0, 0.8, RockingModel::Rigid);
     let (behind, alone) =
         (rock(&block, under(&still), &options).unwrap(), rock(&block, Base::default(), &options).unwrap());
-    assert_eq!((behind.outcome, behind.end_time_s), (Outcome::Rocked, 0.8));
+    assert_eq!((behind.outcome, behind.end_time_s), (Outcome::Unresolved, 0.8));
     // Three steps of 1e-13, growing with e^(p t).
     assert!((behind.peak_rotation_rad / alone.peak_rotation_rad - 1.0).abs() < 1e-10);
 }
@@ -377,7 +407,7 @@ fn upward_acceleration_holds_the_block_down() {
 fn passing_alpha_is_not_yet_overturning() {
     let block = block(0.2);
     let got = rock(&block, Base::default(), &free(0.25, 0.0, 0.1, RockingModel::Rigid)).unwrap();
-    assert_eq!((got.outcome, got.passed_alpha_time_s, got.overturn_time_s), (Outcome::Rocked, Some(0.0), None));
+    assert_eq!((got.outcome, got.passed_alpha_time_s, got.overturn_time_s), (Outcome::Unresolved, Some(0.0), None));
     let fallen = rock(&block, Base::default(), &free(0.25, 0.0, 60.0, RockingModel::Rigid)).unwrap();
     assert_eq!((fallen.outcome, fallen.stop), (Outcome::Overturned, StopReason::Overturned));
     assert_eq!(fallen.peak_rotation_rad, FRAC_PI_2);

@@ -126,7 +126,7 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
             let hazard = request
                 .hazard
                 .as_ref()
-                .map(|source| hazard_of(source, Some(report.at), request.site_deg))
+                .map(|source| hazard_of(source, Some(report.at), request.site_deg, None))
                 .transpose()?;
             warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
             openquake::files(report, request, &listed, demand, hazard.as_ref(), &mut warnings)?
@@ -431,7 +431,7 @@ mod tests {
             inventory: Some(path("i.csv")),
             hazard: Some(HazardSource::PowerLaw {
                 text: "k0=1e-3 /yr, k=2, reference=0.3 g".to_owned(),
-                measure: report.table.measure,
+                measure: Some(report.table.measure),
             }),
         };
         export(&report, &request).unwrap()
@@ -468,7 +468,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("hazard.csv");
         std::fs::write(&path, text_of(&exported, "hazard.csv")).unwrap();
-        let read = hazard_of(&HazardSource::File(path), None, None).unwrap();
+        let read = hazard_of(&HazardSource::File(path), None, None, None).unwrap();
         assert_eq!((read.measure.name(), read.at), ("sa_avg(0.2:2)".to_owned(), At::Ground));
         // λ = k0 at the reference; points are joined by power laws, so that only their digits
         // differ.

@@ -15,6 +15,10 @@ use super::{ExportObject, ExportRequest, Files, Listed, Shape, sources};
 
 /// Years of the damage that the classical job states.
 const RISK_YEARS: u32 = 50;
+/// How much rarer than its last point the exported end of a hazard curve is.
+const BEYOND: f64 = 1e4;
+/// The most that its intensity is above the last point: a level hazard would go on without an end.
+const MAX_BEYOND: f64 = 100.0;
 /// Levels of the hazard curve: OpenQuake sums over them, and with 300 it is off by 0.05 %.
 const LEVELS: usize = 600;
 /// More motions per year than this have a probability within a year that cannot be told from 1.
@@ -121,14 +125,17 @@ fn site_of(object: &ExportObject, request: &ExportRequest) -> Result<(f64, f64),
 }
 
 /// Rising intensities and their rates, close enough for the sums of OpenQuake, which has straight
-/// lines between its levels and counts nothing beyond the last one. Motions beyond the last point of
-/// a hazard count as motions of that point, as in `annual_rate`: a level right above it has almost no
-/// rate.
+/// lines between its levels and counts nothing beyond the last one. Beyond the last point of a hazard its
+/// last segment goes on, as in `annual_rate`, to a ten thousandth of its rate. What is left counts as
+/// motions of the last level: a level right above it has almost no rate.
 fn levels(hazard: &Hazard, objects: &[ExportObject]) -> Vec<(f64, f64)> {
     let (from, to) = match hazard {
         Hazard::Points(points) => {
             let of = |point: Option<&freestand::risk::HazardPoint>| point.map_or(1.0, |point| point.intensity);
-            (of(points.first()), of(points.last()))
+            let exponent = points.last_chunk().map_or(f64::INFINITY, |[low, high]| {
+                (low.annual_rate / high.annual_rate).ln() / (high.intensity / low.intensity).ln()
+            });
+            (of(points.first()), of(points.last()) * BEYOND.powf(1.0 / exponent).min(MAX_BEYOND))
         }
         Hazard::PowerLaw { exponent, .. } => objects
             .iter()
@@ -343,9 +350,11 @@ mod tests {
         assert!(levels.len() >= 300 && levels.iter().any(|(x, _)| *x == 0.1), "{}", levels.len());
         assert!(levels.windows(2).all(|pair| pair[0].0 < pair[1].0 && pair[0].1 > pair[1].1));
         assert!(levels[0].1 <= MAX_RATE, "{:?}", levels[0]);
+        assert!(levels.contains(&(1.0, 1e-4)));
+        // k = 2: a ten thousandth at 100 times the intensity. Rounding keeps the last step of 600 out.
         let (end, tail) = (levels[levels.len() - 2], levels[levels.len() - 1]);
-        assert_eq!(end, (1.0, 1e-4));
+        assert!(end.0 > 98.0 && end.0 <= 100.0 && (end.1 * end.0 * end.0 / 1e-4 - 1.0).abs() < 1e-9, "{end:?}");
         // A product of two rounded numbers.
-        assert!(tail.0 < 1.0 + 2e-6 && (tail.1 - 1e-13).abs() < 1e-27, "{tail:?}");
+        assert!(tail.0 < 100.0 + 2e-4 && (tail.1 / end.1 / 1e-9 - 1.0).abs() < 1e-12, "{tail:?}");
     }
 }

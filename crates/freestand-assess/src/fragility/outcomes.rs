@@ -459,7 +459,8 @@ mod tests {
         let problems = read(&format!("object,motion,pga [g],outcome\n{rows}")).unwrap_err();
         let places: Vec<Option<usize>> = problems.problems.iter().map(|problem| problem.line).collect();
         assert_eq!(places, [Some(3), Some(2), Some(4), Some(4), Some(4)], "{problems}");
-        let many = read(&format!("object,pga [g],rocked,overturned\n{}", "a,NaN,1,x\n".repeat(30))).unwrap_err();
+        let rows: String = (0..30).map(|i| format!("a,-{i},1,x{i}\n")).collect();
+        let many = read(&format!("object,pga [g],rocked,overturned\n{rows}")).unwrap_err();
         assert_eq!(many.len(), 21);
         assert!(many.problems[20].to_string().starts_with("o.csv: and 40 more problems"), "{many}");
         let twice = "object,motion,pgv [m/s],outcome\n".to_owned() + &"a,m,0.2,rocked\n".repeat(4);

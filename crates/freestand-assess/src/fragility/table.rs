@@ -32,6 +32,9 @@ pub(crate) struct Row {
 /// The largest number of problems with rows of a table that are reported one by one.
 const MAX_TOLD: usize = 20;
 
+/// The most lines that are named of one problem.
+const MAX_LINES: usize = 5;
+
 /// Number of rows after which the caller is asked whether to continue: some milliseconds of work.
 const ROWS_UNASKED: usize = 4096;
 
@@ -39,6 +42,8 @@ const ROWS_UNASKED: usize = 4096;
 #[derive(Default)]
 pub(crate) struct RowProblems<'p> {
     told: Problems,
+    /// The other lines with the same problem as each of those that are told.
+    again: Vec<Vec<usize>>,
     /// Problems beyond [`MAX_TOLD`].
     more: usize,
     /// Who may stop the reading.
@@ -64,9 +69,15 @@ impl<'p> RowProblems<'p> {
         }
     }
 
-    /// Adds a problem.
+    /// Adds a problem. One that another row has, too, is told once, with its lines.
     pub(crate) fn push(&mut self, problem: Problem) {
-        if self.told.len() < MAX_TOLD {
+        let is_same =
+            |told: &Problem| Problem { line: None, ..told.clone() } == Problem { line: None, ..problem.clone() };
+        let known = self.told.problems.iter().position(is_same);
+        if let (Some(lines), Some(line)) = (known.and_then(|place| self.again.get_mut(place)), problem.line) {
+            lines.push(line);
+        } else if self.told.len() < MAX_TOLD {
+            self.again.push(Vec::new());
             self.told.push(problem);
         } else {
             self.more += 1;
@@ -82,6 +93,15 @@ impl<'p> RowProblems<'p> {
     /// The problems that were collected in this file: the first [`MAX_TOLD`], and the number of the
     /// rest.
     pub(crate) fn finish(mut self, path: &Path) -> Result<(), Problems> {
+        for (problem, lines) in self.told.problems.iter_mut().zip(&self.again) {
+            if !lines.is_empty() {
+                let named: Vec<String> = lines.iter().take(MAX_LINES).map(usize::to_string).collect();
+                let rest = lines.len().saturating_sub(MAX_LINES);
+                let more = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+                let word = if lines.len() == 1 { "line" } else { "lines" };
+                problem.message = format!("{} (also {word} {}{more})", problem.message, named.join(", "));
+            }
+        }
         if self.more > 0 {
             let message = format!("and {} more {}", self.more, if self.more == 1 { "problem" } else { "problems" });
             self.told
@@ -348,8 +368,13 @@ mod tests {
         let mut lines: Vec<Option<usize>> = problems.problems.iter().map(|problem| problem.line).collect();
         lines.sort();
         assert_eq!(lines, [Some(2), Some(3), Some(5)]);
-        let many = numbers(&format!("a,b\n{}", "x,0\n".repeat(50))).unwrap_err();
+        let rows: String = (0..50).map(|i| format!("x,{}\n", -i)).collect();
+        let many = numbers(&format!("a,b\n{rows}")).unwrap_err();
         assert_eq!((many.len(), many.problems[20].to_string().as_str()), (21, "t.csv: and 30 more problems"));
+        // The same problem of many rows is one, with their lines.
+        let same = numbers(&format!("a,b\n{}y,1\n", "x,0\n".repeat(287))).unwrap_err();
+        assert_eq!(same.len(), 1, "{same}");
+        assert!(same.problems[0].message.ends_with("(also lines 3, 4, 5, 6, 7 and 281 more)"), "{same}");
     }
 
     #[test]

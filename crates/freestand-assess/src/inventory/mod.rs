@@ -72,6 +72,7 @@ pub use report::{
     SenseReport, check_report, problem_reports, senses,
 };
 pub use template::{template_csv, template_xlsx};
+pub(crate) use vocabulary::rating;
 
 use crate::library::Tolerance;
 use freestand_input::words::{Choices, name_of};

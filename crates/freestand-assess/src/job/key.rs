@@ -14,7 +14,7 @@ use freestand_study::study::{Ground, Study};
 
 /// Version of the text that is hashed; raise it with every change of that text or of the content of
 /// a part.
-const FORMAT: u32 = 6;
+const FORMAT: u32 = 7;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.
@@ -134,6 +134,7 @@ fn settings(settings: &Settings) -> Value {
         building_ductility_ratio,
         importance_ratio,
         bracket_height_m,
+        anchor_inset_m,
         bracket,
     } = restraint;
     let name = |questions: Questions| Questions::ALL.iter().find(|(_, one)| *one == questions).map(|(name, _)| *name);
@@ -164,6 +165,7 @@ fn settings(settings: &Settings) -> Value {
             (target.spectrum.name(), target.place_name(), target.spectrum.sa_g(0.0), target.spectrum.plateau_g())
         }),
         "bracket_height_m": bracket_height_m,
+        "anchor_inset_m": anchor_inset_m,
         "bracket": bracket,
     })
 }

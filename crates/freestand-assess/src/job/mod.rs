@@ -101,6 +101,10 @@ pub struct JobReport {
     pub place_is_assumed: bool,
     /// Whether nobody stated the building.
     pub building_is_assumed: bool,
+    /// What was assumed, one sentence each.
+    pub assumptions: Vec<String>,
+    /// For how many objects the list leaves a column empty, so that something is assumed.
+    pub assumed_columns: serde_json::Value,
     /// What the study calls the building.
     pub building_name: Option<String>,
     /// The place whose hazard was used.
@@ -386,6 +390,12 @@ fn report(portfolio: &Portfolio, study: &Study, inventory: &Inventory, head: &He
 /// What a report says about the study and the list, whatever became of the objects.
 pub(crate) fn said(study: &Study, head: &Head) -> JobReport {
     JobReport {
+        assumptions: head.assumptions.clone(),
+        assumed_columns: head
+            .assumed_columns
+            .iter()
+            .map(|(column, objects)| ((*column).to_owned(), json!(objects)))
+            .collect(),
         no_study: head.no_study.clone(),
         place_is_assumed: study.place_is_assumed,
         building_is_assumed: study.building_is_assumed,

@@ -91,7 +91,12 @@ pub(super) fn assess<'a>(
         lived: Lived::default(),
         worlds: None,
     };
-    let mut assessor = Assessor::new((study, total), (wants_outcomes, motions), &wants_to_stop);
+    let alternative = study.alternative();
+    if wants_outcomes && alternative.is_some() {
+        return Err(two_spectra().into());
+    }
+    let mut assessor =
+        Assessor::new((study, total), (wants_outcomes, motions), &wants_to_stop).beside(alternative.as_ref());
     let mut list = Vec::with_capacity(total);
     let rows = finished.map(|tell| (JsonRows::new(inventory), tell));
     let mut ranked: Vec<Urgency> = Vec::new();
@@ -144,6 +149,10 @@ pub(super) struct Assessor<'a, 's> {
     motions: Option<&'s Path>,
     wants_to_stop: &'s (dyn Fn() -> bool + Sync),
     context: Option<Context<'s>>,
+    /// The study with the other spectrum of its national annex.
+    alternative: Option<&'s Study>,
+    /// Its worlds.
+    other: Option<Context<'s>>,
     /// The worlds, once a part needed them.
     worlds: Option<Worlds<'a>>,
 }
@@ -162,12 +171,18 @@ impl<'a: 's, 's> Assessor<'a, 's> {
         (wants_outcomes, motions): (bool, Option<&'s Path>),
         wants_to_stop: &'s (dyn Fn() -> bool + Sync),
     ) -> Self {
-        Self { study, total, wants_outcomes, motions, wants_to_stop, context: None, worlds: None }
+        let (context, worlds) = (None, None);
+        Self { study, total, wants_outcomes, motions, wants_to_stop, context, alternative: None, other: None, worlds }
+    }
+
+    /// With the other spectrum of a national annex beside: of each object the worse result counts.
+    pub(super) fn beside(self, alternative: Option<&'s Study>) -> Self {
+        Self { alternative, ..self }
     }
 
     /// Rocking histories that were computed.
     pub(super) fn histories(&self) -> u64 {
-        self.context.as_ref().map_or(0, Context::histories)
+        self.context.iter().chain(&self.other).map(Context::histories).sum()
     }
 
     /// A part from the store, or computed and stored.
@@ -195,13 +210,46 @@ impl<'a: 's, 's> Assessor<'a, 's> {
             }
         };
         let mut rows = self.wants_outcomes.then(Vec::new);
-        let found = assess_part(context, items, rows.as_mut())?;
+        let mut found = assess_part(context, items, rows.as_mut())?;
+        if let Some(study) = self.alternative {
+            let other = match &mut self.other {
+                Some(context) => context,
+                // Their motions are not kept: those of the first spectrum have the same names.
+                empty => {
+                    empty.insert(Context::new(study, shake(study, None, progress)?, self.total, self.wants_to_stop))
+                }
+            };
+            found = worse(items, found, assess_part(other, items, None)?);
+        }
         if let Some(rows) = rows {
             store.write_outcomes(part, &rows)?;
         }
         store.write(part, &found)?;
         Ok(Assessed { found, is_stored: false })
     }
+}
+
+/// The outcomes of worlds by two spectra cannot stand in one table.
+pub(super) fn two_spectra() -> Problem {
+    let hint = "add `spectrum_type = 1` or `spectrum_type = 2` to [ground], and run once with each";
+    Problem::value("`outcomes` are those of one spectrum, but the national annex of this place has two", hint)
+}
+
+/// Of each object the result by the spectrum of type 1 or of type 2, whichever is more urgent.
+fn worse(items: &[Item], by_type_1: Vec<Assessment>, by_type_2: Vec<Assessment>) -> Vec<Assessment> {
+    let pairs = items.iter().zip(by_type_1.into_iter().zip(by_type_2));
+    pairs
+        .map(|(item, (one, mut two))| {
+            if Urgency::new(item, &two).cmp(&Urgency::new(item, &one)).is_lt() {
+                two.why.push_str(
+                    " The spectrum of type 2 of the national annex decides: it is the worse for this object.",
+                );
+                two
+            } else {
+                one
+            }
+        })
+        .collect()
 }
 
 /// The worlds of a study; with `motions`, their ground motions are kept in this folder.

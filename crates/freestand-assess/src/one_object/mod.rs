@@ -59,6 +59,8 @@ pub struct Object {
     pub thickness_m: f64,
     /// Horizontal size across it \[m\]; `None`: it rocks about one axis only.
     pub width_m: Option<f64>,
+    /// Whether its base is round; its sides are then those of the square around it.
+    pub is_round: bool,
     /// Height of the centre of gravity \[m\]; `None`: half the height.
     pub cg_height_m: Option<f64>,
     /// Mass \[kg\].
@@ -188,6 +190,32 @@ pub fn one_object_shown(
 ) -> Result<(ObjectReport, Option<Shown>), Problems> {
     check(request)?;
     let shaken = shaking::shaken(request)?;
+    let Some(with_type_2) = shaken.alternative() else {
+        return in_study(request, shaken, memory, follow, wants_to_stop);
+    };
+    // The national annex has two spectra. The worse counts; motions of one must not serve for the other.
+    let one = in_study(request, shaken, memory, follow, wants_to_stop)?;
+    let mut two = in_study(request, with_type_2, &Memory::default(), follow, wants_to_stop)?;
+    let falls = |report: &ObjectReport| report.facts.number("p_overturn").unwrap_or(0.0);
+    let exceeds = |report: &ObjectReport| report.facts.number("p_exceed").unwrap_or(0.0);
+    let is_worse = (falls(&two.0), exceeds(&two.0)) > (falls(&one.0), exceeds(&one.0));
+    if is_worse {
+        two.0
+            .warnings
+            .push("the spectrum of type 2 of the national annex decides: it is the worse for this object".to_owned());
+        return Ok(two);
+    }
+    Ok(one)
+}
+
+/// As [`one_object_shown`], in one study.
+fn in_study(
+    request: &ObjectRequest,
+    shaken: shaking::Shaken,
+    memory: &Memory,
+    follow: Option<&Follow>,
+    wants_to_stop: &(dyn Fn() -> bool + Sync),
+) -> Result<(ObjectReport, Option<Shown>), Problems> {
     let mut row = row::row(request, &shaken.study)?;
     let subject = Subject::new(&row.item, &shaken.study.assessment)
         .map_err(|missing| Problem::new(ProblemKind::Missing, format!("its {} is missing", listed(&missing))))?;

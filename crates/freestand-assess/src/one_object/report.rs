@@ -1,6 +1,7 @@
 //! What is said about one object: the sentence, its numbers, and the document.
 
 use freestand::G0_M_S2;
+use freestand::rocking::Restitution;
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::words::{number, percent_significant};
 use freestand_output::facts::{Facts, Value};
@@ -8,14 +9,13 @@ use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::Study;
-use freestand_study::target::Target;
 
 use super::row::Row;
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands};
 use super::shaking::{Shaken, building_words};
 use super::{Earthquake, FloorPlace, ObjectReport, ObjectRequest};
 use crate::inventory::{Casters, Surroundings};
-use crate::result::{Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict};
+use crate::result::{Answers, Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict};
 use crate::verdict::Tally;
 
 /// Makes the report; `scales` are the factors with what was found at each.
@@ -29,22 +29,23 @@ pub(super) fn report(
     let counts = counts(&found, &tally, &request.object.surroundings);
     let withstands =
         request.object.tolerance.map(|one| Withstands { peak_g: one.peak_m_s2 / G0_M_S2, duration_s: one.duration_s });
+    let is_given = matches!(request.earthquake, Earthquake::Motions { .. });
     let answer = Answer {
-        kind: AnswerKind::of(&counts, found.accepted_ratio),
+        kind: AnswerKind::of(&counts, found.accepted_ratio, found.p_overturn.filter(|_| !is_given)),
         earthquake: shaken.told.clone(),
         floor: floor(request, row, &shaken.study),
         counts,
         probability: found.p_overturn,
         withstands,
     };
-    let is_given = matches!(request.earthquake, Earthquake::Motions { .. });
     let mut warnings = shaken.warnings.clone();
     warnings.extend(row.warnings.iter().cloned());
     let failed = found.response.as_ref().map_or(tally.worlds as usize, |response| response.failed);
     if failed > 0 {
         warnings.push(format!("{failed} of {} histories failed: they widen the interval", tally.worlds));
     }
-    if !is_given && found.answers.as_ref().is_some_and(|answers| answers.falls == FallsAnswer::Close) {
+    warnings.extend(doubts(&found, is_given));
+    if !is_given && found.answers.as_ref().is_some_and(|one| one.falls == FallsAnswer::Close && !one.is_round) {
         let accepted = percent_significant(found.accepted_ratio, 2);
         warnings.push(format!(
             "the interval holds the accepted probability, {accepted}: too close to call; an assessment would count it as \
@@ -54,9 +55,11 @@ pub(super) fn report(
     let scales: Vec<Facts> = scales.iter().map(|(scale, (found, tally))| at_scale(*scale, found, tally)).collect();
     let sentence = answer.sentence();
     let level_ratio = row.item.level_ratio.filter(|_| !is_given);
-    let building = building_words(&shaken.study).filter(|_| level_ratio.is_some_and(|ratio| ratio > 0.0));
+    let is_above = level_ratio.is_some_and(|ratio| ratio > 0.0);
+    let building = building_words(&shaken.study).filter(|_| is_above);
     let target = shaken.study.ground.code_spectrum();
     let place = target.and_then(|target| target.place).map(Place::facts);
+    let assumptions = assumptions(request, (row, &shaken.study), &found, is_given);
     let facts = Facts::default()
         .key("answer", sentence.clone())
         .key("answer_kind", answer.kind.name())
@@ -66,7 +69,17 @@ pub(super) fn report(
         .key("level_ratio", level_ratio)
         .key("place", place)
         .key("scales", (!scales.is_empty()).then(|| scales.clone()))
-        .fact("assumptions", "assumed", assumptions(request, row, &found, target, is_given));
+        .key("decision", found.decision.name())
+        .key("why", found.why.clone())
+        .key("close_call", found.answers.as_ref().map(Answers::is_close))
+        .key("worlds_needed", found.answers.as_ref().and_then(|answers| answers.worlds_needed).map(u64::from))
+        .key("is_round", row.item.is_round)
+        .key("clearance_needed_m", found.rolled.map(|rolled| rolled.clearance_needed_m))
+        .key("p_overturn_locked", found.braked.map(|braked| braked.overturn.value))
+        .key("place_is_assumed", shaken.study.place_is_assumed)
+        .key("building_is_assumed", shaken.study.building_is_assumed && is_above)
+        .key("assumptions", assumptions.clone())
+        .line("assumed", Some(assumptions.join("; ")));
     ObjectReport { answer: sentence, kind: answer.kind, facts, scales, warnings }
 }
 
@@ -86,6 +99,7 @@ fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
         rolled: found.rolled,
         slides: found.model == Some(ObjectModel::Slide),
         has_wall: names_wall(around),
+        is_round: found.answers.as_ref().is_some_and(|answers| answers.is_round),
     }
 }
 
@@ -263,12 +277,66 @@ fn names_wall(around: &Surroundings) -> bool {
     around.wall_gap_m.is_some() || around.neighbour_gap_m.is_some()
 }
 
+/// What nobody stated of its feet, its friction, its casters and what is beside it.
+fn of_object(request: &ObjectRequest, (row, study): (&Row, &Study), found: &Assessment) -> Vec<String> {
+    let around = &request.object.surroundings;
+    let mut said = vec!["it stands on its full thickness".to_owned()];
+    let settings = &study.assessment;
+    if row.item.restitution == Restitution::Housner && found.rolled.is_none() {
+        said.push("Housner's restitution".to_owned());
+    }
+    if request.object.friction_ratio.is_none() && found.rolled.is_none() {
+        let (low, high) = settings.friction_ratio;
+        said.push(format!("friction enough for rocking; {low} to {high} only tells whether it may slide"));
+    }
+    if found.on_pads.is_some() && row.item.cushion.is_some() {
+        let [low, high] =
+            [settings.pad_damping_ratio.0, settings.pad_damping_ratio.1].map(|d| percent_significant(d, 2));
+        said.push(if low == high {
+            format!("pads with {low} of critical damping")
+        } else {
+            format!("pads with {low} to {high} of critical damping")
+        });
+    }
+    if around.casters.is_none() {
+        said.push("no casters".to_owned());
+    }
+    if !names_wall(around) {
+        said.push("nothing beside it".to_owned());
+    }
+    said
+}
+
+/// What keeps the answer from being relied on.
+fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
+    let mut said = Vec::new();
+    let Some(answers) = &found.answers else { return said };
+    if answers.is_round {
+        said.push(
+            "round: not calculated in three dimensions; the numbers are those of the square prism around it, and a round \
+             object falls where that prism stands"
+                .to_owned(),
+        );
+    }
+    if let Some(needed) = answers.worlds_needed.filter(|_| !is_given) {
+        let accepted = percent_significant(found.accepted_ratio, 2);
+        said.push(format!(
+            "{} simulated earthquakes cannot show that it stays, even if it falls in none: at an accepted {accepted} at \
+             least {needed} are needed; give `worlds = {needed}` or more",
+            answers.worlds_cap
+        ));
+    }
+    if let Some(unstated) = found.unstated {
+        said.push(format!("nobody stated {}: this is the answer for another one", unstated.words()));
+    }
+    said
+}
+
 /// What nobody stated, in sentences.
 fn assumptions(
     request: &ObjectRequest,
-    row: &Row,
+    (row, study): (&Row, &Study),
     found: &Assessment,
-    target: Option<&Target>,
     is_given: bool,
 ) -> Vec<String> {
     let object = &request.object;
@@ -276,18 +344,14 @@ fn assumptions(
     let is_free = around.casters == Some(Casters::Free);
     let names_wall = names_wall(around);
     let is_at_wall = found.at_wall.is_some();
-    let mut said = Vec::new();
+    let mut said: Vec<String> = study.assumed_at(row.item.level_ratio.unwrap_or(0.0)).map(str::to_owned).collect();
     said.push(match (object.cg_height_m, object.width_m) {
         (None, None) => "centre of gravity at half the height; without a width it rocks about one axis only".to_owned(),
         (None, Some(_)) => "centre of gravity at half the height".to_owned(),
         (Some(_), None) => "without a width it rocks about one axis only".to_owned(),
         (Some(_), Some(_)) => String::new(),
     });
-    if let (Earthquake::Place(hazard), Some(target)) = (&request.earthquake, target)
-        && hazard.get("site").is_none()
-    {
-        said.push(format!("{}, because no site was given", target.site_words()));
-    }
+    said.extend(of_object(request, (row, study), found));
     said.extend(row.item.cushion_source.as_ref().map(|source| format!("under one edge: {source}")));
     if is_free && found.rolled.is_none() {
         said.push("its casters resist so much that it rocks before it rolls".to_owned());

@@ -7,7 +7,7 @@ use crate::result::{Probability, Rolled};
 /// What the answer says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AnswerKind {
-    /// Nothing lifts an edge.
+    /// Nothing that was tried lifts an edge.
     DoesNotRock,
     /// It is on free casters: it rolls, and no stop overturns it.
     Rolls,
@@ -17,9 +17,10 @@ pub enum AnswerKind {
     Rocks,
     /// It is overturned, at most as often as is accepted.
     ProbablyStands,
-    /// It is overturned more often than is accepted, and less often than not.
+    /// It is overturned more often than is accepted, and perhaps less often than not.
     MayFall,
-    /// It is overturned at least as often as not.
+    /// It is certain to be overturned more often than not: the interval lies above one half, or all given
+    /// motions overturn it.
     Falls,
 }
 
@@ -28,17 +29,22 @@ impl AnswerKind {
     pub const ALL: [Self; 7] =
         [Self::DoesNotRock, Self::Rolls, Self::Slides, Self::Rocks, Self::ProbablyStands, Self::MayFall, Self::Falls];
 
-    /// The kind that belongs to these counts.
-    pub(super) fn of(counts: &Counts, accepted_ratio: f64) -> Self {
+    /// The kind that belongs to these counts; `probability`: that it is overturned, `None` where the motions
+    /// are given and are all there is.
+    pub(super) fn of(counts: &Counts, accepted_ratio: f64, probability: Option<Probability>) -> Self {
         let share = f64::from(counts.overturned) / f64::from(counts.asked.max(1));
+        let falls = probability.map_or(counts.overturned == counts.asked, |p| p.low > 0.5);
         match (counts.overturned, counts.lifted) {
+            // No model follows it, and it falls where the square prism stands.
+            (0, _) if counts.is_round => Self::MayFall,
             (0, _) if counts.rolled.is_some() && counts.slides => Self::Slides,
             (0, _) if counts.rolled.is_some() => Self::Rolls,
             (0, 0) => Self::DoesNotRock,
             (0, _) => Self::Rocks,
+            _ if counts.is_round && share < 0.5 => Self::MayFall,
             _ if share <= accepted_ratio => Self::ProbablyStands,
-            _ if share < 0.5 => Self::MayFall,
-            _ => Self::Falls,
+            _ if falls => Self::Falls,
+            _ => Self::MayFall,
         }
     }
 
@@ -156,6 +162,8 @@ pub(super) struct Counts {
     pub(super) slides: bool,
     /// Whether a wall or a neighbour was named.
     pub(super) has_wall: bool,
+    /// Whether it is round: the counts are those of the square prism around it.
+    pub(super) is_round: bool,
 }
 
 /// What an object withstands.
@@ -191,9 +199,21 @@ impl Answer {
             text if text.is_empty() => text,
             text => format!(": {text}"),
         };
-        let (under, kind, leaning, first) = (self.under(), self.kind.words(), self.leaning(), self.falls_first());
+        let (under, kind, leaning, first) = (self.under(), self.kind_words(), self.leaning(), self.falls_first());
         let rest = if self.counts.rolled.is_some() { self.rolling() } else { self.landings() };
         format!("{under}{comma} this object {kind}{evidence}{leaning}{first}{rest}.")
+    }
+
+    /// What the object does. That nothing lifted an edge is a count, not a promise.
+    fn kind_words(&self) -> String {
+        let motions = self.counts.motions;
+        match (self.kind, &self.earthquake) {
+            (AnswerKind::DoesNotRock, Told::Motions) if motions > 1 => "rocks in none of them".to_owned(),
+            (AnswerKind::DoesNotRock, earthquake) if motions > 1 => {
+                format!("rocks in none of {motions} {}", earthquake.noun())
+            }
+            (kind, _) => kind.words().to_owned(),
+        }
     }
 
     /// `In Melbourne (AS 1170.4, 500 years, site De) on the ground`.
@@ -225,13 +245,24 @@ impl Answer {
     /// What shows it.
     fn evidence(&self) -> String {
         let Counts { motions, lifted, asked, overturned, uplift_m_max, floor_g_max, lift_g, .. } = self.counts;
+        if self.counts.is_round && self.kind == AnswerKind::MayFall {
+            let verb = ("overturns", "overturn");
+            let counted = match overturned {
+                0 if self.earthquake == Told::Motions => "none overturns".to_owned(),
+                0 => format!("none of {asked} {} overturns", self.earthquake.noun()),
+                _ => self.count(overturned, asked, verb),
+            };
+            return format!(
+                "it is round, and not calculated in three dimensions; {counted} the square prism around it, which stands \
+                 more firmly"
+            );
+        }
         match self.kind {
             // A peak may pass the threshold on its way to no uplift: across an edge, or on pads.
             AnswerKind::DoesNotRock if floor_g_max >= lift_g => match self.earthquake {
                 Told::Motions if motions == 1 => "it lifts no edge".to_owned(),
-                Told::Motions => "none lifts an edge".to_owned(),
                 _ if motions == 1 => format!("the one {} lifts no edge", self.earthquake.noun().trim_end_matches('s')),
-                _ => format!("none of {motions} {} lifts an edge", self.earthquake.noun()),
+                _ => "none lifts an edge".to_owned(),
             },
             AnswerKind::DoesNotRock => {
                 let (floor, lift) = apart(floor_g_max, lift_g);
@@ -335,7 +366,7 @@ impl Answer {
             }
             _ => share.to_owned(),
         };
-        let mut told = format!("{begin}by up to {}{first}", millimetres(rolled.travel_m_p84));
+        let mut told = format!("{begin}by up to {}{first}", rolled.reach_words());
         match (rolled.clearance_m, (rolled.stop_share * f64::from(motions)).round() as u32) {
             (None, _) if self.counts.has_wall => {
                 told.push_str("; it may run into what stands beside it, which is not calculated");
@@ -454,7 +485,7 @@ mod tests {
     }
 
     fn answer(earthquake: Told, counts: Counts) -> Answer {
-        let kind = AnswerKind::of(&counts, 0.1);
+        let kind = AnswerKind::of(&counts, 0.1, None);
         Answer { kind, earthquake, floor: ToldFloor::Ground, counts, probability: None, withstands: None }
     }
 
@@ -465,6 +496,7 @@ mod tests {
     const ROLLED: Rolled = Rolled {
         travel_m_median: 0.2,
         travel_m_p84: 0.31,
+        is_at_least: false,
         clearance_m: None,
         stop_share: 0.0,
         stop_speed_m_s_p84: None,
@@ -488,19 +520,19 @@ mod tests {
         let stops = Rolled { clearance_m: Some(0.2), stop_share: 0.45, stop_speed_m_s_p84: Some(1.1), ..ROLLED };
         assert_eq!(
             tell(stops, counts(20, 0, 0)),
-            "At a ground acceleration of 0.5 g this object rolls and stays standing: by up to 310 mm in 84 % of 20 \
+            "At a ground acceleration of 0.5 g this object rolls and stays standing: by up to 200 mm in 84 % of 20 \
              simulated earthquakes; it meets the stop at 200 mm in 9 of 20 at up to 1.1 m/s in 84 % of them, and a stop \
              overturns it from 1.9 m/s; the shock of the stop exceeds the 10 g that it withstands in 2 of 20."
         );
         let trips = tell(stops, counts(20, 3, 3));
         assert!(
-            trips.contains("may fall over: 3 of 20 simulated earthquakes overturn it; it rolls by up to 310 mm"),
+            trips.contains("may fall over: 3 of 20 simulated earthquakes overturn it; it rolls by up to 200 mm"),
             "{trips}"
         );
         let one = Counts { rolled: Some(Rolled { stop_share: 1.0, ..stops }), ..counts(1, 0, 0) };
         assert_eq!(
             answer(Told::Motions, one).sentence(),
-            "Under this motion this object rolls and stays standing: by up to 310 mm; it meets the stop at 200 mm at up to \
+            "Under this motion this object rolls and stays standing: by up to 200 mm; it meets the stop at 200 mm at up to \
              1.1 m/s, and a stop overturns it from 1.9 m/s."
         );
     }
@@ -651,19 +683,27 @@ mod tests {
         }
     }
 
-    /// As often as is accepted is accepted; half is not less than half.
+    /// As often as is accepted is accepted; an object falls where the interval lies above one half.
     #[test]
     fn kinds_at_their_limits() {
         let kind = |asked, overturned, accepted_ratio| {
-            AnswerKind::of(&Counts { asked, lifted: asked, overturned, ..Counts::default() }, accepted_ratio).name()
+            let share = f64::from(overturned) / f64::from(asked);
+            // Of 20 worlds, a tenth to a quarter on each side.
+            let probability = (asked > 1).then_some(Probability { value: share, low: share - 0.2, high: share + 0.2 });
+            let counts = Counts { asked, lifted: asked, overturned, ..Counts::default() };
+            AnswerKind::of(&counts, accepted_ratio, probability).name()
         };
         assert_eq!([2, 3].map(|overturned| kind(20, overturned, 0.1)), ["probably-stands", "may-fall"]);
         assert_eq!([4, 5].map(|overturned| kind(20, overturned, 0.2)), ["probably-stands", "may-fall"]);
-        assert_eq!([9, 10, 20].map(|overturned| kind(20, overturned, 0.1)), ["may-fall", "falls", "falls"]);
+        assert_eq!([9, 10, 14].map(|overturned| kind(20, overturned, 0.1)), ["may-fall"; 3]);
+        assert_eq!([15, 20].map(|overturned| kind(20, overturned, 0.1)), ["falls"; 2]);
+        // Given motions are all there is.
+        let given = |overturned| Counts { asked: 3, lifted: 3, overturned, ..Counts::default() };
+        assert_eq!([2, 3].map(|n| AnswerKind::of(&given(n), 0.1, None).name()), ["may-fall", "falls"]);
         assert_eq!(kind(1, 1, 0.1), "falls");
         // On pads it can fall where an edge of a rigid floor lifts in no world.
         let fallen = Counts { asked: 20, lifted: 0, overturned: 1, ..Counts::default() };
-        assert_eq!(AnswerKind::of(&fallen, 0.1), AnswerKind::ProbablyStands);
+        assert_eq!(AnswerKind::of(&fallen, 0.1, None), AnswerKind::ProbablyStands);
     }
 
     #[test]
@@ -697,7 +737,7 @@ mod tests {
     #[test]
     fn no_uplift_above_the_threshold() {
         let told = answer(Told::Motions, Counts { floor_g_max: 0.25, ..counts(6, 0, 0) });
-        assert_eq!(told.sentence(), "Under these 6 motions, this object does not rock: none lifts an edge.");
+        assert_eq!(told.sentence(), "Under these 6 motions, this object rocks in none of them: none lifts an edge.");
         let near = answer(Told::Motions, Counts { floor_g_max: 0.2096, ..counts(6, 0, 0) });
         assert!(near.sentence().contains("reaches 0.2096 g at most and it takes 0.21 g"), "{}", near.sentence());
     }

@@ -22,12 +22,22 @@ use super::{Earthquake, Floor, FloorPlace, ObjectRequest, StudySource};
 const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B);
 
 /// A study, and its earthquake in a sentence.
+#[derive(Clone)]
 pub(super) struct Shaken {
     pub(super) study: Study,
     pub(super) told: Told,
     /// Its earthquake in full.
     pub(super) words: String,
     pub(super) warnings: Vec<String>,
+}
+
+impl Shaken {
+    /// With the other spectrum of the national annex, where that has two.
+    pub(super) fn alternative(&self) -> Option<Self> {
+        let study = self.study.alternative()?;
+        let words = study.ground.code_spectrum().map_or_else(|| self.words.clone(), Target::one_line);
+        Some(Self { study, words, ..self.clone() })
+    }
 }
 
 /// The study that a request describes.
@@ -86,6 +96,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             study.ground = Ground::OnFloors;
             study.building = None;
             (study.place_is_assumed, study.building_is_assumed) = (false, false);
+            study.assumed.clear();
             study.levels = vec![Level { name: "floor".to_owned(), level_ratio: Some(0.0), motions: levels }];
             as_given(&mut study.assessment, motions.len())?;
             Shaken { study, told: Told::Motions, words, warnings }
@@ -204,6 +215,7 @@ mod tests {
             height_m: 2.0,
             thickness_m: 0.3,
             width_m: None,
+            is_round: false,
             cg_height_m: None,
             mass_kg: None,
             rests_on: None,

@@ -44,12 +44,16 @@ pub(super) fn head(total: usize) -> Head {
         facts: vec![("Period of the building".into(), "3.1 s".into()), ("Seed of the motions".into(), "seed 1".into())],
         problems: vec!["error: unreadable: Height: 1 cell (D2)".into()],
         most_important: vec!["The building stays elastic.".into()],
+        assumed_columns: vec![("width", 4)],
         assumptions: vec![
             "Accepted probability 10 %: assumption of this study.".into(),
             "Model error 0.085: Table I, five tests of one cabinet.".into(),
         ],
         warnings: vec!["Row 7: the stiffness looks like N/m typed for N/mm.".into()],
         is_elastic: true,
+        title: freestand_study::study::TitleBlock::default(),
+        cards: false,
+        confidence: 0.98,
         total,
     }
 }
@@ -247,6 +251,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         rolled: (index % 4 == 2).then_some(Rolled {
             travel_m_median: 0.21,
             travel_m_p84: 0.35,
+            is_at_least: false,
             clearance_m: Some(0.3),
             clearance_needed_m: 0.42,
             stop_share: 0.25,
@@ -309,6 +314,8 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
         compliant: (index % 4 == 3).then_some(model),
         restitution_p16_p84: [0.93, 0.97],
         few_motions: None,
+        worlds_needed: None,
+        is_round: false,
     }
 }
 

@@ -3,12 +3,14 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
+use crate::assumed;
 use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
+use crate::verdict::accepted;
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
-use freestand_study::study::{Ground, Study, Unstated};
+use freestand_study::study::{Ground, Study, TitleBlock, Unstated};
 use freestand_study::target::Target;
 
 /// What all outputs of an assessment share.
@@ -27,12 +29,20 @@ pub(crate) struct Head {
     pub most_important: Vec<String>,
     /// What was assumed, one sentence each, with its source.
     pub assumptions: Vec<String>,
+    /// Columns that are empty for some objects, and for how many.
+    pub assumed_columns: Vec<(&'static str, usize)>,
     /// What is wrong or doubtful in the list, a line for each kind and column.
     pub problems: Vec<String>,
     /// Other warnings.
     pub warnings: Vec<String>,
     /// Whether the floors are those of a building that stays elastic, and not given.
     pub is_elastic: bool,
+    /// Who signs for the report.
+    pub title: TitleBlock,
+    /// Whether the cards of objects are printed.
+    pub cards: bool,
+    /// Confidence of the intervals in brackets.
+    pub confidence: f64,
     /// Rows of the inventory; more than there are results where the run was interrupted.
     pub total: usize,
 }
@@ -73,11 +83,47 @@ pub(crate) fn head(study: &Study, inventory: &Inventory) -> Head {
         facts,
         most_important: most_important(study, inventory),
         assumptions: assumptions(study, inventory),
+        assumed_columns: assumed::counted(&inventory.items)
+            .into_iter()
+            .map(|(column, objects, _)| (column, objects))
+            .collect(),
         problems: console_lines(&inventory.findings),
-        warnings: study.warnings.iter().chain(&inventory.warnings).cloned().collect(),
+        warnings: study
+            .warnings
+            .iter()
+            .cloned()
+            .chain(few_worlds(study, inventory))
+            .chain(inventory.warnings.iter().cloned())
+            .collect(),
         is_elastic: study.building.is_some(),
+        title: study.outputs.title.clone(),
+        cards: study.outputs.cards,
+        confidence: study.assessment.worlds.looks.confidence(),
         total: inventory.items.len(),
     }
+}
+
+/// The objects that the largest number of worlds can never show to stay, however rarely they fall.
+fn few_worlds(study: &Study, inventory: &Inventory) -> Option<String> {
+    let looks = study.assessment.worlds.looks;
+    // Motions that worlds use in turn are counted by their number, object by object.
+    if !matches!(study.ground, Ground::Synthetic(_)) {
+        return None;
+    }
+    let needed = inventory.items.iter().filter_map(|item| {
+        let (accepted_ratio, _) = accepted(item, &study.assessment);
+        looks.fewest_worlds(accepted_ratio).ok().filter(|needed| *needed > looks.most())
+    });
+    let (objects, most) = needed.fold((0, 0), |(objects, most), needed| (objects + 1, needed.max(most)));
+    (objects > 0).then(|| {
+        format!(
+            "{} worlds at most cannot show that an object stays, even if it never falls: {} of {} cannot be left as they \
+             are; give `most = {most}` or more in [worlds]",
+            looks.most(),
+            counted(objects, "object"),
+            inventory.items.len()
+        )
+    })
 }
 
 /// The name of the place whose hazard was used.
@@ -258,6 +304,31 @@ fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
     ]
 }
 
+/// What neither the study nor the list says, in sentences.
+pub(crate) fn silent(study: &Study, inventory: &Inventory) -> Vec<String> {
+    nobody_stated(study).into_iter().chain(list_is_silent(inventory)).collect()
+}
+
+/// What nobody stated of the place and the building.
+fn nobody_stated(study: &Study) -> Option<String> {
+    let all: Vec<&str> = study.assumed_at(1.0).collect();
+    (!all.is_empty()).then(|| format!("Assumed, because nobody stated it: {}.", all.join("; ")))
+}
+
+/// The columns that are empty for some objects, and what is then assumed.
+fn list_is_silent(inventory: &Inventory) -> Option<String> {
+    let all = assumed::counted(&inventory.items);
+    let of = |(column, objects, words): &(&str, usize, &str)| format!("{column} ({objects}): {words}");
+    let said: Vec<String> = all.iter().map(of).collect();
+    (!said.is_empty()).then(|| {
+        format!(
+            "Assumed, because the list does not say it, with the number of objects of {}: {}.",
+            inventory.items.len(),
+            said.join("; ")
+        )
+    })
+}
+
 fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     let Settings {
         accepted,
@@ -271,7 +342,8 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     } = &study.assessment;
     let percent = |share: f64| percent_significant(share, 3);
     let looks = worlds.looks;
-    let mut assumed = vec![
+    let mut assumed = silent(study, inventory);
+    assumed.extend([
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
         format!(
             "Accepted probability of overturning or damage, rated high, medium, low: life safety {}; function {}; \
@@ -344,7 +416,7 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
             "Every object stands on a level, rigid floor. {} The objects do not affect the motion of the floor.",
             planes(study)
         ),
-    ];
+    ]);
     assumed.extend(rolling(inventory));
     assumed
 }

@@ -5,6 +5,7 @@ mod csv;
 #[cfg(test)]
 mod fixture;
 pub(crate) mod head;
+mod hold;
 mod outcomes;
 mod overview;
 mod parquet;

@@ -14,6 +14,7 @@ use freestand_output::paths::io_problem;
 use freestand_output::rows::{broken, csv_writer};
 
 use super::csv::push_field;
+use super::hold::how_to_hold;
 use super::overview::{FloorKey, floor_key, floor_words};
 use super::table::{Cell, Line};
 
@@ -80,17 +81,7 @@ fn how(item: &Item, found: &Assessment, force: Option<&RestraintForce>) -> Strin
         (Decision::Leave, _) => String::new(),
         (Decision::Lock, _) => give_room(found, "Lock it, tether it, or"),
         (Decision::Restrain, _) if found.rolled.is_some() => give_room(found, "Tether it or restrain it, or"),
-        (Decision::Restrain, Some(force)) => {
-            let bracket_mm = number(1e3 * force.bracket_height_m, 4);
-            if force.anchor_tension_n > 0.0 {
-                format!("Anchor it along both edges, or fix it with a bracket at a height of {bracket_mm} mm.")
-            } else {
-                format!(
-                    "No tension: its weight holds it down. Fix its base against the force, or fix it with a bracket at \
-                     a height of {bracket_mm} mm."
-                )
-            }
-        }
+        (Decision::Restrain, Some(force)) => how_to_hold(item, force),
         (Decision::Restrain, None) => "Find out its mass: the force of the restraint depends on it.".to_owned(),
         (Decision::Soften, _) => {
             let stiffness = found.softening.as_ref().and_then(|softening| softening.max_stiffness_n_m);

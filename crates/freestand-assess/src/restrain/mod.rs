@@ -5,7 +5,8 @@ mod report;
 mod sheet;
 mod sketch;
 
-pub use report::RestrainReport;
+pub use crate::restraint::components::Component;
+pub use report::{RestrainReport, ToConfirm};
 
 use std::num::NonZeroUsize;
 
@@ -15,6 +16,7 @@ use freestand::code_spectrum::part_forces::LEAST_BUILDING_DUCTILITY_RATIO;
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::{UnitSystem, shorten};
 use freestand_input::words::{counted, number};
 use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
 use freestand_study::places::Place;
@@ -58,8 +60,15 @@ pub struct RestrainRequest {
     pub floor: RestrainFloor,
     /// Factors that take the place of those of the code, and of the study.
     pub factors: RestrainFactors,
+    /// What the object is, by the name of a row of the tables of ASCE 7 or in words; `None`: not known.
+    pub component: Option<String>,
+    /// Distance of the anchors from the edge that they hold down; `None`: that of the study, else
+    /// assumed \[m\].
+    pub anchor_inset_m: Option<f64>,
     /// Anchors along each of the two edges.
     pub anchors_per_edge: usize,
+    /// The units of the texts and of the sheet; those of names such as `force_n` do not change.
+    pub units: UnitSystem,
     /// Whether other codes are shown too.
     pub is_compared: bool,
 }
@@ -171,13 +180,14 @@ fn case(request: RestrainRequest) -> Result<Case, Problems> {
     let blocks = problems.keep(blocks(&request));
     let target = problems.keep(target(&request));
     let floor = problems.keep(floor(&request));
+    let component = problems.keep(component(&request));
     if let Some(target) = &target {
         check_factors(&request, target.as_ref(), &mut problems);
     }
-    let found = blocks.zip(target).zip(floor);
-    let ((blocks, target), floor) = problems.finish(found)?;
+    let found = blocks.zip(target).zip(floor).zip(component);
+    let (((blocks, target), floor), component) = problems.finish(found)?;
     let Floor { level_ratio, building_height_m, words: floor, mut assumptions } = floor;
-    let object = HeldObject::new(request.mass_kg, level_ratio, false, &blocks);
+    let object = HeldObject::new(request.mass_kg, level_ratio, false, component, &blocks);
     let question = match &request.hazard {
         RestrainHazard::Study(study) => RestraintQuestion::in_study(study, object, None),
         hazard => RestraintQuestion {
@@ -185,6 +195,7 @@ fn case(request: RestrainRequest) -> Result<Case, Problems> {
             building_height_m,
             building_period_s: None,
             spectrum: target.as_ref().map(|target| target.spectrum.clone()),
+            parts_edition: target.as_ref().and_then(|target| target.parts_edition),
             floor_acceleration_g: match hazard {
                 RestrainHazard::FloorAcceleration(acceleration_g) => Some(*acceleration_g),
                 RestrainHazard::Study(_) | RestrainHazard::Code(_) => None,
@@ -193,7 +204,11 @@ fn case(request: RestrainRequest) -> Result<Case, Problems> {
             settings: RestraintSettings::default(),
         },
     };
-    let question = RestraintQuestion { settings: request.factors.over(question.settings), ..question };
+    let settings = request.factors.over(question.settings);
+    let anchor_inset_m = request.anchor_inset_m.or(settings.anchor_inset_m);
+    let settings = RestraintSettings { anchor_inset_m, ..settings };
+    let question = RestraintQuestion { settings, ..question };
+    check_inset(&question)?;
     let (others, mut own): (Vec<Demand>, Vec<Demand>) =
         demands(&question).into_iter().partition(|demand| demand.source.kind == RestraintKind::OtherCode);
     if own.is_empty() {
@@ -204,11 +219,17 @@ fn case(request: RestrainRequest) -> Result<Case, Problems> {
         assumptions.extend(assumed_hazard(words, target));
     }
     if request.cg_height_m.is_none() {
-        let cg = report::length_words(question.object.cg_height_m);
+        let cg = request.units.length(question.object.cg_height_m);
         assumptions.push(format!("The centre of gravity is at half of the height, {cg}."));
     }
     if request.width_m.is_none() {
         assumptions.push("No width was given: only tipping across the thickness is checked.".to_owned());
+    }
+    if let (None, Some(axis)) = (question.settings.anchor_inset_m, &own.axis) {
+        assumptions.push(format!(
+            "The anchors stand {} inside the edge that they hold down: measure it, and give `anchor_inset`.",
+            request.units.length(axis.inset_m(None))
+        ));
     }
     let mut warnings: Vec<String> = match (&request.hazard, &target) {
         // A study tells its own; here only what concerns the place counts.
@@ -221,6 +242,27 @@ fn case(request: RestrainRequest) -> Result<Case, Problems> {
     }
     let others = if request.is_compared { others } else { Vec::new() };
     Ok(Case { request, question, target, floor, assumptions, warnings, own, others })
+}
+
+/// The row of the object in the tables of ASCE 7.
+fn component(request: &RestrainRequest) -> Result<Option<&'static Component>, Problem> {
+    let Some(text) = &request.component else { return Ok(None) };
+    let found = Component::find(text);
+    found.map(Some).ok_or_else(|| {
+        let message = format!("`component` \"{}\" is no row of tables 13.5-1 and 13.6-1 that is known", shorten(text));
+        Problem::value(message, format!("give one of {}", Component::names())).of(&["component"])
+    })
+}
+
+/// Refuses anchors beyond the middle of the base: the edge would not be the one that they hold down.
+fn check_inset(question: &RestraintQuestion) -> Result<(), Problem> {
+    let Some(inset_m) = question.settings.anchor_inset_m else { return Ok(()) };
+    let is_beyond = |axis: &crate::restraint::RestraintAxis| inset_m >= axis.base_m / 2.0;
+    if question.object.axes.iter().any(is_beyond) {
+        let hint = "give the distance from the edge of the base to the anchors along it, such as \"75 mm\"";
+        return Err(Problem::value("`anchor_inset` is half of the base or more", hint).of(&["anchor_inset"]));
+    }
+    Ok(())
 }
 
 fn blocks(request: &RestrainRequest) -> Result<Vec<(Axis, Block)>, Problem> {

@@ -1,14 +1,14 @@
 //! What `freestand restrain` prints, and its document.
 
 use freestand::code_spectrum::part_forces::Governing;
-use freestand_input::quantity::lookup;
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
 use freestand_output::facts::Facts;
 use freestand_study::places::Place;
 
 use super::{Case, sheet};
 use crate::restraint::Demand;
-use crate::restraint::factor::Factor;
+use crate::restraint::factor::{Factor, FactorSource};
 
 /// The force, moments and anchors of one object.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +23,8 @@ pub struct RestrainReport {
     pub others: Vec<[String; 5]>,
     /// What was not stated, a sentence each.
     pub assumptions: Vec<String>,
+    /// What an engineer must confirm.
+    pub to_confirm: Vec<ToConfirm>,
     /// `restraint.html`.
     pub sheet: String,
     /// Warnings.
@@ -34,37 +36,16 @@ pub(super) fn report(case: &Case) -> RestrainReport {
         facts: facts(case),
         answer: answer(case),
         factors: case.own.source.factors.iter().map(factor_words).collect(),
-        others: case.others.iter().map(other_words).collect(),
+        others: case.others.iter().map(|demand| other_words(case.request.units, demand)).collect(),
         assumptions: case.assumptions.clone(),
+        to_confirm: to_confirm(&case.own),
         sheet: sheet::sheet(case),
         warnings: case.warnings.clone(),
     }
 }
 
-/// A length as engineers read it, to a tenth of a millimetre or a millimetre: `914.4 mm`, `1.646 m`.
-pub(super) fn length_words(length_m: f64) -> String {
-    if length_m < 1.0 { format!("{} mm", number(1e3 * length_m, 4)) } else { format!("{} m", number(length_m, 4)) }
-}
-
-/// A force as engineers read it: `659 N`, `1.29 kN`.
-pub(super) fn force_words(force_n: f64) -> String {
-    if force_n.abs() < 1000.0 {
-        format!("{} N", number(force_n, 3))
-    } else {
-        format!("{} kN", number(1e-3 * force_n, 3))
-    }
-}
-
-/// The same in pounds-force beside it: `659 N (148 lbf)`.
-pub(super) fn force_in_both(force_n: f64) -> String {
-    match lookup("lbf") {
-        Some(unit) if force_n != 0.0 => format!("{} ({} lbf)", force_words(force_n), number(unit.from_si(force_n), 3)),
-        _ => force_words(force_n),
-    }
-}
-
-pub(super) fn tension_words(tension_n: f64) -> String {
-    if tension_n > 0.0 { force_in_both(tension_n) } else { "none: its weight holds it down".to_owned() }
+pub(super) fn tension_words(units: UnitSystem, tension_n: f64) -> String {
+    if tension_n > 0.0 { units.force_in_both(tension_n) } else { "none: its weight holds it down".to_owned() }
 }
 
 pub(super) fn factor_words(factor: &Factor) -> [String; 3] {
@@ -100,35 +81,37 @@ pub(super) fn clause_words(demand: &Demand) -> String {
 /// 13.3.1); along each edge the anchors carry 783 N of tension.`
 fn answer(case: &Case) -> String {
     let force = &case.own.force;
+    let units = case.request.units;
     let anchors = match (force.anchor_tension_n > 0.0, force.anchor_tension_concrete_n > 0.0) {
-        (true, _) => format!("the anchors along one edge carry {} of tension", force_words(force.anchor_tension_n)),
+        (true, _) => format!("the anchors along one edge carry {} of tension", units.force(force.anchor_tension_n)),
         (false, true) => "its weight holds it down, but anchors in concrete need tension".to_owned(),
         (false, false) => "its weight holds it down, so that its anchors carry shear alone".to_owned(),
     };
     format!(
         "Design its restraint for {} ({} % of its weight), {} above its floor, by {}: {anchors}.",
-        force_words(force.force_n),
+        units.force(force.force_n),
         number(100.0 * force.force_ratio, 3),
-        length_words(case.question.object.cg_height_m),
+        units.length(case.question.object.cg_height_m),
         clause_words(&case.own),
     )
 }
 
-fn other_words(demand: &Demand) -> [String; 5] {
+fn other_words(units: UnitSystem, demand: &Demand) -> [String; 5] {
     let force = &demand.force;
     [
         clause_words(demand),
-        force_words(force.force_n),
+        units.force(force.force_n),
         number(force.force_ratio, 3),
-        force_words(force.anchor_tension_n),
-        force_words(force.anchor_tension_concrete_n),
+        units.force(force.anchor_tension_n),
+        units.force(force.anchor_tension_concrete_n),
     ]
 }
 
 fn facts(case: &Case) -> Facts<'static> {
     let (own, object) = (&case.own, &case.question.object);
     let force = &own.force;
-    let moment = |moment_n_m: f64| Some(format!("{} N·m", number(moment_n_m, 4)));
+    let units = case.request.units;
+    let moment = |moment_n_m: f64| Some(units.moment(moment_n_m));
     let formula = format!("{} = {} W", own.source.numbers, number(own.source.force.formula_ratio, 4));
     let hazard = case.target.as_ref().map(|target| target.parts_words());
     let axis = own.axis.as_ref().map(|axis| axis.axis.name());
@@ -136,22 +119,23 @@ fn facts(case: &Case) -> Facts<'static> {
         .key("tension_n", case.anchor_n(force.anchor_tension_n))
         .key("tension_concrete_n", case.anchor_n(force.anchor_tension_concrete_n))
         .key("shear_n", case.anchor_shear_n());
-    let [tension, in_concrete] = [force.anchor_tension_n, force.anchor_tension_concrete_n].map(tension_words);
-    let shear = force_words(case.anchor_shear_n());
+    let [tension, in_concrete] =
+        [force.anchor_tension_n, force.anchor_tension_concrete_n].map(|tension_n| tension_words(units, tension_n));
+    let shear = units.force(case.anchor_shear_n());
     let anchors = case.request.anchors_per_edge;
     let of_each = [force.anchor_tension_n, force.anchor_tension_concrete_n].map(|edge_n| case.anchor_n(edge_n));
     let pull = match of_each {
         [tension_n, concrete_n] if tension_n > 0.0 || concrete_n > 0.0 => {
-            format!("{} of tension, in concrete {}; ", force_words(tension_n), force_words(concrete_n))
+            format!("{} of tension, in concrete {}; ", units.force(tension_n), units.force(concrete_n))
         }
         _ => String::new(),
     };
     let each = format!("{pull}{shear} of shear ({anchors} along each of two edges)");
-    let bracket_height = length_words(force.bracket_height_m);
+    let bracket_height = units.length(force.bracket_height_m);
     let bracket = format!(
         "{} at {bracket_height}, with {} at the feet",
-        force_words(force.bracket_force_n),
-        force_words(force.bracket_base_shear_n)
+        units.force(force.bracket_force_n),
+        units.force(force.bracket_base_shear_n)
     );
     Facts::default()
         .key("code", own.source.code)
@@ -166,16 +150,17 @@ fn facts(case: &Case) -> Facts<'static> {
         .key("force_ratio", force.force_ratio)
         .line(
             "force",
-            Some(format!("{}, {} of its weight", force_in_both(force.force_n), number(force.force_ratio, 4))),
+            Some(format!("{}, {} of its weight", units.force_in_both(force.force_n), number(force.force_ratio, 4))),
         )
         .key("acts_at_height_m", object.cg_height_m)
-        .line("acts at a height of", Some(length_words(object.cg_height_m)))
+        .line("acts at a height of", Some(units.length(object.cg_height_m)))
         .key("overturning_moment_n_m", own.overturning_moment_n_m)
         .line("overturning moment", moment(own.overturning_moment_n_m))
         .key("resisting_moment_n_m", own.resisting_moment_n_m)
         .line("resisting moment", moment(own.resisting_moment_n_m))
         .key("axis", axis)
         .line("tips across", axis.map(|axis| format!("the {axis}")))
+        .key("anchor_inset_m", own.inset_m)
         .key("anchor_tension_n", force.anchor_tension_n)
         .line("anchors along one edge", Some(tension))
         .key("anchor_tension_concrete_n", force.anchor_tension_concrete_n)
@@ -194,7 +179,37 @@ fn facts(case: &Case) -> Facts<'static> {
         .key("place", case.target.as_ref().and_then(|target| target.place).map(Place::facts))
         .key("factors", factor_facts(&own.source.factors))
         .key("assumptions", case.assumptions.clone())
+        .key("component", case.question.object.component.map(|row| row.name))
+        .key("to_confirm", to_confirm(own).into_iter().map(ToConfirm::facts).collect::<Vec<_>>())
         .key("others", case.others.iter().map(other_facts).collect::<Vec<_>>())
+}
+
+/// What nobody has read in the code, and an engineer must confirm before the sheet is signed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ToConfirm {
+    /// What it is: a factor with what it stands for, or a clause.
+    pub what: String,
+    /// The value that was used; empty for a clause.
+    pub value: String,
+}
+
+impl ToConfirm {
+    fn facts(self) -> Facts<'static> {
+        Facts::default().key("what", self.what).key("value", Some(self.value).filter(|value| !value.is_empty()))
+    }
+}
+
+pub(super) fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
+    let factor = |factor: &Factor| match factor.source {
+        FactorSource::Recalled("") => Some(ToConfirm { what: factor.symbol.to_owned(), value: factor.number() }),
+        FactorSource::Recalled(reason) => {
+            Some(ToConfirm { what: format!("{}: {reason}", factor.symbol), value: factor.number() })
+        }
+        FactorSource::Given | FactorSource::Assumed(_) | FactorSource::Found(_) | FactorSource::Read(_) => None,
+    };
+    let clause = |what: &&str| ToConfirm { what: (*what).to_owned(), value: String::new() };
+    let source = &demand.source;
+    source.factors.iter().filter_map(factor).chain(source.to_confirm.iter().map(clause)).collect()
 }
 
 fn factor_facts(factors: &[Factor]) -> Facts<'static> {

@@ -1,15 +1,12 @@
 //! `restraint.html`: one sheet to print.
 
-use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
 use freestand_output::html::{
     self, CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, markup, opening, properties, words,
 };
 
 use super::Case;
-use super::report::{
-    clause_words, factor_words, force_in_both, force_words, length_words, limits_words, tension_words,
-};
+use super::report::{clause_words, factor_words, limits_words, tension_words, to_confirm};
 use super::sketch::sketch;
 
 /// The style of this report, added to that of a one-page report.
@@ -20,18 +17,27 @@ const CSS: &str = "\
 .formula { font: 1.02em Cambria, Georgia, \"Times New Roman\", serif; margin: .3rem 0 .2rem 1rem; }
 .sign { display: flex; gap: 1.5rem; margin-top: 1.6rem; }
 .sign span { flex: 1; border-top: 1px solid #1a1a1a; padding-top: .2rem; font-size: .85rem; color: #444; }
+.confirm { border: 2px solid #b00020; padding: .1rem .8rem .6rem; margin: .8rem 0; break-inside: avoid; }
+.confirm h2 { margin-top: .4rem; }
+.blanks td:nth-child(3), .blanks td:nth-child(4) { min-width: 7rem; border-bottom: 1px solid #1a1a1a; }
 sub { font-size: .72em; line-height: 0; }
 @media print {
   h1 { font-size: 15pt; }
   .sub { margin-bottom: .5rem; }
   .sheet { flex-wrap: nowrap; gap: .9rem; }
   .sheet > div { flex-basis: 0; }
-  .sign { margin-top: 2.4rem; }
+  .sheet svg { max-height: 42mm; }
+  h2, .confirm h2, h3 { margin: .35rem 0 .1rem; }
+  .formula { margin: .1rem 0 .1rem 1rem; }
+  ul { margin: .1rem 0; }
+  .confirm { padding: 0 .6rem .3rem; margin: .4rem 0; }
+  .sign { margin-top: 1.1rem; break-inside: avoid; }
 }
 ";
 
 pub(super) fn sheet(case: &Case) -> String {
     let (own, force) = (&case.own, &case.own.force);
+    let units = case.request.units;
     let hazard = case.target.as_ref().map_or_else(String::new, |target| format!("{}. ", target.parts_words()));
     let floor = if case.floor.is_empty() { String::new() } else { format!("Floor: {}.", case.floor) };
     let subtitle = format!("{}: {hazard}{floor}", clause_words(own));
@@ -67,16 +73,17 @@ pub(super) fn sheet(case: &Case) -> String {
             let force = &other.force;
             vec![
                 words(&clause_words(other)),
-                figure(force_words(force.force_n)),
+                figure(units.force(force.force_n)),
                 figure(number(force.force_ratio, 3)),
-                figure(force_words(force.anchor_tension_n)),
-                figure(force_words(force.anchor_tension_concrete_n)),
+                figure(units.force(force.anchor_tension_n)),
+                figure(units.force(force.anchor_tension_concrete_n)),
             ]
         };
         let rows: Vec<Vec<Cell>> = case.others.iter().map(row).collect();
         html.push_str(&html::table("", &[titles], &rows));
     }
-    html.push_str(&heading("Assumed, and to be confirmed"));
+    html.push_str(&confirmations(case));
+    html.push_str(&heading("Assumed"));
     let doubt = case.target.as_ref().and_then(|target| target.place).and_then(|place| place.doubt());
     let mut notes: Vec<String> = doubt.map(|doubt| sentence(&doubt)).into_iter().collect();
     notes.extend(case.assumptions.iter().cloned());
@@ -93,6 +100,19 @@ pub(super) fn sheet(case: &Case) -> String {
     html + CLOSING
 }
 
+/// The box of what nobody has read in the code: an engineer writes the value of the edition beside it.
+fn confirmations(case: &Case) -> String {
+    let open = to_confirm(&case.own);
+    if open.is_empty() {
+        return String::new();
+    }
+    let titles = ["not read in the code", "value used", "value in your edition", "initials"].map(words);
+    let row = |one: &super::ToConfirm| vec![markup(symbols(&one.what), ""), words(&one.value), words(""), words("")];
+    let rows: Vec<Vec<Cell>> = open.iter().map(row).collect();
+    let table = html::classed_table("blanks", "", &[titles.to_vec()], &rows);
+    format!("<section class=\"confirm\">\n{}{table}</section>\n", heading("To be confirmed by the engineer"))
+}
+
 /// A warning as a sentence.
 fn sentence(warning: &str) -> String {
     let mut letters = warning.chars();
@@ -101,40 +121,41 @@ fn sentence(warning: &str) -> String {
 
 fn object_and_results(case: &Case) -> String {
     let (own, force, object) = (&case.own, &case.own.force, &case.question.object);
-    let length = length_words;
+    let units = case.request.units;
+    let length = |length_m: f64| units.length(length_m);
     let sides: Vec<String> = [Some(case.request.height_m), Some(case.request.thickness_m), case.request.width_m]
         .into_iter()
         .flatten()
         .map(length)
         .collect();
-    let weight =
-        format!("{}, weight W = {}", format_si(object.mass_kg, Dimension::Mass), force_in_both(case.weight_n()));
+    let weight = format!("{}, weight W = {}", units.mass(object.mass_kg), units.force_in_both(case.weight_n()));
     let object_rows = [
         ("Height × thickness × width", sides.join(" × ")),
         ("Mass", weight),
         ("Height of the centre of gravity", length(object.cg_height_m)),
     ];
-    let bracket = format!("{} at {}", force_in_both(force.bracket_force_n), length(force.bracket_height_m));
+    let bracket = format!("{} at {}", units.force_in_both(force.bracket_force_n), length(force.bracket_height_m));
     let results = [
-        ("Design force F", force_in_both(force.force_n)),
-        ("Overturning moment", format!("{} N·m", number(own.overturning_moment_n_m, 4))),
-        ("Resisting moment of the weight", format!("{} N·m", number(own.resisting_moment_n_m, 4))),
-        ("Tension T along one edge", tension_words(force.anchor_tension_n)),
-        ("The same in concrete", tension_words(force.anchor_tension_concrete_n)),
+        ("Design force F", units.force_in_both(force.force_n)),
+        ("Overturning moment", units.moment(own.overturning_moment_n_m)),
+        ("Resisting moment of the weight", units.moment(own.resisting_moment_n_m)),
+        ("Tension T along one edge", tension_words(units, force.anchor_tension_n)),
+        ("The same in concrete", tension_words(units, force.anchor_tension_concrete_n)),
         ("Or a bracket, P", bracket),
-        ("with, at the feet", force_in_both(force.bracket_base_shear_n)),
+        ("with, at the feet", units.force_in_both(force.bracket_base_shear_n)),
     ];
     properties("The object", &object_rows) + &properties("The restraint", &results)
 }
 
 fn anchors(case: &Case) -> String {
+    let units = case.request.units;
     let force = &case.own.force;
     let count = case.request.anchors_per_edge;
     let mut titles = vec![words("")];
     titles.extend(["tension", "tension in concrete", "shear"].map(figure));
     let row = |name: &str, forces: [f64; 3]| {
         let mut row = vec![words(name)];
-        row.extend(forces.map(|force_n| figure(force_in_both(force_n))));
+        row.extend(forces.map(|force_n| figure(units.force_in_both(force_n))));
         row
     };
     let edge = [force.anchor_tension_n, force.anchor_tension_concrete_n];
@@ -142,14 +163,16 @@ fn anchors(case: &Case) -> String {
     let each = [case.anchor_n(edge[0]), case.anchor_n(edge[1]), case.anchor_shear_n()];
     let table = html::table("", &[titles], &[row("all along one edge", all), row(&format!("each of {count}"), each)]);
     let Some(axis) = &case.own.axis else { return table };
-    let length = length_words;
+    let length = |length_m: f64| units.length(length_m);
+    let stated = if case.question.settings.anchor_inset_m.is_some() { "" } else { ", assumed" };
     let tension = format!(
-        "T = (F c − H e)/B, at least 0, with c = {}, e = {}, B = {} (the {}) and H = {} W, the weight that holds it \
-         down{}. In concrete, Ω_0 F takes the place of F, with Ω_0 = {}.",
+        "T = (F c − H e)/(B − a), at least 0, with c = {}, e = {}, B = {} (the {}), a = {} (the distance of the anchors \
+         from the edge that they hold down{stated}) and H = {} W, the weight that holds it down{}. In concrete, Ω_0 F takes the place of F, with Ω_0 = {}.",
         length(case.question.object.cg_height_m),
         length(axis.least_lever_m()),
         length(axis.base_m),
         axis.axis.name(),
+        length(case.own.inset_m),
         number(force.held_weight_ratio, 4),
         case.own.source.deduction_words(),
         number(force.overstrength_ratio, 4)

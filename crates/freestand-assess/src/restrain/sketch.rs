@@ -5,7 +5,6 @@ use std::fmt::Write;
 use freestand_output::html::escape;
 
 use super::Case;
-use super::report::{force_words, length_words};
 
 /// Size of the picture \[px\].
 const WIDTH_PX: f64 = 380.0;
@@ -26,7 +25,8 @@ pub(super) fn sketch(case: &Case) -> String {
     let (width, height) = (side_m * scale, object.height_m * scale);
     let (left, right, top) = (MIDDLE_PX - width / 2.0, MIDDLE_PX + width / 2.0, FLOOR_PX - height);
     let (cg, bracket) = (FLOOR_PX - object.cg_height_m * scale, FLOOR_PX - force.bracket_height_m * scale);
-    let length = length_words;
+    let units = case.request.units;
+    let length = |length_m: f64| units.length(length_m);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH_PX} {HEIGHT_PX}\" role=\"img\" \
          aria-label=\"The object with its forces\" font-family=\"Arial, sans-serif\" font-size=\"12\">\n\
@@ -57,12 +57,13 @@ pub(super) fn sketch(case: &Case) -> String {
         [MIDDLE_PX, cg, MIDDLE_PX, (cg + 42.0).min(FLOOR_PX - 4.0)],
         "stroke=\"#1a1a1a\" stroke-width=\"1.5\" marker-end=\"url(#tip)\"",
     );
-    for x in [left + 5.0, right - 5.0] {
+    let inset = case.own.inset_m * scale;
+    for x in [left + inset, right - inset] {
         line([x, FLOOR_PX - 10.0, x, FLOOR_PX + 14.0], "stroke=\"#00558c\" stroke-width=\"4\"");
     }
     if force.anchor_tension_n > 0.0 {
         line(
-            [left + 5.0, FLOOR_PX + 14.0, left + 5.0, FLOOR_PX + 40.0],
+            [left + inset, FLOOR_PX + 14.0, left + inset, FLOOR_PX + 40.0],
             "stroke=\"#00558c\" stroke-width=\"2.5\" marker-end=\"url(#tip)\"",
         );
     }
@@ -76,15 +77,15 @@ pub(super) fn sketch(case: &Case) -> String {
         let _ =
             writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" fill=\"{colour}\">{words}</text>");
     };
-    text([left - 10.0, cg - 12.0], "end", "#b00020", &format!("F = {}", force_words(force.force_n)));
+    text([left - 10.0, cg - 12.0], "end", "#b00020", &format!("F = {}", units.force(force.force_n)));
     text([MIDDLE_PX + 7.0, cg + 26.0], "start", "#1a1a1a", "W");
     text([right + 20.0, top - 5.0], "middle", "#444", &length(object.height_m));
     text([right + 44.0, (cg + FLOOR_PX) / 2.0], "start", "#444", &length(object.cg_height_m));
     text([MIDDLE_PX, FLOOR_PX + 47.0], "middle", "#444", &length(side_m));
     if force.anchor_tension_n > 0.0 {
-        let words = format!("T = {}", force_words(force.anchor_tension_n));
+        let words = format!("T = {}", units.force(force.anchor_tension_n));
         text([left - 2.0, FLOOR_PX + 34.0], "end", "#00558c", &words);
     }
-    text([316.0, bracket - 6.0], "end", "#00558c", &format!("or P = {}", force_words(force.bracket_force_n)));
+    text([316.0, bracket - 6.0], "end", "#00558c", &format!("or P = {}", units.force(force.bracket_force_n)));
     svg + "</svg>\n"
 }

@@ -24,6 +24,10 @@ pub(crate) enum FactorSource {
     Assumed(&'static str),
     /// It follows from this.
     Found(&'static str),
+    /// It was read here.
+    Read(&'static str),
+    /// Nobody has read it: an engineer must confirm it; what it is for, may be empty.
+    Recalled(&'static str),
 }
 
 impl FactorSource {
@@ -34,6 +38,9 @@ impl FactorSource {
             Self::Assumed("") => "assumed: an ordinary object".to_owned(),
             Self::Assumed(reason) => format!("assumed: {reason}"),
             Self::Found(from) => format!("from {from}"),
+            Self::Read(source) => format!("read: {source}"),
+            Self::Recalled("") => "to be confirmed".to_owned(),
+            Self::Recalled(reason) => format!("to be confirmed: {reason}"),
         }
     }
 }
@@ -49,6 +56,31 @@ impl Factor {
     ) -> Self {
         let source = if stated.is_some() { FactorSource::Given } else { FactorSource::Assumed(reason) };
         Self { key, symbol, value: stated.unwrap_or(assumed), unit: "1", source }
+    }
+
+    /// The stated value, or that of a table with its source; without a source nobody has read it.
+    pub(super) fn of_table(
+        key: &'static str,
+        symbol: &'static str,
+        stated: Option<f64>,
+        value: f64,
+        source: Option<&'static str>,
+    ) -> Self {
+        let from = source.map_or(FactorSource::Recalled("the row of the table"), FactorSource::Read);
+        let source = if stated.is_some() { FactorSource::Given } else { from };
+        Self { key, symbol, value: stated.unwrap_or(value), unit: "1", source }
+    }
+
+    /// The stated value, or one that nobody has read.
+    pub(super) fn recalled(
+        key: &'static str,
+        symbol: &'static str,
+        stated: Option<f64>,
+        value: f64,
+        reason: &'static str,
+    ) -> Self {
+        let source = if stated.is_some() { FactorSource::Given } else { FactorSource::Recalled(reason) };
+        Self { key, symbol, value: stated.unwrap_or(value), unit: "1", source }
     }
 
     /// A value that follows from something else.
@@ -80,5 +112,10 @@ pub(super) fn said(factors: &[Factor], stated: &str) -> String {
     };
     let assumed =
         list("Assumed", |source| if let FactorSource::Assumed(reason) = source { Some(reason) } else { None });
-    assumed + &list(stated, |source| (source == FactorSource::Given).then_some(""))
+    let read = list("Read", |source| if let FactorSource::Read(source) = source { Some(source) } else { None });
+    let recalled = list("To be confirmed by the engineer", |source| match source {
+        FactorSource::Recalled(reason) => Some(reason),
+        _ => None,
+    });
+    assumed + &read + &recalled + &list(stated, |source| (source == FactorSource::Given).then_some(""))
 }

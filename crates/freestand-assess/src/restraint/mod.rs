@@ -3,7 +3,7 @@
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
-use freestand::code_spectrum::CodeSpectrum;
+use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{counted, number, significant};
 use freestand_study::study::Study;
@@ -11,19 +11,30 @@ use freestand_study::study::assessment::RestraintSettings;
 
 use crate::result::{Axis, RestraintForce, RestraintKind, reported_force};
 
+use self::components::Component;
 use self::sources::Source;
-use self::statics::{base_shear_n, bracket, bracket_force_n, bracket_words, held_weight_ratio, worst_tension};
+use self::statics::{Pulled, base_shear_n, bracket, bracket_force_n, bracket_words, held_weight_ratio, worst_tension};
 
+pub(crate) mod components;
 pub(crate) mod factor;
 pub(crate) mod sources;
 mod statics;
+
+/// Distance of anchors from the edge where it is not stated \[m\], an assumption: the bolt of an angle
+/// of 6 in. (150 mm) inside the base stands about 3 in. from its edge. Bolts outside the base have a
+/// longer lever.
+pub(crate) const ASSUMED_INSET_M: f64 = 0.075;
+
+/// The largest share of the base that is assumed for that distance: at a half, the anchors of both
+/// edges would meet.
+pub(crate) const INSET_SHARE: f64 = 0.25;
 
 /// An object about one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RestraintAxis {
     /// The side that lies in the plane of motion.
     pub axis: Axis,
-    /// From the anchors along one edge to the opposite edge, about which the object rotates \[m\].
+    /// From one edge of the base to the opposite one, about which the object rotates \[m\].
     pub base_m: f64,
     /// From the centre of gravity to either of these edges; half the base where it is central
     /// \[m\].
@@ -34,6 +45,17 @@ impl RestraintAxis {
     /// Lever of the weight about the nearer edge \[m\]: shaking acts in both directions.
     pub(crate) fn least_lever_m(&self) -> f64 {
         self.weight_lever_m.min(self.base_m - self.weight_lever_m)
+    }
+
+    /// Distance of the anchors from the edge that they hold down \[m\]: the stated one, else
+    /// [`ASSUMED_INSET_M`], but not more than [`INSET_SHARE`] of the base.
+    pub(crate) fn inset_m(&self, stated_m: Option<f64>) -> f64 {
+        stated_m.unwrap_or_else(|| ASSUMED_INSET_M.min(INSET_SHARE * self.base_m))
+    }
+
+    /// Lever of the anchors along one edge about the opposite edge \[m\].
+    pub(crate) fn anchor_lever_m(&self, stated_inset_m: Option<f64>) -> f64 {
+        self.base_m - self.inset_m(stated_inset_m)
     }
 }
 
@@ -52,11 +74,19 @@ pub(crate) struct HeldObject {
     pub level_ratio: f64,
     /// Whether it is critical to life safety: an importance factor of 1.5 where a code has one.
     pub is_critical: bool,
+    /// Its row in the tables of ASCE 7; `None`: what it is is not known.
+    pub component: Option<&'static Component>,
 }
 
 impl HeldObject {
     /// The object with these blocks, one about each axis.
-    pub(crate) fn new(mass_kg: f64, level_ratio: f64, is_critical: bool, blocks: &[(Axis, Block)]) -> Self {
+    pub(crate) fn new(
+        mass_kg: f64,
+        level_ratio: f64,
+        is_critical: bool,
+        component: Option<&'static Component>,
+        blocks: &[(Axis, Block)],
+    ) -> Self {
         let first = blocks.first().map(|(_, block)| block);
         let axis = |(axis, block): &(Axis, Block)| RestraintAxis {
             axis: *axis,
@@ -70,6 +100,7 @@ impl HeldObject {
             axes: blocks.iter().map(axis).collect(),
             level_ratio,
             is_critical,
+            component,
         }
     }
 }
@@ -84,6 +115,8 @@ pub(crate) struct RestraintQuestion {
     pub building_period_s: Option<f64>,
     /// Spectrum of the hazard; `None`: there is none, and no code can be applied.
     pub spectrum: Option<CodeSpectrum>,
+    /// The edition of ASCE 7 for parts, where it is not that of the spectrum.
+    pub parts_edition: Option<Asce7Edition>,
     /// Peak acceleration of its floor \[g\]: PFA_q, which the accepted share of the worlds exceeds,
     /// the 1 − a quantile over worlds (not the largest, which grows with the number of worlds); or
     /// the acceleration that the user gives.
@@ -102,7 +135,8 @@ impl RestraintQuestion {
             object,
             building_height_m: building.map(|building| building.height_m),
             building_period_s: building.map(|building| building.along.period_s()),
-            spectrum: study.restraint_target().map(|target| target.spectrum.clone()),
+            spectrum: study.restraint_target().map(|target| target.parts_spectrum().clone()),
+            parts_edition: study.restraint_target().and_then(|target| target.parts_edition),
             floor_acceleration_g,
             is_floor_given: false,
             settings: study.assessment.restraint,
@@ -118,6 +152,8 @@ pub(crate) struct Demand {
     pub(crate) force: RestraintForce,
     /// The axis that needs more tension; `None` for an object without a side.
     pub(crate) axis: Option<RestraintAxis>,
+    /// Distance of the anchors from the edge about that axis \[m\].
+    pub(crate) inset_m: f64,
     /// F c \[N m\].
     pub(crate) overturning_moment_n_m: f64,
     /// H e, of the weight that holds the object down \[N m\]; 0 without an axis.
@@ -138,14 +174,14 @@ pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintFor
 /// A = 1 for a rigid bracket (a period below 0.06 s) and A = 2.5 for a flexible one, whose period is
 /// not known.
 ///
-/// With F at the height c of the centre of gravity, the lever e of the weight, the base B and the
-/// weight H = max(0, d − v) W that holds the object down (d = 0.9 of the dead load; v = 0.2 S_DS in
+/// With F at the height c of the centre of gravity, the lever e of the weight, the base B, the distance
+/// a of the anchors from the edge that they hold down and the weight H = max(0, d − v) W that holds the object down (d = 0.9 of the dead load; v = 0.2 S_DS in
 /// ASCE 7, 0 elsewhere), about the axis that needs more:
 ///
 /// | | |
 /// |---|---|
-/// | all anchors along one edge | T = max(0, (F c − H e)/B) |
-/// | the same in concrete | T_c = max(0, (Ω₀ F c − H e)/B) |
+/// | all anchors along one edge | T = max(0, (F c − H e)/(B − a)) |
+/// | the same in concrete | T_c = max(0, (Ω₀ F c − H e)/(B − a)) |
 /// | a bracket at z_b, by default 0.9 h | P = F c/z_b, in concrete Ω₀ P |
 /// | the feet below it | V = F \|1 − c/z_b\| |
 ///
@@ -180,7 +216,10 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
     let concrete_n = source.overstrength_ratio * force_n;
     let held_weight_ratio = held_weight_ratio(question.settings.dead_load_ratio, source.vertical_ratio);
     let held_n = held_weight_ratio * weight_n;
-    let tension = |force_n: f64| worst_tension(&object.axes, force_n, object.cg_height_m, held_n);
+    let inset_m = question.settings.anchor_inset_m;
+    let tension = |force_n: f64| {
+        worst_tension(&object.axes, inset_m, &Pulled { force_n, cg_height_m: object.cg_height_m, held_n })
+    };
     let (worst, worst_in_concrete) = (tension(force_n), tension(concrete_n));
     let held = bracket(question);
     let stated = if question.is_floor_given { "Given" } else { "Stated in the study" };
@@ -213,6 +252,7 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
         force,
         overturning_moment_n_m: force_n * object.cg_height_m,
         resisting_moment_n_m: axis.as_ref().map_or(0.0, |axis| held_n * axis.least_lever_m()),
+        inset_m: axis.as_ref().map_or(0.0, |axis| axis.inset_m(inset_m)),
         axis,
     }
 }
@@ -251,13 +291,17 @@ fn held_words(question: &RestraintQuestion, source: &Source, held_weight_ratio: 
 /// The tension of the anchors of one edge, in words.
 fn anchor_words(question: &RestraintQuestion, axis: &RestraintAxis, held_weight_ratio: f64) -> String {
     let length = |value_m: f64| format_si(value_m, Dimension::Length);
+    let stated_m = question.settings.anchor_inset_m;
     format!(
-        " Anchors along one edge, {}: (F × {} − {} W × {})/{}.",
+        " Anchors along one edge, {}, {}{}: (F × {} − {} W × {})/({} − {}).",
         axis.axis.name(),
+        length(axis.inset_m(stated_m)),
+        if stated_m.is_some() { " inside it" } else { " inside it (assumed)" },
         length(question.object.cg_height_m),
         number(held_weight_ratio, 4),
         length(axis.least_lever_m()),
-        length(axis.base_m)
+        length(axis.base_m),
+        length(axis.inset_m(stated_m))
     )
 }
 

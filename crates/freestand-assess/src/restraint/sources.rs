@@ -13,27 +13,35 @@ use freestand_study::study::assessment::Bracket;
 use crate::result::RestraintKind;
 
 use super::RestraintQuestion;
+use super::components::Component;
 use super::factor::{Factor, FactorSource, said};
 
 /// Height of a building that every code counts as tall \[m\]: from 12 m on the factor of AS 1170.4
 /// depends on z/h alone, from 60 m on that of NZS 1170.5, where it is largest.
 const TALL_M: f64 = 60.0;
 
-/// What is said about AS 1170.4 and NZS 1170.5.
-const RECALLED: &str = "This clause is quoted from memory: check it in your edition of the code.";
+/// What nobody has read of AS 1170.4 and NZS 1170.5.
+const CLAUSE_RECALLED: &str = "the formula of this clause and its limits, which are quoted from memory";
 
-/// What is said about ASCE 7 and EN 1998-1, whose formulas and limits agree with public programs.
-const FACTORS_RECALLED: &str = "The factors are quoted from memory: check them in your edition of the code.";
+/// The same of ASCE 7: the weight that holds the object down.
+const COMBINATION_RECALLED: &str = "the load combination 0.9 D − 0.2 S_DS D (2.3.6, 12.4.2.2), quoted from memory";
+
+/// What of tables that were read in another edition must be confirmed.
+const OTHER_EDITION: &str = "that ASCE 7-16 has kept a_p and R_p of the edition that was read";
+
+/// What an object is that nobody has named.
+const UNNAMED: &str = "what the object is: no row of tables 13.5-1 and 13.6-1 was named, so the one for other components \
+                       stands here";
 
 /// Amplification of a part on a flexible bracket, whose period is not known: 2.5 in AS 1170.4 (a_c)
 /// and in ASCE 7-16 (a_p), and of the computed floor.
 const FLEXIBLE_RATIO: f64 = 2.5;
 
-/// C_AR of ASCE 7-22 for a part that resonance is likely for, with moderate ductility: at or below
-/// the ground, and above it; from memory, table 13.3-1.
+/// C_AR of ASCE 7-22 for a part that resonance is likely for: at or below the ground, and above it, as
+/// for equipment on vibration isolators in table 13.6-1.
 const LIKELY_RESONANCE_RATIO: [f64; 2] = [1.8, 2.2];
 
-/// Ω₀ of ASCE 7 for cabinets and equipment, tables 13.5-1 and 13.6-1; from memory.
+/// Ω₀ of ASCE 7-16, tables 13.5-1 and 13.6-1; from memory.
 const ASCE7_OVERSTRENGTH_RATIO: f64 = 2.0;
 
 /// Importance factor of a part that is critical to life safety.
@@ -68,6 +76,8 @@ pub(crate) struct Source {
     pub(crate) factors: Vec<Factor>,
     /// What the reader must know, a sentence each.
     pub(crate) remarks: Vec<String>,
+    /// What nobody has read, beside the factors that say so: what an engineer must confirm.
+    pub(crate) to_confirm: Vec<&'static str>,
 }
 
 impl Source {
@@ -84,6 +94,9 @@ impl Source {
         for remark in &self.remarks {
             note.push(' ');
             note.push_str(remark);
+        }
+        if !self.to_confirm.is_empty() {
+            note.push_str(&format!(" An engineer must confirm {}.", self.to_confirm.join("; ")));
         }
         note
     }
@@ -112,6 +125,15 @@ fn governs(force: &PartForce) -> String {
 /// Sa(0), or Sa at the shortest period of a table.
 fn ground_g(spectrum: &CodeSpectrum) -> f64 {
     spectrum.sa_g(spectrum.shortest_period_s())
+}
+
+/// A clause of ASCE 7 with its numbers.
+struct Clause {
+    force: PartForce,
+    equation: &'static str,
+    numbers: String,
+    overstrength_ratio: f64,
+    factors: Vec<Factor>,
 }
 
 /// The factors that every source asks the question for.
@@ -150,8 +172,23 @@ impl<'a> Asked<'a> {
         Factor::new(key, symbol, stated, assumed, reason)
     }
 
-    fn response(&self, symbol: &'static str, assumed: f64, reason: &'static str) -> Factor {
-        Factor::new("response", symbol, self.question.settings.response_ratio, assumed, reason)
+    fn response(&self, symbol: &'static str, value: f64, reason: &'static str) -> Factor {
+        Factor::recalled("response", symbol, self.question.settings.response_ratio, value, reason)
+    }
+
+    /// The row of the object in the tables of ASCE 7, and whether somebody has named it.
+    fn component(&self) -> Option<&'static Component> {
+        self.question.object.component.or_else(Component::other)
+    }
+
+    /// What an engineer must confirm of a force by ASCE 7.
+    fn unconfirmed(&self, edition: Asce7Edition) -> Vec<&'static str> {
+        let is_named = self.question.object.component.is_some_and(|row| !row.is_other());
+        let is_read = self.component().is_some_and(|row| row.source_16.is_some());
+        let mut list = vec![COMBINATION_RECALLED];
+        list.extend((edition == Asce7Edition::Asce7_16 && is_read).then_some(OTHER_EDITION));
+        list.extend((!is_named).then_some(UNNAMED));
+        list
     }
 
     fn importance(&self, symbol: &'static str) -> Factor {
@@ -160,8 +197,8 @@ impl<'a> Asked<'a> {
         Factor::new("importance", symbol, self.question.settings.importance_ratio, assumed, reason)
     }
 
-    fn overstrength(&self, assumed: f64, reason: &'static str) -> Factor {
-        Factor::new("overstrength", "Ω_0", self.question.settings.overstrength_ratio, assumed, reason)
+    fn overstrength(&self, value: f64, reason: &'static str) -> Factor {
+        Factor::recalled("overstrength", "Ω_0", self.question.settings.overstrength_ratio, value, reason)
     }
 
     /// z/h.
@@ -224,108 +261,154 @@ impl<'a> Asked<'a> {
                 ductility,
                 overstrength,
             ],
-            remarks: borrowed.into_iter().chain(self.tall.clone()).chain([RECALLED.to_owned()]).collect(),
+            remarks: borrowed.into_iter().chain(self.tall.clone()).collect(),
+            to_confirm: vec![CLAUSE_RECALLED],
         })
     }
 
-    fn america(&self, spectrum: &CodeSpectrum, edition: Asce7Edition) -> Source {
+    fn america(&self, spectrum: &CodeSpectrum, edition: Asce7Edition) -> Option<Source> {
         let sds_g = spectrum.plateau_g();
-        let (own, borrowed) = match spectrum {
-            CodeSpectrum::Asce7(code) => (Some(code.edition()), None),
-            _ => (None, Some("S_DS is taken as the plateau of the study's spectrum.".to_owned())),
-        };
+        let own = self.own_edition(spectrum);
+        let borrowed = own.is_none().then(|| "S_DS is taken as the plateau of the study's spectrum.".to_owned());
         let height = asce7_height_ratio(edition, self.place.level_ratio, self.place.building_period_s);
-        let importance = self.importance("I_p");
-        let overstrength = self.overstrength(ASCE7_OVERSTRENGTH_RATIO, "cabinets and equipment, in concrete");
-        let sds = Factor::found("sds", "S_DS", sds_g, "g", "the hazard");
-        let level = self.level();
-        let cabinets = "storage cabinets, laboratory equipment";
-        let (code, name, force, equation, numbers, factors) = match edition {
-            Asce7Edition::Asce7_16 => {
-                let amplification = self.amplification("a_p", 1.0, FLEXIBLE_RATIO);
-                let response = self.response("R_p", 2.5, cabinets);
-                let part = Asce7_16Part {
-                    amplification_ratio: amplification.value,
-                    response_ratio: response.value,
-                    importance_ratio: importance.value,
-                };
-                let numbers = format!(
-                    "0.4 × {} × {} × {} × {}/{}",
-                    amplification.number(),
-                    number(sds_g, 4),
-                    number(height, 4),
-                    importance.number(),
-                    response.number()
-                );
-                let equation =
-                    "F_p = 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W".to_owned();
-                let height = Factor::found("height", "1 + 2 z/h", height, "1", "the floor");
-                let factors = vec![sds, level, height, amplification, response, importance, overstrength];
-                (
-                    "ASCE 7-16",
-                    "ASCE 7-16, 13.3.1",
-                    asce7_16_force(sds_g, height.value, &part),
-                    equation,
-                    numbers,
-                    factors,
-                )
-            }
-            Asce7Edition::Asce7_22 => {
-                let settings = &self.question.settings;
-                let is_at_grade = self.place.level_ratio <= 0.0;
-                let likely = LIKELY_RESONANCE_RATIO[usize::from(!is_at_grade)];
-                let stated = settings.resonance_ratio.or(settings.amplification_ratio);
-                let resonance = self.amplified("resonance", "C_AR", stated, [1.0, likely]);
-                let stated = settings.strength_ratio.or(settings.response_ratio);
-                let strength = Factor::new("strength", "R_po", stated, 1.5, cabinets);
-                let ductility = if is_at_grade {
-                    // 13.3.1.2: whatever the building is.
-                    Factor::new("building_ductility", "R_μ", None, 1.0, "on or below the ground")
-                } else {
-                    let reason = "the ductility of the building is not known";
-                    let stated = settings.building_ductility_ratio;
-                    Factor::new("building_ductility", "R_μ", stated, LEAST_BUILDING_DUCTILITY_RATIO, reason)
-                };
-                let part = Asce7_22Part {
-                    resonance_ratio: resonance.value,
-                    strength_ratio: strength.value,
-                    building_ductility_ratio: ductility.value,
-                    importance_ratio: importance.value,
-                    is_at_grade,
-                };
-                let numbers = format!(
-                    "0.4 × {} × {} × {}/{} × {}/{}",
-                    number(sds_g, 4),
-                    importance.number(),
-                    number(height, 4),
-                    number(part.used_building_ductility_ratio(), 4),
-                    resonance.number(),
-                    strength.number()
-                );
-                let equation = "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W";
-                let how = match self.place.building_period_s {
-                    Some(_) => "the floor and the period of the building",
-                    None => "the floor: 1 + 2.5 z/h, because the period of the building is not known",
-                };
-                let height = Factor::found("height", "H_f", height, "1", how);
-                let factors = vec![sds, level, height, ductility, resonance, strength, importance, overstrength];
-                let force = asce7_22_force(sds_g, height.value, &part);
-                ("ASCE 7-22", "ASCE 7-22, 13.3.1", force, equation.to_owned(), numbers, factors)
-            }
+        let row = self.component()?;
+        let (code, name, clause) = match edition {
+            Asce7Edition::Asce7_16 => ("ASCE 7-16", "ASCE 7-16, 13.3.1", self.asce7_16(row, sds_g, height)),
+            Asce7Edition::Asce7_22 => ("ASCE 7-22", "ASCE 7-22, 13.3.1", self.asce7_22(row, sds_g, height)),
         };
-        Source {
+        let used = format!("The factors are those of {} (table {}).", row.title, row.table);
+        let of_older = (own == Some(Asce7Edition::Asce7_22)).then_some(spectrum).and_then(|spectrum| match spectrum {
+            CodeSpectrum::Asce7(code) if code.edition() == Asce7Edition::Asce7_16 => Some(
+                "The clause is that of ASCE 7-22, the code in force; S_DS is from the mapped values of ASCE 7-16."
+                    .to_owned(),
+            ),
+            _ => None,
+        });
+        Some(Source {
             kind: self.kind(own == Some(edition)),
             code: Some(code),
             clause: "13.3.1",
             name,
-            force,
+            force: clause.force,
             vertical_ratio: VERTICAL_RATIO * sds_g,
             vertical_words: "0.2 S_DS",
-            overstrength_ratio: overstrength.value,
-            equation,
+            overstrength_ratio: clause.overstrength_ratio,
+            equation: clause.equation.to_owned(),
+            numbers: clause.numbers,
+            factors: clause.factors,
+            remarks: borrowed.into_iter().chain([used]).chain(of_older).collect(),
+            to_confirm: self.unconfirmed(edition),
+        })
+    }
+
+    /// The edition by which the parts are designed where the hazard is by ASCE 7: that in force, else
+    /// that of the spectrum.
+    fn own_edition(&self, spectrum: &CodeSpectrum) -> Option<Asce7Edition> {
+        let CodeSpectrum::Asce7(code) = spectrum else { return None };
+        Some(self.question.parts_edition.unwrap_or(code.edition()))
+    }
+
+    fn asce7_16(&self, row: &Component, sds_g: f64, height_ratio: f64) -> Clause {
+        let settings = &self.question.settings;
+        let amplification = if self.is_flexible() && row.amplification_ratio < FLEXIBLE_RATIO {
+            self.amplification("a_p", FLEXIBLE_RATIO, FLEXIBLE_RATIO)
+        } else {
+            let value = row.amplification_ratio;
+            Factor::of_table("amplification", "a_p", settings.amplification_ratio, value, row.source_16)
+        };
+        let response = Factor::of_table("response", "R_p", settings.response_ratio, row.response_ratio, row.source_16);
+        let importance = self.importance("I_p");
+        let overstrength = self.overstrength(ASCE7_OVERSTRENGTH_RATIO, "anchors in concrete");
+        let part = Asce7_16Part {
+            amplification_ratio: amplification.value,
+            response_ratio: response.value,
+            importance_ratio: importance.value,
+        };
+        let numbers = format!(
+            "0.4 × {} × {} × {} × {}/{}",
+            amplification.number(),
+            number(sds_g, 4),
+            number(height_ratio, 4),
+            importance.number(),
+            response.number()
+        );
+        Clause {
+            force: asce7_16_force(sds_g, height_ratio, &part),
+            equation: "F_p = 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W",
             numbers,
-            factors,
-            remarks: borrowed.into_iter().chain([FACTORS_RECALLED.to_owned()]).collect(),
+            overstrength_ratio: overstrength.value,
+            factors: vec![
+                Factor::found("sds", "S_DS", sds_g, "g", "the hazard"),
+                self.level(),
+                Factor::found("height", "1 + 2 z/h", height_ratio, "1", "the floor"),
+                amplification,
+                response,
+                importance,
+                overstrength,
+            ],
+        }
+    }
+
+    fn asce7_22(&self, row: &Component, sds_g: f64, height_ratio: f64) -> Clause {
+        let settings = &self.question.settings;
+        let is_at_grade = self.place.level_ratio <= 0.0;
+        let [on_ground, above] = row.resonance_ratios;
+        let of_row = if is_at_grade { on_ground } else { above };
+        let likely = LIKELY_RESONANCE_RATIO[usize::from(!is_at_grade)];
+        let stated = settings.resonance_ratio.or(settings.amplification_ratio);
+        let resonance = if self.is_flexible() && of_row < likely {
+            self.amplified("resonance", "C_AR", stated, [of_row, likely])
+        } else {
+            Factor::of_table("resonance", "C_AR", stated, of_row, row.source_22)
+        };
+        let stated = settings.strength_ratio.or(settings.response_ratio);
+        let strength = Factor::of_table("strength", "R_po", stated, row.strength_ratio, row.source_22);
+        let overstrength =
+            Factor::of_table("overstrength", "Ω_0", settings.overstrength_ratio, row.overstrength_ratio, row.source_22);
+        let ductility = if is_at_grade {
+            // 13.3.1.2: whatever the building is.
+            Factor::new("building_ductility", "R_μ", None, 1.0, "on or below the ground")
+        } else {
+            let reason = "the ductility of the building is not known";
+            let stated = settings.building_ductility_ratio;
+            Factor::new("building_ductility", "R_μ", stated, LEAST_BUILDING_DUCTILITY_RATIO, reason)
+        };
+        let importance = self.importance("I_p");
+        let part = Asce7_22Part {
+            resonance_ratio: resonance.value,
+            strength_ratio: strength.value,
+            building_ductility_ratio: ductility.value,
+            importance_ratio: importance.value,
+            is_at_grade,
+        };
+        let numbers = format!(
+            "0.4 × {} × {} × {}/{} × {}/{}",
+            number(sds_g, 4),
+            importance.number(),
+            number(height_ratio, 4),
+            number(part.used_building_ductility_ratio(), 4),
+            resonance.number(),
+            strength.number()
+        );
+        let how = match self.place.building_period_s {
+            Some(_) => "the floor and the period of the building",
+            None => "the floor: 1 + 2.5 z/h, because the period of the building is not known",
+        };
+        Clause {
+            force: asce7_22_force(sds_g, height_ratio, &part),
+            equation: "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W",
+            numbers,
+            overstrength_ratio: overstrength.value,
+            factors: vec![
+                Factor::found("sds", "S_DS", sds_g, "g", "the hazard"),
+                self.level(),
+                Factor::found("height", "H_f", height_ratio, "1", how),
+                ductility,
+                resonance,
+                strength,
+                importance,
+                overstrength,
+            ],
         }
     }
 
@@ -341,7 +424,13 @@ impl<'a> Asked<'a> {
         };
         let known = stated.map(|_| Factor::new("amplification", "amplification A", stated, 1.0, ""));
         let importance = self.importance("γ_a");
-        let behaviour = self.response("q_a", 2.0, "anchorage of floor-supported cabinets");
+        let is_cabinet = self.question.object.component.is_some_and(|row| row.is_cabinet());
+        let (assumed, reason) = if is_cabinet {
+            (2.0, "table 4.4, anchorage of floor-supported cabinets and book stacks")
+        } else {
+            (1.0, "no reduction: table 4.4 has a value for floor-supported cabinets alone")
+        };
+        let behaviour = self.response("q_a", assumed, reason);
         let overstrength = self.overstrength(1.0, "EN 1992-4 has rules of its own for anchors in concrete");
         let part = Eurocode8Part {
             period_ratio: period.value,
@@ -381,7 +470,8 @@ impl<'a> Asked<'a> {
                 behaviour.number()
             ),
             factors,
-            remarks: vec![FACTORS_RECALLED.to_owned()],
+            remarks: Vec::new(),
+            to_confirm: Vec::new(),
         })
     }
 
@@ -390,7 +480,8 @@ impl<'a> Asked<'a> {
         let floor_g = floor_acceleration_g(spectrum, &self.place)?;
         let ground_g = ground_g(spectrum);
         let settings = &self.question.settings;
-        let shape = Factor::new("amplification", "C_i", settings.amplification_ratio, 2.0, "a period up to 0.75 s");
+        let shape =
+            Factor::recalled("amplification", "C_i", settings.amplification_ratio, 2.0, "a period up to 0.75 s");
         // The code multiplies by C_ph; a study states what a force is divided by.
         let response = Factor::new("response", "C_ph", settings.response_ratio.map(f64::recip), 1.0, "elastic");
         let risk = Factor::new("importance", "R_p", settings.importance_ratio, 1.0, "");
@@ -418,7 +509,8 @@ impl<'a> Asked<'a> {
                 risk,
                 overstrength,
             ],
-            remarks: self.tall.clone().into_iter().chain([RECALLED.to_owned()]).collect(),
+            remarks: self.tall.clone().into_iter().collect(),
+            to_confirm: vec![CLAUSE_RECALLED],
         })
     }
 }
@@ -430,7 +522,11 @@ pub(super) fn codes(question: &RestraintQuestion) -> Vec<Source> {
     [asked.europe(spectrum), asked.new_zealand(spectrum), asked.australia(spectrum)]
         .into_iter()
         .flatten()
-        .chain([Asce7Edition::Asce7_16, Asce7Edition::Asce7_22].map(|edition| asked.america(spectrum, edition)))
+        .chain(
+            [Asce7Edition::Asce7_16, Asce7Edition::Asce7_22]
+                .into_iter()
+                .filter_map(|edition| asked.america(spectrum, edition)),
+        )
         .collect()
 }
 
@@ -469,5 +565,6 @@ pub(super) fn floor(question: &RestraintQuestion, pfa_g: f64) -> Source {
         numbers: format!("{} × {} g", number(used_ratio, 4), number(pfa_g, 4)),
         factors: vec![pfa, amplification, overstrength],
         remarks: vec!["Without factors for ductility or importance.".to_owned()],
+        to_confirm: Vec::new(),
     }
 }

@@ -21,16 +21,27 @@ pub(super) fn held_weight_ratio(dead_load_ratio: f64, vertical_ratio: f64) -> f6
     (dead_load_ratio - vertical_ratio).max(0.0)
 }
 
+/// What pulls at the anchors: a force at the centre of gravity, against the weight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Pulled {
+    pub(super) force_n: f64,
+    /// Height of the centre of gravity \[m\].
+    pub(super) cg_height_m: f64,
+    /// Weight that holds the object down \[N\].
+    pub(super) held_n: f64,
+}
+
 /// The axis with the largest tension, and that tension \[N\]; `None` without an axis.
-pub(super) fn worst_tension(
-    axes: &[RestraintAxis],
-    force_n: f64,
-    cg_height_m: f64,
-    held_n: f64,
-) -> Option<(&RestraintAxis, f64)> {
+pub(super) fn worst_tension<'a>(
+    axes: &'a [RestraintAxis],
+    inset_m: Option<f64>,
+    pulled: &Pulled,
+) -> Option<(&'a RestraintAxis, f64)> {
+    let Pulled { force_n, cg_height_m, held_n } = *pulled;
     // The largest before it is limited to 0, so that the axis does not depend on their order.
-    let pull = |axis: &RestraintAxis| (force_n * cg_height_m - held_n * axis.least_lever_m()) / axis.base_m;
-    let usable = axes.iter().filter(|axis| axis.base_m > 0.0);
+    let moment_n_m = |axis: &RestraintAxis| force_n * cg_height_m - held_n * axis.least_lever_m();
+    let pull = |axis: &RestraintAxis| moment_n_m(axis) / axis.anchor_lever_m(inset_m);
+    let usable = axes.iter().filter(|axis| axis.anchor_lever_m(inset_m) > 0.0);
     usable.map(|axis| (axis, pull(axis))).max_by(|a, b| a.1.total_cmp(&b.1)).map(|(axis, n)| (axis, n.max(0.0)))
 }
 

@@ -20,13 +20,16 @@ fn cabinet(spectrum: Option<CodeSpectrum>) -> RestraintQuestion {
             axes: vec![axis(Axis::Thickness, 0.6), axis(Axis::Width, 0.9)],
             level_ratio: 1.0,
             is_critical: false,
+            component: Component::find("cabinet"),
         },
         building_height_m: Some(96.0),
         building_period_s: Some(3.0),
         spectrum,
+        parts_edition: None,
         floor_acceleration_g: Some(0.4),
         is_floor_given: false,
-        settings: RestraintSettings::default(),
+        // At the edges, so that the numbers below stay simple.
+        settings: RestraintSettings { anchor_inset_m: Some(0.0), ..RestraintSettings::default() },
     }
 }
 
@@ -228,7 +231,7 @@ fn stated_factors_replace_those_of_the_codes() {
                 amplification_ratio: Some(1.4),
                 response_ratio: Some(2.0),
                 importance_ratio: Some(1.2),
-                ..RestraintSettings::default()
+                ..*settings
             }
         }))
     };
@@ -329,7 +332,7 @@ fn the_nearer_edge_and_the_worse_axis_count() {
     }
     let forces = axes(0.3, 0.0);
     near(held(&forces, "computed"), [0.4, 0.46 / 0.9, 0.46 / 0.9]);
-    assert!(forces[0].note.contains("Anchors along one edge, width:"), "{}", forces[0].note);
+    assert!(forces[0].note.contains("Anchors along one edge, width, "), "{}", forces[0].note);
 }
 
 /// The largest reach of all four corners, followed one by one.

@@ -10,15 +10,20 @@ use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
-use crate::inventory::{CellsRequest, costs_of_list};
+use crate::inventory::{CellsRequest, Rating, costs_of_list, rating};
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
                     accepted_exceed_annual_rate [1/yr], floor, longitude, latitude";
-/// The columns of an inventory. The column `item` is for readers only.
-const COLUMNS: [&str; 14] = [
+/// The columns of an inventory. `item`, `building` and `location` are for readers only, and `anchored`
+/// tells them why an object was not run.
+const COLUMNS: [&str; 18] = [
     "id",
     "item",
+    "building",
+    "location",
+    "anchored",
+    "life_safety",
     "quantity",
     "repair_cost",
     "replacement_cost",
@@ -56,6 +61,14 @@ pub(crate) struct CostRow {
     pub(crate) casualty_cost: Option<f64>,
     pub(crate) accepted_rate: Option<f64>,
     pub(crate) accepted_exceed_rate: Option<f64>,
+    /// What it is.
+    pub(crate) item: String,
+    pub(crate) building: String,
+    pub(crate) location: String,
+    /// What the inventory says about its anchors.
+    pub(crate) anchored: String,
+    /// What its fall means for people.
+    pub(crate) life_safety: Option<Rating>,
     /// 0: the ground.
     pub(crate) floor: Option<u32>,
     /// Longitude and latitude \[degrees\].
@@ -186,7 +199,14 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
         let mut rate = |name: &str| problems.keep(positive_of(&table, row, name));
         let (accepted_rate, accepted_exceed_rate) = (rate("accepted_annual_rate"), rate("accepted_exceed_annual_rate"));
         let (floor, site_deg) = (problems.keep(floor_of(&table, row)), problems.keep(site_of(&table, row)));
+        let life_safety = problems.keep(rating_of(&table, row));
+        let text = |name: &str| table.column(name).map_or(String::new(), |column| table.text(row, column).to_owned());
         Some(CostRow {
+            item: text("item"),
+            building: text("building"),
+            location: text("location"),
+            anchored: text("anchored"),
+            life_safety: life_safety?,
             id: name?,
             line: row.line,
             quantity: quantity?.unwrap_or(1.0),
@@ -245,6 +265,22 @@ fn twice(table: &Table, row: &Row, column: usize, above: Option<usize>, what: &s
 /// A number above 0; `None` without the column or in an empty cell.
 fn positive_of(table: &Table, row: &Row, name: &str) -> Result<Option<f64>, Problem> {
     table.given(row, name).map(|column| table.positive(row, column)).transpose()
+}
+
+/// High, medium or low, by the words of inventories.
+fn rating_of(table: &Table, row: &Row) -> Result<Option<Rating>, Problem> {
+    let Some(column) = table.given(row, "life_safety") else { return Ok(None) };
+    let text = table.text(row, column);
+    let found = match rating(text) {
+        Some(2) => Some(Rating::High),
+        Some(1) => Some(Rating::Medium),
+        Some(_) => Some(Rating::Low),
+        None => None,
+    };
+    found.map(Some).ok_or_else(|| {
+        let message = format!("\"{}\" is not a rating", shorten(text));
+        table.cell_problem(row, column, &message).hint("write high, medium or low")
+    })
 }
 
 fn probability_of(table: &Table, row: &Row) -> Result<Option<f64>, Problem> {

@@ -23,8 +23,8 @@ pub enum HazardSource {
     PowerLaw {
         /// The text.
         text: String,
-        /// The measure.
-        measure: Measure,
+        /// The measure; `None`: that of the fragilities.
+        measure: Option<Measure>,
     },
     /// The return periods of a code.
     Code {
@@ -36,8 +36,8 @@ pub enum HazardSource {
         hazard_factor: f64,
         /// Distance to a major fault \[km\].
         fault_distance_km: Option<f64>,
-        /// `pga` or `sa(T)`.
-        measure: Measure,
+        /// `pga` or `sa(T)`; `None`: that of the fragilities.
+        measure: Option<Measure>,
     },
 }
 
@@ -72,16 +72,13 @@ impl HazardGiven {
         };
         match (self.file, self.power_law, self.code) {
             (Some(path), None, None) => Ok(HazardSource::File(path)),
-            (None, Some(text), None) => {
-                let measure = self.measure.ok_or_else(needed("hazard_im", "pgv"))?;
-                Ok(HazardSource::PowerLaw { text, measure })
-            }
+            (None, Some(text), None) => Ok(HazardSource::PowerLaw { text, measure: self.measure }),
             (None, None, Some(code)) => Ok(HazardSource::Code {
                 code,
                 site: self.site.ok_or_else(needed("site", "De"))?,
                 hazard_factor: self.hazard_factor.ok_or_else(needed("hazard_factor", "0.12"))?,
                 fault_distance_km: self.fault_distance_m.map(|distance_m| distance_m / 1e3),
-                measure: self.measure.ok_or_else(needed("hazard_im", "pga"))?,
+                measure: self.measure,
             }),
             (None, None, None) => Err(Problem::value(
                 "there is no hazard curve, which says how often motions reach an intensity",
@@ -172,21 +169,33 @@ impl MeasuredHazard {
 }
 
 /// Reads a hazard; `at` is where a spectral acceleration is taken, `site_deg` the site of an
-/// OpenQuake file with several.
+/// OpenQuake file with several, and `of_curves` the measure of all fragilities, if they have one: that of
+/// a hazard that names none.
 pub(crate) fn hazard_of(
     source: &HazardSource,
     at: Option<At>,
     site_deg: Option<(f64, f64)>,
+    of_curves: Option<(Measure, At)>,
 ) -> Result<MeasuredHazard, Problems> {
+    let measure_of = |given: Option<Measure>| {
+        given.or(of_curves.map(|one| one.0)).ok_or_else(|| {
+            let message =
+                "the fragilities have several intensity measures, and nothing says which is that of the hazard";
+            Problem::value(message, "give `hazard_im`, such as pgv").of(&["hazard_im"])
+        })
+    };
+    // Where the measure is that of the fragilities, so is its place.
+    let place_of = |given: Option<Measure>| at.or(of_curves.filter(|_| given.is_none()).map(|one| one.1));
     match source {
         HazardSource::File(path) => from_file(&load(path)?, path, at, site_deg),
         HazardSource::PowerLaw { text, measure } => {
-            let hazard = power_law(text, *measure).map_err(|problem| problem.named("hazard_power"))?;
+            let (measure, at) = (measure_of(*measure)?, place_of(*measure));
+            let hazard = power_law(text, measure).map_err(|problem| problem.named("hazard_power"))?;
             let at = measure.at(at)?;
-            Ok(MeasuredHazard { hazard, measure: *measure, at, file: None, warnings: Vec::new() })
+            Ok(MeasuredHazard { hazard, measure, at, file: None, warnings: Vec::new() })
         }
         HazardSource::Code { code, site, hazard_factor, fault_distance_km, measure } => {
-            Ok(of_code(*code, site, *hazard_factor, *fault_distance_km, *measure)?)
+            Ok(of_code(*code, site, *hazard_factor, *fault_distance_km, measure_of(*measure)?)?)
         }
     }
 }

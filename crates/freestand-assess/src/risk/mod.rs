@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 
 use freestand::fragility::LimitState;
 use freestand::risk::Hazard;
-use freestand_input::file::InputFile;
+use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number, percent_significant, shortest};
@@ -25,13 +25,14 @@ use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::run::Progress;
 
+use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
     At, FragilityReport, FragilityRequest, ObjectCurves, ObjectFragility, fragility_watched, go_on, load_curves,
 };
 use crate::inventory::CellsRequest;
 
 use costs::{Options, curve_id, load_options};
-use objects::ObjectRisk;
+use objects::{LossBounds, ObjectRisk};
 use plan::Measures;
 use portfolio::Portfolio;
 use rates::Gap;
@@ -166,6 +167,16 @@ pub struct RiskRequest {
     pub years: Option<f64>,
 }
 
+/// An object of the inventory that has no fragility, so that nothing about it is counted.
+#[derive(Debug, Clone, PartialEq)]
+struct NotRun {
+    id: String,
+    item: String,
+    quantity: f64,
+    /// Why it was not run, as far as that is known.
+    why: Option<String>,
+}
+
 /// The answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RiskReport {
@@ -175,6 +186,8 @@ pub struct RiskReport {
     objects: Vec<ObjectRisk>,
     portfolio: Option<Portfolio>,
     measures: Option<Measures>,
+    /// Objects of the inventory that have no fragility.
+    not_run: Vec<NotRun>,
     inputs: Vec<InputFile>,
     /// What to know beside the result.
     pub warnings: Vec<String>,
@@ -195,9 +208,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         let hint = format!("write {written} % as `discount = \"{written} %\"`; at most 100 %");
         return Err(Problem::value(message, hint).of(&["discount"]).into());
     }
-    let hazard = hazard_of(&request.hazard, request.hazard_at, request.site_deg)?;
-    let mut warnings = hazard.warnings.clone();
-    let mut inputs: Vec<InputFile> = hazard.file.iter().cloned().collect();
+    let (mut warnings, mut inputs) = (Vec::new(), Vec::new());
     let mut fitted: Option<FragilityReport> = None;
     let mut curves: Vec<ObjectCurves> = match &request.curves {
         RiskCurves::File(path) => {
@@ -215,6 +226,11 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
             curves
         }
     };
+    let measures = || curves.iter().map(|one| (one.measure, one.at));
+    let only = measures().next().filter(|first| measures().all(|other| other == *first));
+    let hazard = hazard_of(&request.hazard, request.hazard_at, request.site_deg, only)?;
+    warnings.extend(hazard.warnings.iter().cloned());
+    inputs.extend(hazard.file.iter().cloned());
     let path = match &request.curves {
         RiskCurves::File(path) => path,
         RiskCurves::Outcomes(outcomes) => &outcomes.outcomes,
@@ -262,6 +278,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     warnings.extend(begins_too_high(&hazard, &objects));
     warnings.extend(ends_too_low(&hazard, &objects));
     warnings.extend(not_resolved(&hazard, &objects));
+    let not_run = not_run(costs.as_ref(), &curves, path, &mut inputs)?;
     warnings.extend(unmatched(costs.as_ref(), &curves));
     warnings.extend(unjudged(&objects));
     let measures = match &options {
@@ -279,7 +296,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         (Some(report), Some(costs)) => portfolio::portfolio(report, costs, &objects, &hazard, &mut warnings)?,
         _ => None,
     };
-    Ok(RiskReport { years, currency, hazard, objects, portfolio, measures, inputs, warnings })
+    Ok(RiskReport { years, currency, hazard, objects, portfolio, measures, not_run, inputs, warnings })
 }
 
 /// A hazard says how often motions of its own measure happen, and nothing about another one. `line` is
@@ -377,9 +394,9 @@ fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Strin
     let rest = if cut.len() > 1 { format!(" and {} more", cut.len() - 1) } else { String::new() };
     Some(format!(
         "the hazard curve ends at {}, and stronger motions cause up to {} of a rate of {}{rest}: the slope of the last \
-         two points was continued, and `annual_rate_upper` is the rate if all stronger motions are as strong as any; \
+         two points was continued, and the upper bound of the rate is that of motions which are all as strong as any; \
          give a hazard curve up to stronger motions",
-        hazard.measure.value_words(last.intensity),
+        hazard.measure.value_words(rounded_value(last.intensity)),
         percent_significant(largest(one), 2),
         shorten(&one.id)
     ))
@@ -388,7 +405,7 @@ fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Strin
 /// Warnings about rates of which more than a tenth is between two intensities of the runs, or below or
 /// above all of them.
 fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> {
-    let words = |x: f64| hazard.measure.value_words(x);
+    let words = |x: f64| hazard.measure.value_words(rounded_value(x));
     let kinds: [fn(Gap) -> bool; 3] =
         [|gap| matches!(gap, Gap::Below(_)), |gap| matches!(gap, Gap::Between(..)), |gap| matches!(gap, Gap::Above(_))];
     let said = kinds.into_iter().filter_map(|is_kind| {
@@ -407,13 +424,49 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
             }
         };
         Some(format!(
-            "more than a tenth of a rate of {}{rest} may be {place}: such rates are only known between bounds \
-             (`annual_rate_lower`, `annual_rate_upper`), and so is what they cost; {remedy}, or leave `scales` to the \
-             program",
+            "more than a tenth of a rate of {}{rest} may be {place}: such rates are only known between bounds, and so \
+             is what they cost; {remedy}",
             shorten(id)
         ))
     });
     said.collect()
+}
+
+/// The file beside outcomes and curves in which `freestand fragility` says what it did not run, and why.
+pub const LEFT_OUT: &str = "left_out.csv";
+
+/// The objects of the inventory without a fragility, with the reasons of the runs, or what the inventory
+/// says of their anchors.
+fn not_run(
+    costs: Option<&Costs>,
+    curves: &[ObjectCurves],
+    path: &Path,
+    inputs: &mut Vec<InputFile>,
+) -> Result<Vec<NotRun>, Problems> {
+    let Some(costs) = costs else { return Ok(Vec::new()) };
+    let beside = path.with_file_name(LEFT_OUT);
+    let mut reasons: HashMap<String, String> = HashMap::new();
+    if beside.is_file() {
+        let bytes = load(&beside)?;
+        let mut problems = RowProblems::default();
+        let table = fragility_table::Table::read(&bytes, &beside, "the columns are id, why", &mut problems)?;
+        let (id, why) = (table.needed("id")?, table.needed("why")?);
+        let read = |row| Some((table.text(row, id).to_owned(), table.text(row, why).to_owned()));
+        reasons = table.each_row(problems, |row, _| read(row))?.into_iter().collect();
+        inputs.push(InputFile::new(&beside, &bytes));
+    }
+    let curved: HashSet<&str> = curves.iter().map(|one| one.id.as_str()).collect();
+    let without = costs.rows.iter().filter(|row| !curved.contains(row.id.as_str()));
+    let of = |row: &CostRow| NotRun {
+        id: row.id.clone(),
+        item: row.item.clone(),
+        quantity: row.quantity,
+        why: reasons.get(&row.id).cloned().or_else(|| {
+            let said = || format!("anchored, the inventory says: {}", shorten(&row.anchored));
+            (!row.anchored.is_empty()).then(said)
+        }),
+    };
+    Ok(without.map(of).collect())
 }
 
 /// Objects of one list that the other does not have.
@@ -445,6 +498,16 @@ fn unjudged(objects: &[ObjectRisk]) -> Option<String> {
     Some(format!("{}{rest}: an accepted rate was not compared with anything: {why}", shorten(id)))
 }
 
+impl NotRun {
+    fn facts(&self) -> Facts<'static> {
+        Facts::default()
+            .key("id", self.id.clone())
+            .key("item", self.item.clone())
+            .key("quantity", self.quantity)
+            .key("why", self.why.clone())
+    }
+}
+
 impl RiskReport {
     /// Whether every accepted rate is kept, as far as it is known.
     pub fn is_accepted(&self) -> bool {
@@ -461,6 +524,11 @@ impl RiskReport {
     fn loss_bounds(&self) -> Option<(f64, Option<f64>)> {
         let losses = self.objects.iter().filter_map(|object| object.loss);
         losses.map(|loss| (loss.least, loss.most)).reduce(|a, b| (a.0 + b.0, a.1.zip(b.1).map(|(a, b)| a + b)))
+    }
+
+    /// Whether only bounds of the losses of all objects together are known.
+    fn is_bound(&self) -> bool {
+        self.loss_bounds().is_some_and(|(least, most)| LossBounds { least, best: least, most }.is_bound())
     }
 
     /// Whether the losses may be larger than stated, because a rate of an object with costs may be.
@@ -487,8 +555,9 @@ impl RiskReport {
             .key("expected_annual_loss", self.expected_annual_loss())
             .key("expected_annual_loss_lower", self.loss_bounds().map(|loss| loss.0))
             .key("expected_annual_loss_upper", self.loss_bounds().and_then(|loss| loss.1))
-            .key("is_bound", self.objects.iter().any(|one| one.loss.is_some_and(|loss| loss.is_bound())))
+            .key("is_bound", self.is_bound())
             .key("is_at_least", self.is_at_least())
+            .key("not_run", self.not_run.iter().map(NotRun::facts).collect::<Vec<_>>())
             .key("portfolio", self.portfolio.as_ref().map(|portfolio| portfolio.facts(self.currency.as_deref())))
             .key("ranking", self.measures.as_ref().map(|measures| measures.ranking_facts()))
             .key("plan", self.measures.as_ref().and_then(|measures| measures.plan_facts()))
@@ -519,6 +588,9 @@ impl RiskReport {
     /// The answer for people.
     pub fn text(&self) -> String {
         let mut text = String::new();
+        let currency = self.currency.as_deref().unwrap_or("");
+        let plan = self.measures.as_ref().and_then(|measures| measures.plan.as_ref());
+        text.extend(plan.and_then(|plan| plan.unfunded_words(currency)).map(|words| format!("{words}\n")));
         let years = number(self.years, 4);
         for object in &self.objects {
             text += &format!("{}\n", object.id);
@@ -546,9 +618,15 @@ impl RiskReport {
                 text += &format!("  not counted {}\n", object.not_counted.join(", "));
             }
         }
-        let currency = self.currency.as_deref().unwrap_or("");
         if let Some(loss) = self.expected_annual_loss().filter(|_| self.objects.len() > 1) {
-            text += &format!("All objects: {}{} {currency} a year\n", least(self.is_at_least()), number(loss, 4));
+            let bounds = match self.loss_bounds() {
+                Some((from, Some(to))) if self.is_bound() => {
+                    format!("; between {} and {} {currency} a year", number(from, 4), number(to, 4))
+                }
+                _ => String::new(),
+            };
+            let least = least(self.is_at_least());
+            text += &format!("All objects: {least}{} {currency} a year{bounds}\n", number(loss, 4));
         }
         if let Some(portfolio) = &self.portfolio {
             text += &portfolio.text(currency);
@@ -558,6 +636,11 @@ impl RiskReport {
         }
         text
     }
+}
+
+/// An intensity with four digits, for a message.
+fn rounded_value(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
 }
 
 /// The words before a number that is a lower bound.

@@ -61,14 +61,20 @@ impl StateRisk {
             let most = at_most(0.0).map(|upper| format!(", at most {} a year", number(upper, 3)));
             return format!("not known{}{}", least.unwrap_or_default(), most.unwrap_or_default());
         };
-        let least = if self.rates.is_at_least() { "at least " } else { "" };
+        // Where motions below the runs have no bound, the stated rate may be too large as well as too small.
+        let is_least = self.rates.begins_too_high() || self.rates.is_at_least() && annual_rate_lower >= 0.99 * rate;
+        let least = if is_least { "at least " } else { "" };
         let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
         // The runs leave bounds, or motions above the last point of the hazard do, or the ends of a step.
-        let bounds = if self.rates.is_bound() && annual_rate_lower < 0.99 * rate {
+        let is_said =
+            self.ci95.zip(at_most(0.0)).is_some_and(|((_, high), most)| self.rates.is_bound() && most <= 1.01 * high);
+        let bounds = if is_said {
+            None
+        } else if self.rates.is_bound() && annual_rate_lower < 0.99 * rate {
             let least = number(annual_rate_lower, 3);
             Some(match at_most(0.0) {
                 Some(most) => format!("; between {least} and {} a year", number(most, 3)),
-                None => format!("; {least} a year for certain"),
+                None => format!("; at least {least} a year"),
             })
         } else {
             at_most(1.01 * rate).map(|upper| format!("; up to {} a year", number(upper, 3)))
@@ -176,7 +182,7 @@ impl ObjectRisk {
             .curves
             .iter()
             .zip(rates)
-            .map(|(curve, StateRates { limit_state, rates, by_runs, gap })| {
+            .map(|(curve, StateRates { limit_state, rates, by_runs, most, gap })| {
                 let samples = fit.and_then(|fit| fit.bootstrap.as_ref());
                 let is_lognormal = matches!(curve.kind, CurveKind::Lognormal { .. });
                 let lacks = samples.filter(|_| is_lognormal).and_then(|one| one.lacks_interval(limit_state));
@@ -189,7 +195,7 @@ impl ObjectRisk {
                     limit_state,
                     rates,
                     gap,
-                    ci95: ci95.and_then(|ci95| joined(ci95, by_runs, rates)),
+                    ci95: ci95.and_then(|ci95| joined(ci95, by_runs, most)),
                     lacks_interval: lacks.is_some(),
                     probability: rates.annual_rate.map(|rate| probability_in_years(rate, years)),
                     years,
@@ -351,14 +357,15 @@ impl ObjectRisk {
     }
 }
 
-/// The interval over the motions together with the bounds that the runs leave; `None` where these have
-/// no upper end. A rate that is bounded by a milder limit state bounds its interval, too.
-fn joined((low, high): (f64, f64), by_runs: Option<(f64, Option<f64>)>, rates: AnnualRates) -> Option<(f64, f64)> {
-    let Some((least, most)) = by_runs else { return Some((low, high)) };
-    let high = high.max(most?);
-    let high =
-        rates.annual_rate_upper.filter(|upper| rates.annual_rate == Some(*upper)).map_or(high, |upper| upper.min(high));
-    Some((low.min(least).min(high), high))
+/// The interval over the motions together with the bounds that the runs leave, and not above the most that
+/// a milder limit state allows; `None` where there is no upper end.
+fn joined((low, high): (f64, f64), by_runs: Option<(f64, Option<f64>)>, most: Option<f64>) -> Option<(f64, f64)> {
+    let (low, high) = match by_runs {
+        Some((least, upper)) => (low.min(least), high.max(upper?)),
+        None => (low, high),
+    };
+    let high = most.map_or(high, |most| most.min(high));
+    Some((low.min(high), high))
 }
 
 /// What is known about the accepted rates of an object.
@@ -457,6 +464,8 @@ pub(crate) struct Avoided {
     pub(crate) best: f64,
     /// Whether it may avoid more.
     pub(crate) is_at_least: bool,
+    /// The least number of falls a year that it avoids; `None` where nothing tells.
+    pub(crate) falls: Option<f64>,
 }
 
 /// The rates of both states of losses, [`LOSS_STATES`]; `None` without a curve.
@@ -561,7 +570,13 @@ pub(crate) fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, ha
                 .reduce(f64::max);
         }
     }
-    Avoided { after, least, best, is_at_least: !is_exact(&before) || !is_exact(&charged) }
+    let [_, of_fall] = LOSS_STATES;
+    let falls = match effect {
+        Effect::MedianFactor(factor) if *factor >= 1.0 => least_fall(curves, of_fall, *factor, hazard),
+        _ => without[1].zip(with[1]).and_then(|(without, with)| Some(ends_of(without).least - ends_of(with).most?)),
+    };
+    let falls = falls.map(|falls| cost.quantity * falls);
+    Avoided { after, least, best, is_at_least: !is_exact(&before) || !is_exact(&charged), falls }
 }
 
 /// The least loss that is avoided where every median is multiplied by `factor` ≥ 1, and overturning costs
@@ -660,6 +675,11 @@ mod tests {
             casualty_cost: None,
             accepted_rate: None,
             accepted_exceed_rate: None,
+            item: String::new(),
+            building: String::new(),
+            location: String::new(),
+            anchored: String::new(),
+            life_safety: None,
             floor: None,
             site_deg: None,
         }

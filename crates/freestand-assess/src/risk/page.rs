@@ -10,7 +10,9 @@ use freestand_output::html::{
 };
 
 use crate::fragility::{At, Measure};
+use crate::inventory::Rating;
 
+use super::costs::CostRow;
 use super::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict};
 use super::plan::Chosen;
 use super::{RiskReport, least, once_in, rounded};
@@ -57,6 +59,7 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
         html.push_str(&format!("<div><strong>{}</strong><small>{}</small></div>\n", escape(&value), escape(&what)));
     }
     html.push_str("</div>\n");
+    html.push_str(&paragraph(&whose(report)));
     html.push_str(&plan(report));
     html.push_str(&objects(report, &years));
     if let Some(drawn) = drawn {
@@ -71,6 +74,19 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
     html.push_str(&list(&not_counted(report)));
     html.push_str(CLOSING);
     html
+}
+
+/// Whose objects these are, with room for what nobody stated.
+fn whose(report: &RiskReport) -> String {
+    let stated = |of: fn(&CostRow) -> &str| {
+        let rows = report.objects.iter().filter_map(|object| object.cost.as_ref());
+        let mut all: Vec<&str> = rows.map(of).filter(|text| !text.is_empty()).collect();
+        all.sort_unstable();
+        all.dedup();
+        if all.is_empty() { "______________".to_owned() } else { named(&all) }
+    };
+    let (building, place) = (stated(|row| &row.building), stated(|row| &row.location));
+    format!("Building: {building}. Place: {place}. Date: ______________. Prepared by: ______________.")
 }
 
 /// A measure in words, for readers who do not know its abbreviation.
@@ -118,9 +134,13 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
     let currency = report.currency.as_deref().unwrap_or("");
     let mut boxes = Vec::new();
     if let Some(loss) = report.expected_annual_loss() {
+        let between = bounded(report.objects.iter().filter_map(|object| object.loss)).filter(|_| report.is_bound());
         boxes.push((
             format!("{}{} a year", least(report.is_at_least()), money(loss, currency)),
-            "Expected loss: the mean over very many years. Most years cost nothing, a few cost much.".to_owned(),
+            format!(
+                "Expected loss: the mean over very many years. Most years cost nothing, a few cost much.{}",
+                between.map_or(String::new(), |bounds| format!(" Only its bounds are known: {bounds} {currency}."))
+            ),
         ));
     }
     match &report.portfolio {
@@ -147,7 +167,7 @@ fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
             ),
         ));
         let left = bounded(report.objects.iter().filter_map(|object| left(object, plan)));
-        let value = left.map_or_else(not_known, |(word, left)| format!("{word}{} a year", money(left, currency)));
+        let value = left.map_or_else(not_known, |left| format!("{left} {currency} a year"));
         boxes.push((value, "Expected loss that remains with the plan.".to_owned()));
     }
     boxes.extend(casualties(report));
@@ -216,15 +236,20 @@ fn left(object: &ObjectRisk, plan: &Chosen) -> Option<LossBounds> {
     plan.of(&object.id).map(|worth| worth.after).or(object.loss)
 }
 
-/// A sum of losses with the words before it: the most that it can be where that is known, or else the
-/// least; `None` if that is 0, which says nothing.
-fn bounded(losses: impl Iterator<Item = LossBounds>) -> Option<(&'static str, f64)> {
-    let (sum, most) = losses
-        .fold((0.0, Some(0.0)), |(least, most), loss| (least + loss.least, most.zip(loss.most).map(|(a, b)| a + b)));
-    match most {
-        Some(most) if most > sum => Some(("at most ", most)),
-        Some(most) => Some(("", most)),
-        None => (sum > 0.0).then(|| (least(true), sum)),
+/// A sum of losses: itself where it is known, or its bounds; `None` where nothing is known but that it is
+/// 0 or more.
+fn bounded(losses: impl Iterator<Item = LossBounds>) -> Option<String> {
+    let zero = LossBounds { least: 0.0, best: 0.0, most: Some(0.0) };
+    let sum = losses.fold(zero, |sum, loss| LossBounds {
+        least: sum.least + loss.least,
+        best: sum.best + loss.best,
+        most: sum.most.zip(loss.most).map(|(a, b)| a + b),
+    });
+    match sum.most {
+        Some(_) if !sum.is_bound() => Some(grouped(sum.best)),
+        Some(most) if sum.least > 0.0 => Some(format!("{} to {}", grouped(sum.least), grouped(most))),
+        Some(most) => Some(format!("at most {}", grouped(most))),
+        None => (sum.least > 0.0).then(|| format!("{}{}", least(true), grouped(sum.least))),
     }
 }
 
@@ -243,12 +268,20 @@ fn plan(report: &RiskReport) -> String {
         1 => " What one option saves is not known, so that it is not in the plan.".to_owned(),
         many => format!(" What {many} options save is not known, so that they are not in the plan."),
     };
+    if let Some(words) = plan.unfunded_words(currency) {
+        html.push_str(&paragraph(&format!("{words}: the budget does not reach what people need.")));
+    }
     if plan.chosen.is_empty() {
         let known = if measures.is_at_least() { ", as far as is known" } else { "" };
         html.push_str(&paragraph(&format!("Within the budget, no option saves more than it costs{known}.{unknown}")));
         return html;
     }
+    let is_rated = plan.chosen.iter().any(|worth| worth.life_safety > Some(Rating::Low));
     let proven = match (plan.plan.is_optimal, measures.is_at_least()) {
+        _ if is_rated => {
+            "Life safety comes first: within the budget, most falls of objects rated high are avoided, then of those \
+             rated medium, and then the most money is saved"
+        }
         (true, false) => "No other choice within the budget is worth more",
         (true, true) => {
             "Some options may save more than is known. Judged by the least that each saves, no other choice within \
@@ -264,13 +297,16 @@ fn plan(report: &RiskReport) -> String {
         least(plan.is_at_least()),
         money(plan.plan.value, currency)
     )));
+    let of = |id: &str| report.objects.iter().find(|object| object.id == id).and_then(|object| object.cost.as_ref());
     let rows: Vec<Vec<Cell>> =
         plan.chosen
             .iter()
-            .take(MAX_ROWS)
             .map(|worth| {
                 vec![
                     words(&shorten(&worth.id)),
+                    words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.item))),
+                    words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.location))),
+                    words(worth.life_safety.map_or("–", Rating::name)),
                     words(&shorten(&worth.option)),
                     figure(grouped(worth.cost)),
                     figure(worth.benefit_present_value.map_or("–".to_owned(), |benefit| {
@@ -284,15 +320,12 @@ fn plan(report: &RiskReport) -> String {
                 ]
             })
             .collect();
-    let heads = ["object", "option"].map(words).into_iter();
+    let heads = ["object", "item", "place", "life safety", "option"].map(words).into_iter();
     let heads = heads.chain(
         [format!("cost ({currency})"), format!("saves, present value ({currency})"), "benefit/cost".to_owned()]
             .map(figure),
     );
     html.push_str(&table("", &[heads.collect()], &rows));
-    if plan.chosen.len() > MAX_ROWS {
-        html.push_str(&paragraph(&format!("And {} more, in risk.json.", plan.chosen.len() - MAX_ROWS)));
-    }
     html
 }
 
@@ -344,8 +377,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
         }
         if has_plan {
             let left = chosen.and_then(|plan| left(object, plan)).map(|left| bounded(std::iter::once(left)));
-            let words = |(word, left): (&str, f64)| format!("{word}{}", grouped(left));
-            cells.push(figure(left.map_or("–".to_owned(), |left| left.map_or_else(not_known, words))));
+            cells.push(figure(left.map_or("–".to_owned(), |left| left.unwrap_or_else(not_known))));
         }
         if has_verdicts {
             cells.push(words(&compared(object)));
@@ -441,14 +473,27 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
             }
         }
     }
-    let mut lines: Vec<String> = missing
-        .into_iter()
-        .map(|(what, ids)| {
-            // What is missing for another reason than its amount says so between brackets.
-            let why = if what.contains('(') { "" } else { ", for which no amount was given" };
-            format!("{}{why}: {}.", sentence(what), named(&ids))
-        })
+    let mut lines: Vec<String> = Vec::new();
+    for one in &report.not_run {
+        let item = if one.item.is_empty() { String::new() } else { format!(" ({})", shorten(&one.item)) };
+        let why = one.why.as_ref().map_or("no reason is known".to_owned(), |why| why.trim_end_matches('.').to_owned());
+        lines.push(format!("The object {}{item}, which was not run: {why}.", shorten(&one.id)));
+    }
+    let bounded: Vec<&str> = report
+        .objects
+        .iter()
+        .filter(|object| object.loss.is_some_and(|loss| loss.is_bound()))
+        .map(|object| object.id.as_str())
         .collect();
+    if !bounded.is_empty() {
+        lines.push(format!("What the runs or the hazard curve leave open; only bounds of the losses of these objects are known (risk.json): {}.", named(&bounded)));
+    }
+    let missing = missing.into_iter().map(|(what, ids)| {
+        // What is missing for another reason than its amount says so between brackets.
+        let why = if what.contains('(') { "" } else { ", for which no amount was given" };
+        format!("{}{why}: {}.", sentence(what), named(&ids))
+    });
+    lines.extend(missing);
     let unpriced: Vec<&str> = report
         .objects
         .iter()

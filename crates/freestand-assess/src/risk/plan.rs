@@ -1,4 +1,4 @@
-//! What options are worth, and the best of them within a budget.
+//! What options are worth, and the best of them within a budget: life safety first.
 
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -15,6 +15,7 @@ use super::hazard::MeasuredHazard;
 use super::objects::{Avoided, LossBounds, ObjectRisk, avoided};
 use super::{RiskRequest, least};
 use crate::fragility::go_on;
+use crate::inventory::Rating;
 
 /// Budgets of the frontier.
 const FRONTIER: u32 = 20;
@@ -38,6 +39,10 @@ pub(super) struct Worth {
     pub(super) is_at_least: bool,
     /// Annual loss that the option leaves.
     pub(super) after: LossBounds,
+    /// What a fall of the object means for people.
+    pub(super) life_safety: Option<Rating>,
+    /// The least number of falls a year that the option avoids.
+    falls: f64,
 }
 
 impl Worth {
@@ -79,6 +84,8 @@ impl Worth {
             .key("benefit_cost_ratio", self.ratio())
             .key("net_present_value", self.net())
             .key("is_at_least", self.is_at_least)
+            .key("life_safety", self.life_safety.map(Rating::name))
+            .key("falls_avoided_per_year", self.falls)
     }
 }
 
@@ -97,7 +104,10 @@ pub(crate) struct Measures {
 pub(super) struct Chosen {
     pub(super) budget: f64,
     pub(super) plan: Plan,
+    /// Sorted: life safety first, then by benefit over cost.
     pub(super) chosen: Vec<Worth>,
+    /// For each object that people need and the budget does not reach, the option that avoids most falls.
+    pub(super) unfunded: Vec<Worth>,
     /// Budget, cost and net present value of the best plan within it.
     pub(super) frontier: Vec<(f64, f64, f64)>,
 }
@@ -152,7 +162,8 @@ pub(crate) fn measures(
         let renewed = renewed_cost(option.cost, option.life_years, discount, horizon)
             .map_err(|error| wrong(error.to_string(), "correct the life, or the horizon"));
         let Some(cost_present_value) = problems.keep(renewed) else { continue };
-        let Avoided { after, least, best, is_at_least } = avoided(&object.curves, &option.effect, cost, &hazard.hazard);
+        let Avoided { after, least, best, is_at_least, falls } =
+            avoided(&object.curves, &option.effect, cost, &hazard.hazard);
         ranking.push(Worth {
             id: option.id.clone(),
             option: option.option.clone(),
@@ -163,6 +174,8 @@ pub(crate) fn measures(
             estimate: years * best,
             is_at_least,
             after,
+            life_safety: cost.life_safety,
+            falls: falls.unwrap_or(0.0).max(0.0),
         });
     }
     let mut ranking = problems.finish(Some(ranking))?;
@@ -179,32 +192,121 @@ fn within(time: Duration, progress: Progress) -> impl FnMut() -> bool {
     move || start.elapsed() < time && go_on(progress).is_ok()
 }
 
-fn chosen(ranking: &[Worth], objects: usize, budget: f64, progress: Progress) -> Chosen {
-    let mut choices: Vec<Vec<Choice>> = vec![Vec::new(); objects];
-    let mut worths: Vec<Vec<&Worth>> = vec![Vec::new(); objects];
-    for worth in ranking {
-        // What has no known worth is not bought.
-        let Some(value) = worth.net() else { continue };
-        choices[worth.object].push(Choice { cost: worth.cost, value });
-        worths[worth.object].push(worth);
+/// Falls a year below which an option is not bought for the sake of people: a chance of one in a million a
+/// year, which the Health and Safety Executive calls broadly acceptable.
+///
+/// # Reference
+/// HSE (2001). Reducing risks, protecting people, paragraph 130.
+const FEWEST_FALLS: f64 = 1e-6;
+
+/// The options of a budget: those that avoid most falls of objects rated high for life safety, with what is
+/// left those of objects rated medium, and with what is left then those that are worth most.
+struct Spent<'a> {
+    plan: Plan,
+    /// For each object.
+    chosen: Vec<Option<&'a Worth>>,
+    unfunded: Vec<&'a Worth>,
+}
+
+fn spent<'a>(ranking: &'a [Worth], objects: usize, budget: f64, go_on: &mut dyn FnMut() -> bool) -> Spent<'a> {
+    let mut chosen: Vec<Option<&Worth>> = vec![None; objects];
+    let mut unfunded = Vec::new();
+    let (mut left, mut is_optimal) = (budget, true);
+    for rating in [Rating::High, Rating::Medium] {
+        let saves = |worth: &&Worth| worth.life_safety == Some(rating) && worth.falls > FEWEST_FALLS;
+        let worths = of_objects(ranking, objects, saves);
+        let choices = worths.iter().map(|worths| undominated(worths)).collect::<Vec<_>>();
+        let priced: Vec<Vec<Choice>> = choices
+            .iter()
+            .map(|worths| worths.iter().map(|worth| Choice { cost: worth.cost, value: worth.falls }).collect())
+            .collect();
+        let plan = best_plan(&priced, left, &mut *go_on);
+        for ((object, worths), number) in choices.iter().enumerate().zip(&plan.chosen) {
+            match (number.and_then(|number| worths.get(number)), worths.last()) {
+                (Some(worth), _) => chosen[object] = Some(worth),
+                (None, Some(most)) => unfunded.push(*most),
+                (None, None) => {}
+            }
+        }
+        left -= plan.cost;
+        is_optimal &= plan.is_optimal;
     }
-    let plan = best_plan(&choices, budget, within(PLAN_TIME, progress));
-    let chosen =
-        plan.chosen.iter().zip(&worths).filter_map(|(number, worths)| worths.get((*number)?).copied().cloned());
-    let chosen = chosen.collect();
+    // What has no known worth is not bought.
+    let is_open = |worth: &&Worth| chosen[worth.object].is_none() && worth.net().is_some();
+    let worths = of_objects(ranking, objects, is_open);
+    let choice = |worth: &&Worth| Choice { cost: worth.cost, value: worth.net().unwrap_or(0.0) };
+    let priced: Vec<Vec<Choice>> = worths.iter().map(|worths| worths.iter().map(choice).collect()).collect();
+    let first: (f64, f64) = chosen
+        .iter()
+        .flatten()
+        .fold((0.0, 0.0), |(cost, value), worth| (cost + worth.cost, value + worth.net().unwrap_or(0.0)));
+    let money = best_plan(&priced, left, &mut *go_on);
+    for ((known, worths), number) in chosen.iter_mut().zip(&worths).zip(&money.chosen) {
+        *known = known.or_else(|| worths.get((*number)?).copied());
+    }
+    unfunded.retain(|worth| chosen[worth.object].is_none());
+    let plan = Plan {
+        cost: first.0 + money.cost,
+        value: first.1 + money.value,
+        bound: first.1 + money.bound,
+        is_optimal: is_optimal && money.is_optimal,
+        chosen: money.chosen,
+    };
+    Spent { plan, chosen, unfunded }
+}
+
+/// For each object those of its options that are wanted.
+fn of_objects<'a>(ranking: &'a [Worth], objects: usize, is_wanted: impl Fn(&&'a Worth) -> bool) -> Vec<Vec<&'a Worth>> {
+    let mut found: Vec<Vec<&Worth>> = vec![Vec::new(); objects];
+    for worth in ranking.iter().filter(is_wanted) {
+        found[worth.object].push(worth);
+    }
+    found
+}
+
+/// Those that avoid more falls than every cheaper one, by rising cost.
+fn undominated<'a>(worths: &[&'a Worth]) -> Vec<&'a Worth> {
+    let mut sorted = worths.to_vec();
+    sorted.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(b.falls.total_cmp(&a.falls)));
+    let mut most = 0.0;
+    sorted.retain(|worth| {
+        let is_more = worth.falls > most;
+        most = worth.falls.max(most);
+        is_more
+    });
+    sorted
+}
+
+fn chosen(ranking: &[Worth], objects: usize, budget: f64, progress: Progress) -> Chosen {
+    let Spent { plan, chosen, unfunded } = spent(ranking, objects, budget, &mut within(PLAN_TIME, progress));
+    let mut chosen: Vec<Worth> = chosen.into_iter().flatten().cloned().collect();
+    // Both sorts are stable: equal ones stay in the order of the objects.
+    let ratio = |worth: &Worth| worth.ratio().unwrap_or(f64::INFINITY);
+    chosen.sort_by(|a, b| b.life_safety.cmp(&a.life_safety).then(ratio(b).total_cmp(&ratio(a))));
+    let unfunded = unfunded.into_iter().cloned().collect();
     let frontier = (1..=FRONTIER).map(|i| {
         let part = budget * f64::from(i) / f64::from(FRONTIER);
-        let plan = best_plan(&choices, part, within(PLAN_TIME / FRONTIER, progress));
+        let plan = spent(ranking, objects, part, &mut within(PLAN_TIME / FRONTIER, progress)).plan;
         (part, plan.cost, plan.value)
     });
     let frontier = frontier.collect();
-    Chosen { budget, plan, chosen, frontier }
+    Chosen { budget, plan, chosen, unfunded, frontier }
 }
 
 impl Chosen {
     /// Whether the plan may be worth more.
     pub(super) fn is_at_least(&self) -> bool {
         self.chosen.iter().any(|worth| worth.is_at_least)
+    }
+
+    /// What people need and the budget does not reach: `Unfunded life safety: 2 objects, 1400 EUR`.
+    pub(super) fn unfunded_words(&self, currency: &str) -> Option<String> {
+        let cost: f64 = self.unfunded.iter().map(|worth| worth.cost).sum();
+        let objects = counted(self.unfunded.len(), "object");
+        let amount = number(cost, 4);
+        let ids: Vec<String> = self.unfunded.iter().map(|worth| shorten(&worth.id)).collect();
+        let words = || format!("Unfunded life safety: {objects}, {amount} {currency} ({})", ids.join(", "));
+        (!ids.is_empty()).then(words)
     }
 
     /// The option of the plan for an object.
@@ -244,7 +346,7 @@ impl Measures {
 
     pub(crate) fn plan_facts(&self) -> Option<Facts<'static>> {
         let found = self.plan.as_ref()?;
-        let Chosen { budget, plan, chosen, frontier } = found;
+        let Chosen { budget, plan, chosen, unfunded, frontier } = found;
         let frontier: Vec<Facts> = frontier
             .iter()
             .map(|&(budget, cost, value)| {
@@ -258,6 +360,8 @@ impl Measures {
                 .key("net_present_value", plan.value)
                 .key("is_at_least", found.is_at_least())
                 .key("chosen", chosen.iter().map(Worth::facts).collect::<Vec<_>>())
+                .key("unfunded_life_safety", unfunded.iter().map(Worth::facts).collect::<Vec<_>>())
+                .key("unfunded_life_safety_cost", unfunded.iter().map(|worth| worth.cost).sum::<f64>())
                 .key("method", "dynamic programming with bounds")
                 .key("bound", plan.bound)
                 .key("optimal", plan.is_optimal)

@@ -17,8 +17,8 @@ use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
 
 use super::costs::{CostRow, Costs};
 use super::hazard::MeasuredHazard;
-use super::objects::ObjectRisk;
-use super::{LOSS_STATES, least};
+use super::objects::{LossBounds, ObjectRisk};
+use super::{LOSS_STATES, least, rounded_value};
 
 /// The return periods whose losses are stated \[years\].
 const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
@@ -34,6 +34,9 @@ const NO_STRIPES: f64 = 0.5;
 pub(crate) struct Portfolio {
     worlds: usize,
     expected_annual_loss: f64,
+    /// The least and the most that it can be, whatever happens between the intensities; the most is
+    /// `None` where something fails at the lowest one.
+    bounds: (f64, Option<f64>),
     pub(super) curve: Vec<LossPoint>,
     pub(super) independent: Vec<LossPoint>,
     pub(super) is_at_least: bool,
@@ -109,10 +112,50 @@ pub(crate) fn portfolio(
     Ok(Some(Portfolio {
         worlds: all.len(),
         expected_annual_loss: expected_loss_per_year(&all),
+        bounds: bounds(&worlds, &all, &priced, hazard, is_at_least),
         independent: independent(&worlds, &priced, &losses, warnings),
         curve,
         is_at_least,
     }))
+}
+
+/// The least and the most that the loss of a year can be: between two intensities it is at least that of
+/// the lower one and at most that of the upper one, and above the highest one at most that of everything.
+/// Losses are made to rise with the intensity first.
+fn bounds(
+    worlds: &Worlds,
+    all: &[World],
+    priced: &[Priced],
+    hazard: &MeasuredHazard,
+    fails_at_lowest: bool,
+) -> (f64, Option<f64>) {
+    let mut sums = vec![0.0; worlds.levels.len()];
+    for ((level, _), world) in worlds.all.iter().zip(all) {
+        sums[*level] += world.loss / worlds.counts[*level] as f64;
+    }
+    let rising: Vec<f64> = sums
+        .iter()
+        .scan(0.0_f64, |most, loss| {
+            *most = most.max(*loss);
+            Some(*most)
+        })
+        .collect();
+    let mut falling: Vec<f64> = sums
+        .iter()
+        .rev()
+        .scan(f64::INFINITY, |least, loss| {
+            *least = least.min(*loss);
+            Some(*least)
+        })
+        .collect();
+    falling.reverse();
+    let everything: f64 =
+        priced.iter().map(|one| one.cost.quantity * one.cost.overturned().max(one.cost.repair.unwrap_or(0.0))).sum();
+    let rates: Vec<f64> = worlds.levels.iter().map(|level| hazard.hazard.annual_rate(*level)).chain([0.0]).collect();
+    let strips: Vec<f64> = rates.windows(2).map(|pair| pair[0] - pair[1]).collect();
+    let least = falling.iter().zip(&strips).map(|(loss, strip)| loss * strip).sum();
+    let most = rising.iter().skip(1).chain([&everything]).zip(&strips).map(|(loss, strip)| loss * strip).sum();
+    (least, (!fails_at_lowest).then_some(most))
 }
 
 /// The worlds of the outcomes; `None`, with a warning, where objects share none.
@@ -235,7 +278,7 @@ fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
             "at the lowest intensity that is counted, {}, an object fails in {} of {}: weaker motions cause losses too, \
              so the losses of all objects are at least those stated; add lower intensities to the outcomes, and to \
              the hazard curve if it begins there",
-            worlds.levels.get(lowest).map_or(String::new(), |level| measure.value_words(*level)),
+            worlds.levels.get(lowest).map_or(String::new(), |level| measure.value_words(rounded_value(*level))),
             failing,
             counted(all, "motion")
         )
@@ -306,18 +349,27 @@ impl Portfolio {
             .key("currency", currency.map(str::to_owned))
             .key("worlds", self.worlds)
             .key("expected_annual_loss", self.expected_annual_loss)
+            .key("expected_annual_loss_lower", self.bounds.0)
+            .key("expected_annual_loss_upper", self.bounds.1)
+            .key("is_bound", self.is_bound())
             .key("is_at_least", self.is_at_least)
             .key("loss_at_return_period", periods)
             .key("loss_exceedance", points(&self.curve))
             .key("independent_loss_exceedance", points(&self.independent))
     }
 
+    fn is_bound(&self) -> bool {
+        LossBounds { least: self.bounds.0, best: self.expected_annual_loss, most: self.bounds.1 }.is_bound()
+    }
+
     pub(crate) fn text(&self, currency: &str) -> String {
         let least = least(self.is_at_least);
+        let bounds = LossBounds { least: self.bounds.0, best: self.expected_annual_loss, most: self.bounds.1 };
         let mut text = format!(
-            "All objects under common motions ({}): {least}{} {currency} a year\n",
+            "All objects under common motions ({}): {least}{} {currency} a year{}\n",
             counted(self.worlds, "world"),
-            number(self.expected_annual_loss, 4)
+            number(self.expected_annual_loss, 4),
+            bounds.words(currency)
         );
         for years in RETURN_PERIODS {
             let loss = loss_at_return_period(&self.curve, years);
@@ -356,7 +408,7 @@ mod tests {
             }),
             hazard: HazardSource::PowerLaw {
                 text: "k0=1e-2 /yr, k=2, reference=0.1 m/s".to_owned(),
-                measure: Measure::Pgv,
+                measure: Some(Measure::Pgv),
             },
             hazard_at: None,
             site_deg: None,

@@ -32,6 +32,8 @@ pub(super) struct StateRates {
     /// The bounds that the runs leave if the hazard goes on above its last point; `None` where only a
     /// curve is known.
     pub(super) by_runs: Option<(f64, Option<f64>)>,
+    /// The most that it can be because a milder limit state is not more frequent.
+    pub(super) most: Option<f64>,
     pub(super) gap: Option<Gap>,
 }
 
@@ -66,7 +68,7 @@ fn scaled(kind: CurveKind, factor: f64) -> CurveKind {
 fn of_curve(hazard: &Hazard, limit_state: LimitState, kind: CurveKind, found: &[Capacity]) -> StateRates {
     let by_curve = annual_rate(hazard, kind);
     if found.is_empty() {
-        return StateRates { limit_state, rates: by_curve, by_runs: None, gap: None };
+        return StateRates { limit_state, rates: by_curve, by_runs: None, most: None, gap: None };
     }
     let bounds = |tail| bounds_by_runs(hazard, kind, by_curve, found, tail);
     let (least, most) = bounds((Tail::Absent, Tail::Level));
@@ -80,7 +82,7 @@ fn of_curve(hazard: &Hazard, limit_state: LimitState, kind: CurveKind, found: &[
         },
     };
     let gap = gap(hazard, by_curve, most, found);
-    StateRates { limit_state, rates, by_runs: Some(bounds((Tail::Continued, Tail::Continued))), gap }
+    StateRates { limit_state, rates, by_runs: Some(bounds((Tail::Continued, Tail::Continued))), most: None, gap }
 }
 
 /// The bounds that the runs leave. Where the uplift of the motions is not known, the curve says how
@@ -133,6 +135,7 @@ fn put_in_order(states: &mut [StateRates]) {
     for place in 1..states.len() {
         let mild = states[place - 1].rates;
         let Some(most) = mild.annual_rate_upper.filter(|_| mild.annual_rate.is_none()) else { continue };
+        states[place].most = Some(most);
         let severe = &mut states[place].rates;
         severe.annual_rate = severe.annual_rate.map(|rate| rate.min(most));
         severe.annual_rate_in_table = severe.annual_rate_in_table.map(|rate| rate.min(most));

@@ -22,9 +22,10 @@ use freestand_study::statistics::{QUANTILES, ranked_quantile};
 use super::comparisons::friction_needed_ratio;
 use super::decision::{Case, decide, deciding, percent};
 use super::object::{Body, Flat, Hit, Model, Way, hit};
+use super::respond::{Outcome, Travelled};
 use super::response::{
-    AxisMotion, Lived, Lost, PadMotion, Roll, Space, Strike, demand_capacity, governing, leans, lifts, options,
-    overturned, pads_demand_capacity, ranked,
+    AxisMotion, Lived, Lost, PadMotion, Space, Strike, demand_capacity, governing, leans, lifts, options, overturned,
+    pads_demand_capacity, ranked,
 };
 use super::slip::FALLS_WITH_FRICTION;
 use super::softer::beyond_pads;
@@ -108,7 +109,7 @@ pub(super) fn assessment(
     let floor = floor_facts(trial);
     assessed.floor = Some(floor.clone());
     let order = by_severity(context, trial);
-    let answers = answers(context, trial);
+    let mut answers = answers(context, trial);
     // The hardest world after the accepted share of them is left out.
     let beyond = (member.accepted_ratio * order.len() as f64).floor() as usize;
     let world = order.len().checked_sub(1 + beyond).map(|place| order[place]);
@@ -127,8 +128,14 @@ pub(super) fn assessment(
         beyond_pads: beyond_pads(trial),
         tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
     });
-    assessed.decision = decision;
-    assessed.why = why;
+    (assessed.decision, assessed.why) = (decision, why);
+    if decision == Decision::Leave && feet_pass_wall(trial) {
+        (assessed.decision, answers.falls) = (Decision::Restrain, FallsAnswer::Close);
+        assessed.why.push_str(
+            " But on its pads its feet pass through its wall in the calculation, which may keep it from falling: this \
+             is no reason to leave it.",
+        );
+    }
     if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some() {
         assessed.why.push_str(" Its stiffness is a range from the cushion library, not a measurement.");
     }
@@ -244,22 +251,19 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
 fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
     let gliding = trial.subject.way.glides()?;
     followed(trial).next()?;
-    let rolls = |axes: &[AxisMotion], number: fn(&Roll) -> Option<f64>| {
-        axes.iter().filter_map(|one| number(one.roll.as_ref()?)).fold(0.0, f64::max)
-    };
-    let of =
-        |number: fn(&Roll) -> Option<f64>, q: f64| quantile(followed(trial).map(|(_, axes)| rolls(axes, number)), q);
-    let travel = |roll: &Roll| Some(roll.travel_m);
-    let is_stopped =
-        |axes: &[AxisMotion]| axes.iter().any(|one| one.roll.is_some_and(|roll| roll.stop_speed_m_s.is_some()));
+    let ways = || followed(trial).filter_map(|(_, axes)| Outcome::on_rigid(&trial.subject.way, axes).travelled());
+    let of = |number: fn(&Travelled) -> f64, q: f64| quantile(ways().map(|way| number(&way)), q);
+    let travel = |way: &Travelled| way.travel_m;
+    let stop_speed = |way: &Travelled| way.stop_speed_m_s.unwrap_or(0.0);
     let trip_speeds = trial.subject.axes.iter().map(|axis| trip_speed_m_s(&axis.block, G0_M_S2));
     Some(Rolled {
         travel_m_median: of(travel, QUANTILES[1]),
         travel_m_p84: of(travel, QUANTILES[2]),
+        is_at_least: ways().any(|way| way.is_at_least),
         clearance_m: gliding.clearance_m,
         clearance_needed_m: trial.room_needed_m(context),
-        stop_share: share(followed(trial).map(|(_, axes)| is_stopped(axes))),
-        stop_speed_m_s_p84: Some(of(|roll| roll.stop_speed_m_s, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
+        stop_share: share(ways().map(|way| way.stop_speed_m_s.is_some())),
+        stop_speed_m_s_p84: Some(of(stop_speed, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
         trip_speed_m_s: trip_speeds.fold(f64::INFINITY, f64::min),
     })
 }
@@ -330,6 +334,11 @@ fn stack_words(trial: &Trial, stacked: &Stacked) -> String {
     falls + &begins + wall
 }
 
+/// Whether it is followed on pads beside a wall, which its top and its face meet and its feet pass through.
+fn feet_pass_wall(trial: &Trial) -> bool {
+    matches!(trial.subject.way, Way::Spatial(Some(_)))
+}
+
 /// What is left out of three dimensions and of stacks.
 fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems> {
     let mut notes = Vec::new();
@@ -341,6 +350,12 @@ fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems
             );
             if context.worlds.floor(0, trial.subject.level_ratio)?.motion.across.is_none() {
                 notes.push("Its floor moves in one direction only: the motions have one component.".to_owned());
+            }
+            if feet_pass_wall(trial) {
+                notes.push(
+                    "Its top and its face meet its wall, and its feet pass through it: it may fall more often."
+                        .to_owned(),
+                );
             }
             if beside.is_some() && trial.subject.capacity.is_some() {
                 notes.push("The shock at its wall is not compared with its tolerance.".to_owned());
@@ -368,7 +383,7 @@ fn unstated_words(unstated: Unstated) -> String {
 
 /// How far it rolls or slides, and what a stop does.
 fn roll_words(verb: &str, rolled: &Rolled, has_wall: bool) -> String {
-    let travel = format!("It {verb}: up to {} mm in 84 % of worlds", number((1e3 * rolled.travel_m_p84).ceil(), 6));
+    let travel = format!("It {verb}: up to {} in 84 % of worlds", rolled.reach_words());
     let Some(clearance_m) = rolled.clearance_m else {
         if has_wall {
             return format!("{travel}; it may run into what stands beside it, which is not calculated.");
@@ -500,7 +515,12 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
         exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
     };
     let [rigid, compliant] = [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
-    let falls = FallsAnswer::of(trial.side(context, Question::Falls));
+    let is_round = trial.member.item.is_round;
+    let falls = match FallsAnswer::of(trial.side(context, Question::Falls)) {
+        // A cylinder rolls round its rim, and falls where the square prism stands.
+        FallsAnswer::Stays if is_round => FallsAnswer::Close,
+        falls => falls,
+    };
     let shock = match (&trial.subject.capacity, is_known) {
         (None, _) => ShockAnswer::Unknown,
         (Some(_), true) => ShockAnswer::of(trial.side(context, Question::Shock)),
@@ -530,6 +550,10 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
         rigid,
         compliant,
         restitution_p16_p84: [QUANTILES[0], QUANTILES[2]].map(|q| quantile(restitutions(), q)),
+        is_round,
+        worlds_needed: context
+            .fewest_worlds(accepted)
+            .filter(|needed| context.worlds.records().is_none() && trial.cap() < *needed),
         few_motions: context.worlds.records().and_then(|n| FewMotions::of(n, context.fewest_records(accepted))),
     }
 }

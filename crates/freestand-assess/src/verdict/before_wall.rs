@@ -46,6 +46,8 @@ fn is_wanted(context: &Context, trial: &Trial, found: &Assessment) -> bool {
     found.decision == Decision::Restrain
         && falls
         && !has_wall
+        // A wall does not make a round object a square one.
+        && !trial.member.item.is_round
         && trial.subject.way.rocks()
         && trial.subject.way.asks(Model::Rigid)
         && context.study.assessment.walls == WallUse::AsListed

@@ -16,7 +16,9 @@ use super::trial::{Question, Trial, live};
 /// Of each trial; `None`: it rocks, it has room enough, or it falls all the same.
 pub(super) fn braked(context: &Context, trials: &[Trial]) -> Result<Vec<Option<Braked>>, Problems> {
     let mut found: Vec<Option<Braked>> = trials.iter().map(|_| None).collect();
-    let is_wanted = |trial: &Trial| !has_room(context, trial) && trial.side(context, Question::Falls) == Side::Below;
+    let is_wanted = |trial: &Trial| {
+        !trial.member.item.is_round && !has_room(context, trial) && trial.side(context, Question::Falls) == Side::Below
+    };
     let places: Vec<usize> =
         trials.iter().enumerate().filter(|(_, trial)| is_wanted(trial)).map(|(place, _)| place).collect();
     let locked = |place: &usize| {

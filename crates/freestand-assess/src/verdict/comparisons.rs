@@ -8,6 +8,7 @@ use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 use freestand::rocking::{Base, RockingOptions, rock_observed};
 
 use crate::inventory::{Item, Rating};
+use crate::restraint::components::Component;
 use crate::restraint::{HeldObject, RestraintQuestion, restraint_forces};
 use crate::result::{Axis, FloorFacts, RestraintForce};
 use freestand_input::words::number;
@@ -99,6 +100,6 @@ pub(crate) fn restraint_of(
     let Some(mass_kg) = item.mass_kg else { return Vec::new() };
     let blocks: Vec<(Axis, Block)> = subject.axes.iter().map(|axis| (axis.axis, axis.block)).collect();
     let is_critical = item.consequences.life_safety == Some(Rating::High);
-    let object = HeldObject::new(mass_kg, subject.level_ratio, is_critical, &blocks);
+    let object = HeldObject::new(mass_kg, subject.level_ratio, is_critical, Component::find(&item.item), &blocks);
     restraint_forces(&RestraintQuestion::in_study(study, object, floor_acceleration_g))
 }

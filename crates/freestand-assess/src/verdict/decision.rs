@@ -147,9 +147,12 @@ fn falling(case: &Case) -> String {
     let Some(p) = deciding(answers, |model| Some(model.overturn)) else { return String::new() };
     let models = both_words(answers, |model| Some(model.overturn), case.accepted_ratio);
     let hits = (p.value * f64::from(answers.worlds)).round();
+    if answers.is_round {
+        return round(case, p);
+    }
     match answers.falls {
         FallsAnswer::Stays if !case.lifts => {
-            format!("It stays standing: it does not rock in any of {worlds} (accepted {limit}).")
+            format!("It stays standing: it rocks in none of {worlds} (accepted {limit}).")
         }
         FallsAnswer::Stays => {
             let high = percent(p.high);
@@ -160,9 +163,30 @@ fn falling(case: &Case) -> String {
         }
         FallsAnswer::Close => {
             let few = answers.few_motions.as_ref().map_or_else(String::new, few_words);
+            let few = answers.worlds_needed.map_or(few, |needed| few_worlds(answers.worlds_cap, needed));
             format!("It falls in {} of {worlds} against {limit}: too close to call.{few}{models}", spread(p))
         }
     }
+}
+
+/// What is known of a round object: how often the square prism around it falls.
+fn round(case: &Case, p: Probability) -> String {
+    let answers = case.answers;
+    let (worlds, limit) = (counted(answers.worlds as usize, "world"), percent(case.accepted_ratio));
+    let verdict = if answers.falls == FallsAnswer::Falls { "too often" } else { "too close to call" };
+    format!(
+        "Round: not calculated in three dimensions. A square prism of its size falls in {} of {worlds} (accepted {limit}), \
+         and a round object falls where that prism stands: {verdict}.",
+        spread(p)
+    )
+}
+
+/// How many worlds would do, where the study allows fewer.
+fn few_worlds(most: u32, needed: u32) -> String {
+    format!(
+        " {} are too few to leave it as it is, even if it falls in none: at least {needed} would do (most, in [worlds]).",
+        counted(most as usize, "world")
+    )
 }
 
 /// How many motions would do, where there are too few for `leave`.
@@ -254,6 +278,8 @@ mod tests {
             compliant: None,
             restitution_p16_p84: [0.9, 0.95],
             few_motions: None,
+            worlds_needed: None,
+            is_round: false,
         }
     }
 

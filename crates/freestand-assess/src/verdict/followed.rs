@@ -2,7 +2,6 @@
 
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, CompliantOptions};
-use freestand::motion::Motion;
 use freestand::rocking::{Outcome, Restitution, RockingSummary};
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::cushion::EdgeCushion;
@@ -19,9 +18,6 @@ use super::trial::Trial;
 
 /// Earthquakes that are shown.
 const MAX_SHOWN: usize = 10;
-
-/// How long an object on pads is followed after the motion, so that it can land or fall \[s\].
-const TAIL_S: f64 = 3.0;
 
 /// The earthquake whose history is followed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -173,9 +169,7 @@ fn history(
     if let (Model::Pads, Some((mass_kg, cushion))) = (lived.answering(model), draw.damped_body(subject)) {
         let friction_ratio = draw.friction_ratio.filter(|_| lived.slips);
         let on_pads = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion) };
-        let end_s = base.horizontal.map_or(0.0, Motion::duration_s) + TAIL_S;
-        let options = CompliantOptions { duration_s: Some(end_s), ..CompliantOptions::default() };
-        return Ok(Some(drawn_on_pads(&block, &on_pads, base, &options)?));
+        return Ok(Some(drawn_on_pads(&block, &on_pads, base, &CompliantOptions::default())?));
     }
     let request = RockRequest {
         block,

@@ -20,6 +20,7 @@ mod object;
 mod outcomes;
 mod per_year;
 mod pulse;
+mod respond;
 mod response;
 mod roll;
 mod shares;

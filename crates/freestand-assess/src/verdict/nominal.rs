@@ -1,38 +1,43 @@
-//! An object exactly as it is listed, with nothing drawn, on a rigid base: for fragilities, in which
-//! the motions alone differ.
+//! An object exactly as it is listed, with nothing drawn: for fragilities, in which the motions alone
+//! differ. It responds as in an assessment ([`super::respond`]); one that rocks in a plane does so on
+//! a rigid base.
 
+use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
 use freestand::fragility::OutcomeClass;
-use freestand::impact::ImpactModel;
-use freestand::rocking::{Base, Outcome, Restitution, RockingError, rock_between};
+use freestand::impact::{ImpactModel, Landing};
+use freestand::rocking::{Outcome as Rocking, Restitution, RockingModel};
 use freestand::spectra::{BEYOND_ALL_G, landings};
-use freestand::wall::{DEFAULT_WALL_RESTITUTION_RATIO, Walls};
-use freestand::worlds::{Group, WallDraw};
-use freestand::{G0_M_S2, rocking::RockingSummary};
+use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
+use freestand::worlds::{Group, WallDraw, wall_draw};
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::study::assessment::{Settings, Spread};
 
-use super::capacity::{Capacity, Demand};
-use super::draw::{Change, Draw, draw, own_damping_ratio};
-use super::object::{Body, Subject, Way};
-use super::response::{axis_motion, options, terms};
+use super::capacity::{Capacity, Demand, Terms};
+use super::draw::{Change, Draw, draw, key, own_damping_ratio};
+use super::object::{AxisGeometry, Body, Model, Subject, Way};
+use super::respond::{Drawn, Outcome, on_rigid, whole};
+use super::response::{AxisMotion, Lost, PadMotion, terms};
 use crate::inventory::Item;
 use crate::library::Tolerance;
 use crate::output::words::listed;
 use crate::result::Criterion;
+use crate::worlds::FloorOfWorld;
 
 /// An object as it is listed.
 #[derive(Debug, Clone)]
 pub(crate) struct Nominal {
-    /// In the plane of its thickness.
+    /// In the plane in which it lifts first.
     pub(crate) block: Block,
     /// Height of its floor over that of the building.
     pub(crate) level_ratio: f64,
     subject: Subject,
     draw: Draw,
-    walls: Walls,
     body: Option<(f64, Cushion)>,
+    /// Of the random numbers that say on which side its wall is: those of an assessment.
+    seed: u64,
+    key: u64,
 }
 
 /// What it did under one motion.
@@ -40,8 +45,9 @@ pub(crate) struct Nominal {
 pub(crate) struct NominalRun {
     /// How it ended.
     pub(crate) class: OutcomeClass,
-    /// Largest |θ|/α of either edge; above 1 where it overturned.
-    pub(crate) rotation_ratio: f64,
+    /// Largest |θ|/α of any edge, in three dimensions of the tilt and the smaller α; above 1 where it
+    /// overturned; 0 where it rolls or slides. `None`: a stack.
+    pub(crate) rotation_ratio: Option<f64>,
     /// Shock from the uplift; `None`: it overturned or did not lift, mass or cushion is not known, or
     /// the cushion bottomed, so that the shock is above any number that can be relied on \[g\].
     pub(crate) edge_acceleration_g: Option<f64>,
@@ -51,7 +57,7 @@ impl Nominal {
     /// The object of a row.
     ///
     /// # Errors
-    /// Why a rigid base on two edges is not its model, in words.
+    /// Why it cannot be followed, in words.
     pub(crate) fn new(item: &Item, settings: &Settings) -> Result<Self, String> {
         if item.anchored == Some(true) {
             return Err("it is anchored".to_owned());
@@ -60,16 +66,12 @@ impl Nominal {
             let verb = if missing.len() == 1 { "is" } else { "are" };
             format!("its {} {verb} not given", listed(&missing))
         })?;
-        let why = match subject.way {
-            Way::Planar | Way::Walled(_) | Way::Spatial(_) => None,
-            Way::Rolls(_) => Some("it rolls on free casters before it could rock"),
-            Way::Slides(_) => Some("its friction lets it slide before it could rock"),
-            Way::Stack(_) => Some("another object stands on it"),
-        };
-        match (why, subject.axes.first()) {
-            (Some(why), _) => Err(why.to_owned()),
-            (None, None) => Err("it has no size".to_owned()),
-            (None, Some(axis)) => Ok(Self::of(axis.block, subject, settings)),
+        let threshold = |axis: &AxisGeometry| RockingModel::Rigid.uplift_threshold_ratio(&axis.block);
+        let axes = subject.axes.iter().enumerate();
+        let first = axes.min_by(|a, b| threshold(a.1).total_cmp(&threshold(b.1)));
+        match first.map(|(axis, geometry)| (axis, geometry.block)) {
+            Some(first) => Ok(Self::of(first, subject, key(&item.id), settings)),
+            None => Err("it has no size".to_owned()),
         }
     }
 
@@ -89,7 +91,7 @@ impl Nominal {
         });
         let subject = Subject {
             level_ratio: 0.0,
-            axes: Vec::new(),
+            axes: vec![AxisGeometry::of_block(block)],
             restitution,
             friction_ratio: None,
             mass_kg: body.as_ref().map(|body| body.mass_kg),
@@ -98,29 +100,37 @@ impl Nominal {
             way: Way::Planar,
             flat: None,
         };
-        Self::of(block, subject, &Settings::default())
+        Self::of((0, block), subject, 0, &Settings::default())
     }
 
-    fn of(block: Block, subject: Subject, settings: &Settings) -> Self {
+    /// `first`: the axis about which it lifts first, which is the one that moves along x.
+    fn of((first, block): (usize, Block), subject: Subject, key: u64, settings: &Settings) -> Self {
         let spread = Spread { restitution: 0.0, stiffness: 0.0, mass: 0.0, geometry: 0.0, model: 0.0, compliant: 0.0 };
         let settings = Settings { spread, ..settings.clone() };
-        // The middle of what an assessment draws for its pads.
+        // The middle of what an assessment draws for its pads and its friction.
         let mut draw = draw(&settings, &subject, 0, 0, Change::At(Group::Pad, 0.0)).without_factors();
-        // The wall is behind it, with the usual restitution where the list gives none.
-        draw.wall = draw.wall.map(|_| WallDraw { is_on_left: true, restitution_ratio: DEFAULT_WALL_RESTITUTION_RATIO });
-        let walls = draw.walls(&subject, 0);
+        draw.is_thickness_along_x = first == 0;
         let body = draw.body(&subject);
-        Self { block, level_ratio: subject.level_ratio, subject, draw, walls, body }
+        Self { block, level_ratio: subject.level_ratio, subject, draw, body, seed: settings.seed, key }
     }
 
     /// Whether it has a tolerance that can be compared.
     pub(crate) fn has_tolerance(&self) -> bool {
-        self.subject.capacity.as_ref().is_some_and(|capacity| !capacity.needs_shock() || self.body.is_some())
+        let has_shock = || match self.subject.way.glides() {
+            // What rolls or slides is struck by its stop alone.
+            Some(gliding) => {
+                gliding.clearance_m.is_none() || gliding.stop_stiffness_n_m.is_some() && self.subject.mass_kg.is_some()
+            }
+            None => self.body.is_some(),
+        };
+        self.subject.capacity.as_ref().is_some_and(|capacity| !capacity.needs_shock() || has_shock())
     }
 
     /// Whether its tolerance is compared with a shock.
     pub(crate) fn compares_shock(&self) -> bool {
-        self.body.is_some() && self.subject.capacity.as_ref().is_some_and(Capacity::needs_shock)
+        self.follows_uplift()
+            && self.body.is_some()
+            && self.subject.capacity.as_ref().is_some_and(Capacity::needs_shock)
     }
 
     /// Whether its tolerance cannot be compared, because mass or cushion are missing.
@@ -134,6 +144,9 @@ impl Nominal {
     /// Why the shock alone does not decide whether the tolerance is exceeded, in words.
     pub(crate) fn shock_limits(&self) -> Result<(f64, f64), &'static str> {
         let capacity = self.subject.capacity.as_ref().ok_or("it has no tolerance")?;
+        if !self.follows_uplift() {
+            return Err("its shocks are not those of an uplift on a rigid base");
+        }
         let without = match self.body {
             Some(_) => "its cushion bottoms in a landing from the balance point, so that its shocks have no ceiling",
             None => "its mass or its cushion is not known",
@@ -148,71 +161,109 @@ impl Nominal {
     /// The shock of a landing from the balance point; `None` without mass and cushion, and where the
     /// cushion bottoms \[g\].
     pub(crate) fn ceiling_g(&self) -> Option<f64> {
-        let (mass_kg, cushion) = self.body.as_ref()?;
-        let shock_g = |landing: &freestand::impact::Landing| {
+        let (mass_kg, cushion) = self.body.as_ref().filter(|_| self.follows_uplift())?;
+        let shock_g = |landing: Landing| {
             landing.edge_acceleration_m_s2(*mass_kg, cushion, landing.pivot.balance_rise_m(), G0_M_S2) / G0_M_S2
         };
-        let shocks_g: Vec<f64> = landings(&self.block, ImpactModel::Paper).iter().map(shock_g).collect();
+        let both = |axis: &AxisGeometry| landings(&axis.block, ImpactModel::Paper);
+        let shocks_g: Vec<f64> = self.subject.axes.iter().flat_map(both).map(shock_g).collect();
         let is_known = shocks_g.iter().all(|shock_g| *shock_g <= BEYOND_ALL_G);
         is_known.then(|| shocks_g.into_iter().fold(0.0, f64::max))
     }
 
-    /// What it does under a motion; beyond `rotation_ratio` of α its tolerance is exceeded, too. The
-    /// solver, the shock and the comparison are those of an assessment, without the acceleration of
-    /// the floor itself: an object that does not lift is `no-uplift`.
+    /// Whether it rocks on a rigid base, so that its shocks follow from its uplift.
+    fn follows_uplift(&self) -> bool {
+        self.subject.way.rocks() && self.subject.way.asks(Model::Rigid)
+    }
+
+    /// What it does under the motion of its floor; beyond `rotation_ratio` of α its tolerance is exceeded, too.
+    /// The response, the shock and the comparison are those of an assessment, without the acceleration
+    /// of the floor itself: an object that does not lift is `no-uplift`, and so is one that rolls or
+    /// slides, unless a stop trips it or strikes it too hard.
+    ///
+    /// `world`: the number of the motion, which decides on which side of it a wall is.
     ///
     /// # Errors
     /// Why the history has no end.
-    pub(crate) fn run(&self, base: Base, rotation_ratio: Option<f64>) -> Result<NominalRun, RockingError> {
-        let one = [(self.block, self.subject.restitution, self.walls)];
-        let found = rock_between(&one, base, &options(Restitution::Housner, Walls::NONE));
-        // One block has one history.
-        let rocking = found.into_iter().next().unwrap_or(Err(RockingError::Duration { duration_s: 0.0 }))?;
-        let share = |(pivot, peak_rad): (freestand::block::Pivot, f64)| peak_rad / pivot.slenderness_angle_rad;
-        let pivots = [self.block.right_pivot(), self.block.pivot()];
-        let peaks = rocking.sides.map(|side| side.peak_rotation_rad);
-        let turned = pivots.into_iter().zip(peaks).map(share).fold(0.0, f64::max);
-        let class = match rocking.outcome {
-            Outcome::NoUplift => OutcomeClass::NoUplift,
-            Outcome::Overturned | Outcome::Leaned => OutcomeClass::Overturned,
-            Outcome::Rocked => self.rocked(rocking, turned, rotation_ratio),
+    pub(crate) fn run(
+        &self,
+        world: u32,
+        floor: &FloorOfWorld,
+        rotation_ratio: Option<f64>,
+    ) -> Result<NominalRun, String> {
+        // As in an assessment, with the usual restitution where the list gives none.
+        let side = |_| WallDraw {
+            restitution_ratio: DEFAULT_WALL_RESTITUTION_RATIO,
+            ..wall_draw(self.seed, world, self.key, 0)
         };
-        let shock_g = || {
-            let (mass_kg, cushion) = self.body.as_ref()?;
-            super::object::hit(&self.block, &rocking, *mass_kg, cushion).map(|hit| hit.uplift_g)
-        };
-        let rocks = matches!(class, OutcomeClass::Rocked | OutcomeClass::Exceeded);
-        let edge_acceleration_g = rocks.then(shock_g).flatten().filter(|shock_g| *shock_g > 0.0);
-        Ok(NominalRun { class, rotation_ratio: turned, edge_acceleration_g })
+        let mut draw = self.draw;
+        draw.wall = draw.wall.map(side);
+        let one = Drawn { subject: &self.subject, draw: &draw };
+        if let Some(found) = whole(one, floor) {
+            return Ok(self.on_pads(&found?, rotation_ratio));
+        }
+        let mut found = on_rigid(&[one], floor);
+        let nothing = || Err(Lost::failed("the history is missing"));
+        let axes = found.pop().unwrap_or_else(nothing).map_err(|lost| lost.why().to_owned())?;
+        Ok(self.on_rigid(&axes, rotation_ratio))
     }
 
-    /// The class of an object that rocked and stayed upright.
+    fn on_rigid(&self, axes: &[AxisMotion], rotation_ratio: Option<f64>) -> NominalRun {
+        let outcome = Outcome::on_rigid(&self.subject.way, axes);
+        let turned = self.subject.axes.iter().zip(axes).map(|(axis, one)| turned(&axis.block, one)).fold(0.0, f64::max);
+        let exceeds = || {
+            rotation_ratio.is_some_and(|limit| turned > limit)
+                || axes.iter().enumerate().any(|(axis, one)| self.exceeds(axis, one))
+        };
+        let class = class(outcome, exceeds);
+        let rocks = matches!(outcome, Outcome::Rocked { .. });
+        // A cushion that bottoms about one axis hides the shock of the object.
+        let lifted = axes.iter().filter(|one| one.rocking.outcome != Rocking::NoUplift);
+        let shocks_g: Option<Vec<f64>> = lifted.map(|one| Some(one.hit.as_ref()?.uplift_g)).collect();
+        let shock_g = shocks_g.filter(|_| rocks).and_then(|shocks_g| shocks_g.into_iter().reduce(f64::max));
+        NominalRun {
+            class,
+            rotation_ratio: Some(turned),
+            edge_acceleration_g: shock_g.filter(|shock_g| *shock_g > 0.0),
+        }
+    }
+
+    fn on_pads(&self, found: &PadMotion, rotation_ratio: Option<f64>) -> NominalRun {
+        let outcome = Outcome::on_pads(std::slice::from_ref(found));
+        let alpha_rad = self.block.pivot().slenderness_angle_rad;
+        let turned = found.space.map(|space| space.tilt_rad / alpha_rad);
+        let exceeds = || {
+            turned.zip(rotation_ratio).is_some_and(|(turned, limit)| turned > limit)
+                || found.terms.is_some_and(|terms| terms.ratio() > 1.0)
+        };
+        let class = class(outcome, exceeds);
+        let rocks = matches!(outcome, Outcome::Rocked { .. }) && found.edge_m_s2 > 0.0;
+        NominalRun { class, rotation_ratio: turned, edge_acceleration_g: rocks.then_some(found.edge_m_s2 / G0_M_S2) }
+    }
+
+    /// Whether its tolerance is exceeded about an axis.
     ///
     /// Where a cushion bottoms, the shock is above every peak that an object tolerates. Leaving such a
     /// run out would leave out the strong motions that did not overturn it.
-    fn rocked(&self, rocking: RockingSummary, turned: f64, rotation_ratio: Option<f64>) -> OutcomeClass {
-        if rotation_ratio.is_some_and(|limit| turned > limit) {
-            return OutcomeClass::Exceeded;
+    fn exceeds(&self, axis: usize, one: &AxisMotion) -> bool {
+        let is_over = |terms: Terms| terms.ratio() > 1.0;
+        if one.roll.is_some() {
+            return one.terms.is_some_and(is_over);
         }
-        if !self.has_tolerance() {
-            return OutcomeClass::Rocked;
+        if one.rocking.outcome == Rocking::NoUplift || !self.has_tolerance() {
+            return false;
         }
-        let bottomed = self.bottomed(&rocking);
-        let uplift_m = rocking.uplift_m;
-        let motion = axis_motion(&self.subject, &self.draw, 0, &self.block, rocking, self.body.as_ref(), 0.0);
-        let at_least = || terms(self.subject.capacity.as_ref()?, bottomed, false, uplift_m, 0.0);
-        match motion.terms.or_else(at_least) {
-            Some(terms) if terms.ratio() > 1.0 => OutcomeClass::Exceeded,
-            _ => OutcomeClass::Rocked,
-        }
+        let uplift_m = one.rocking.uplift_m;
+        let at_least = || terms(self.subject.capacity.as_ref()?, self.bottomed(axis, one), false, uplift_m, 0.0);
+        one.terms.or_else(at_least).is_some_and(is_over)
     }
 
     /// The demand of a landing in which the cushion bottoms: a peak above all, and the velocity change
     /// of the edge, which does not depend on the cushion and may be within a damage boundary.
-    fn bottomed(&self, rocking: &RockingSummary) -> Option<Demand> {
+    fn bottomed(&self, axis: usize, one: &AxisMotion) -> Option<Demand> {
         let (mass_kg, cushion) = self.body.as_ref()?;
-        let landings = landings(&self.block, ImpactModel::Paper);
-        let speeds_m_s = landings.iter().zip(rocking.sides).map(|(landing, side)| {
+        let landings = landings(&self.subject.axes.get(axis)?.block, ImpactModel::Paper);
+        let speeds_m_s = landings.iter().zip(one.rocking.sides).map(|(landing, side)| {
             let from_uplift = landing.pivot.largest_rise_m(side.peak_rotation_rad);
             let from_velocity = landing.equivalent_rise_m(side.impact_omega_rad_s, G0_M_S2);
             landing.impact(*mass_kg, cushion, from_uplift.max(from_velocity), G0_M_S2).edge_velocity_m_s
@@ -220,6 +271,28 @@ impl Nominal {
         let velocity_change_m_s = (1.0 + self.draw.rebound_restitution()) * speeds_m_s.fold(0.0, f64::max);
         Some(Demand { edge_m_s2: f64::INFINITY, velocity_change_m_s, duration_s: 0.0 })
     }
+}
+
+/// The class of an outcome; `exceeds`: whether a tolerance is exceeded by an object that stays upright.
+fn class(outcome: Outcome, exceeds: impl FnOnce() -> bool) -> OutcomeClass {
+    if outcome.has_fallen() {
+        return OutcomeClass::Overturned;
+    }
+    match outcome {
+        Outcome::Stood => OutcomeClass::NoUplift,
+        _ if exceeds() => OutcomeClass::Exceeded,
+        Outcome::Rolled(_) | Outcome::Slid(_) => OutcomeClass::NoUplift,
+        Outcome::Rocked { .. } | Outcome::Leaned | Outcome::Overturned => OutcomeClass::Rocked,
+    }
+}
+
+/// Largest |θ|/α of either edge.
+fn turned(block: &Block, one: &AxisMotion) -> f64 {
+    let pivots = [block.right_pivot(), block.pivot()];
+    let share = |(pivot, side): (freestand::block::Pivot, freestand::rocking::SideExtremes)| {
+        side.peak_rotation_rad / pivot.slenderness_angle_rad
+    };
+    pivots.into_iter().zip(one.rocking.sides).map(share).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -254,7 +327,7 @@ mod tests {
         let run = |nominal: &Nominal, peak_g: f64| {
             let sine = |i: usize| peak_g * G0_M_S2 * (std::f64::consts::TAU * 0.01 * i as f64 / 0.8).sin();
             let motion = Motion::new(0.01, (0..=160).map(sine).collect()).unwrap();
-            nominal.run(Base { horizontal: Some(&motion), vertical: None }, None).unwrap()
+            nominal.run(0, &FloorOfWorld::given(&motion, None), None).unwrap()
         };
         let peak = tolerance(Some(50.0), None, None);
         let (soft, hard) = (cabinet(linear(), &peak), cabinet(bottoms(), &peak));

@@ -192,9 +192,18 @@ impl AxisGeometry {
         Some(Self { axis, height_m, side_m, base_m, cg_height_m, block })
     }
 
+    /// Of a block of any shape, to which no factor applies.
+    pub(super) fn of_block(block: Block) -> Self {
+        let (height_m, side_m) = (block.height_m(), block.base_width_m());
+        Self { axis: Axis::Thickness, height_m, side_m, base_m: None, cg_height_m: None, block }
+    }
+
     /// The block with its heights and sides multiplied by these factors; unchanged where the result
     /// is not a block.
     pub(super) fn scaled(&self, heights: f64, sides: f64) -> Block {
+        if heights == 1.0 && sides == 1.0 {
+            return self.block;
+        }
         let times = |length_m: Option<f64>, factor: f64| length_m.map(|length_m| length_m * factor);
         let (base_m, cg_m) = (times(self.base_m, sides), times(self.cg_height_m, heights));
         Self::new(self.axis, self.height_m * heights, self.side_m * sides, base_m, cg_m)

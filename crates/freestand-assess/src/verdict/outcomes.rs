@@ -5,7 +5,8 @@ use freestand::G0_M_S2;
 use crate::output::OutcomeRow;
 
 use super::object::{Hit, Model, Way};
-use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, overturned, pads_demand_capacity};
+use super::respond::Outcome;
+use super::response::{AxisMotion, Lived, PadMotion, demand_capacity, pads_demand_capacity};
 use super::trial::{Question, Trial};
 
 /// The rows of a trial: its worlds in their order, the rigid base before the pads.
@@ -21,7 +22,7 @@ fn outcome<'a>(trial: &'a Trial, world: u32, lived: &Lived, model: Model) -> Opt
     let body = lived.draw.body(&trial.subject);
     let (height_m, thickness_m) = lived.draw.size_m(&trial.subject, 0);
     let [demand_capacity_ratio, lift_m, edge_acceleration_g] = match lived.answering(model) {
-        Model::Rigid => lived.on_rigid().map_or([None; 3], |axes| of_rigid(axes, lived.draw.model)),
+        Model::Rigid => lived.on_rigid().map_or([None; 3], |axes| of_rigid(&trial.subject.way, axes, lived.draw.model)),
         Model::Pads => lived.on_pads().map_or([None; 3], of_pads),
     };
     let capacity = trial.subject.capacity.as_ref();
@@ -51,14 +52,13 @@ fn outcome<'a>(trial: &'a Trial, world: u32, lived: &Lived, model: Model) -> Opt
 }
 
 /// Demand/capacity, lift \[m\] and shock with the error of its world \[g\], about the worse axis.
-fn of_rigid(axes: &[AxisMotion], model: f64) -> [Option<f64>; 3] {
-    if overturned(axes) {
+fn of_rigid(way: &Way, axes: &[AxisMotion], model: f64) -> [Option<f64>; 3] {
+    let Some(lift_m) = Outcome::on_rigid(way, axes).uplift_m() else {
         return [demand_capacity(axes), None, None];
-    }
-    let lift_m = axes.iter().map(|one| one.rocking.uplift_m).reduce(f64::max);
+    };
     let shocks: Option<Vec<f64>> = axes.iter().map(|one| one.hit.as_ref().map(Hit::larger_g)).collect();
     let shock_g = shocks.and_then(|shocks| shocks.into_iter().reduce(f64::max));
-    [demand_capacity(axes), lift_m, shock_g.map(|shock_g| model * shock_g)]
+    [demand_capacity(axes), Some(lift_m), shock_g.map(|shock_g| model * shock_g)]
 }
 
 /// The same on pads.

@@ -43,7 +43,11 @@ pub(super) fn per_year(context: &Context, trials: &[Trial]) -> Result<Vec<Option
     }
     // The intensity below is the same for all that need one: it follows from the lowest so far.
     loop {
-        let below = |place: &usize| level_below(&levels[*place].exceeds);
+        let hazard = |s| hazard_per_year(s, HAZARD_EXPONENT, return_period_years(context));
+        let below = |place: &usize| {
+            let Levels { falls, exceeds } = &levels[*place];
+            level_below(exceeds, hazard).or_else(|| level_below(falls, hazard))
+        };
         let open: Vec<usize> = all.iter().copied().filter(|place| below(place).is_some()).collect();
         let Some(intensity_ratio) = open.iter().find_map(below) else { break };
         let lowest: Vec<usize> = open.into_iter().filter(|place| below(place) == Some(intensity_ratio)).collect();
@@ -78,9 +82,13 @@ fn shake(
     Ok(())
 }
 
-fn rates(context: &Context, trial: &Trial, levels: Levels) -> Option<PerYear> {
+fn return_period_years(context: &Context) -> f64 {
     let target = context.study.ground.code_spectrum();
-    let years = target.and_then(|target| target.spectrum.return_period_years()).map_or(RETURN_PERIOD_YEARS, f64::from);
+    target.and_then(|target| target.spectrum.return_period_years()).map_or(RETURN_PERIOD_YEARS, f64::from)
+}
+
+fn rates(context: &Context, trial: &Trial, levels: Levels) -> Option<PerYear> {
+    let years = return_period_years(context);
     let rate = |mut levels: Vec<Level>| {
         levels.sort_by(|a, b| a.intensity_ratio.total_cmp(&b.intensity_ratio));
         annual_rate(&levels, |s| hazard_per_year(s, HAZARD_EXPONENT, years)).ok()

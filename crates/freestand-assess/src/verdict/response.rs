@@ -33,8 +33,10 @@ pub(super) struct AxisMotion {
 /// What an object that rolls or slides does in the plane of one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Roll {
-    /// The largest |x|, as if nothing were in the way \[m\].
+    /// The largest distance from where it stood, as if nothing were in the way \[m\].
     pub(super) travel_m: f64,
+    /// Whether one component of the floor is all that is known, so that it travels farther.
+    pub(super) is_at_least: bool,
     /// Speed at which it reaches its stop; `None`: it does not \[m/s\].
     pub(super) stop_speed_m_s: Option<f64>,
 }
@@ -117,6 +119,17 @@ impl Lost {
             Self::Flight(why) | Self::Failed(why) => why,
         }
     }
+}
+
+/// Why an object that still moves long after the motion has no answer.
+const UNRESOLVED: &str = "the object is neither at rest nor down long after the motion";
+
+/// The outcome of a history, or why it has none.
+///
+/// # Errors
+/// It ended before it was certain what becomes of the object.
+pub(super) fn resolved(outcome: Outcome) -> Result<(), Lost> {
+    if outcome == Outcome::Unresolved { Err(Lost::failed(UNRESOLVED)) } else { Ok(()) }
 }
 
 impl From<RockingError> for Lost {
@@ -343,7 +356,7 @@ pub(super) fn space_motion(
 fn pad_outcome(outcome: Outcome) -> PadOutcome {
     match outcome {
         Outcome::Overturned | Outcome::Leaned => PadOutcome::Overturned,
-        Outcome::Rocked => PadOutcome::LetGo,
+        Outcome::Rocked | Outcome::Unresolved => PadOutcome::LetGo,
         Outcome::NoUplift => PadOutcome::StayedOn,
     }
 }

@@ -4,7 +4,10 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::rocking::{Outcome, RockingError, RockingSummary, SideExtremes, StopReason, Until};
-use freestand::sliding::{Clearance, Friction, Sliding, SlidingOptions, SlidingOutcome, slide, trip_speed_m_s};
+use freestand::sliding::{
+    Clearance, Friction, PlaneMotion, PlaneSliding, Sliding, SlidingOptions, SlidingOutcome, slide, slide_in_plane,
+    trip_speed_m_s,
+};
 
 use freestand_study::run::LONGEST_TAIL_S;
 
@@ -24,21 +27,47 @@ pub(super) fn rolled(subject: &Subject, gliding: &Gliding, draw: &Draw, floor: &
         until: Until::Settled { at_most_s: LONGEST_TAIL_S },
         ..SlidingOptions::new(resistance)
     };
+    let both = under_both(&options, floor)?;
     let is_alone = subject.axes.len() == 1;
     let axes = (0..subject.axes.len()).map(|axis| {
         let (block, _) = draw.block(subject, axis).ok_or_else(|| Lost::failed("the block is missing"))?;
-        let along = slid(&options, floor, draw.is_along_x(axis))?;
+        let is_x = draw.is_along_x(axis);
         // Without a width the one block stands for both directions: it moves in both.
-        let across = is_alone.then(|| slid(&options, floor, !draw.is_along_x(axis))).transpose()?;
-        let speed = |found: &Sliding| found.contact.map(|(_, speed_m_s)| speed_m_s.abs());
-        let both = [Some(along), across];
-        let roll = Roll {
-            travel_m: both.iter().flatten().map(|found| found.peak_m.abs()).fold(0.0, f64::max),
-            stop_speed_m_s: both.iter().flatten().filter_map(speed).reduce(f64::max),
+        let is_own = |along_x: bool| is_alone || along_x == is_x;
+        let roll = match &both {
+            Some(found) => Roll {
+                travel_m: found.peak_m,
+                stop_speed_m_s: [true, false]
+                    .into_iter()
+                    .zip(found.stop_speeds_m_s)
+                    .filter(|(along_x, _)| is_own(*along_x))
+                    .filter_map(|(_, speed_m_s)| speed_m_s)
+                    .reduce(f64::max),
+                is_at_least: false,
+            },
+            None => {
+                let found = slid(&options, floor, is_x)?;
+                let stop_speed_m_s = found.contact.map(|(_, speed_m_s)| speed_m_s.abs());
+                Roll { travel_m: found.peak_m.abs(), stop_speed_m_s, is_at_least: true }
+            }
         };
         Ok(motion(subject, gliding, draw, &block, roll, ratio, floor.pfa_m_s2))
     });
     axes.collect()
+}
+
+/// The slide under both components of the floor; `None`: it has one.
+fn under_both(options: &SlidingOptions, floor: &FloorOfWorld) -> Result<Option<PlaneSliding>, Lost> {
+    if floor.motion.across.is_none() {
+        return Ok(None);
+    }
+    let motion =
+        PlaneMotion { x: floor.component(true), y: floor.component(false), vertical: floor.base(true).vertical };
+    let found = slide_in_plane(motion, options).map_err(Lost::failed)?;
+    match found.free_flight_time_s {
+        Some(time_s) => Err(RockingError::FreeFlight { time_s }.into()),
+        None => Ok(Some(found)),
+    }
 }
 
 fn slid(options: &SlidingOptions, floor: &FloorOfWorld, is_x: bool) -> Result<Sliding, Lost> {

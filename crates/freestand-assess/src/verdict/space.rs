@@ -11,7 +11,7 @@ use crate::worlds::FloorOfWorld;
 
 use super::draw::Draw;
 use super::object::{Beside, Subject, Upper};
-use super::response::{PadMotion, TOPPLED, space_motion};
+use super::response::{PadMotion, TOPPLED, resolved, space_motion};
 
 /// Accuracy of every history. Single histories differ from those at `standard`, distributions do
 /// not: of 40 pairs of motions a square cabinet falls in 14 against 16, a bookshelf in 30 against 31,
@@ -59,6 +59,7 @@ pub(super) fn in_space(
     let motion = SpatialMotion { x: along(0), y: along(1), vertical: floor.base(true).vertical };
     match rock_spatial(&object, motion, &options()) {
         Ok(found) => {
+            resolved(found.body.outcome).map_err(|lost| lost.why().to_owned())?;
             let history = (found.body.outcome, &found.body, &found.landings);
             Ok(space_motion(subject, draw, history, floor.pfa_m_s2))
         }
@@ -110,6 +111,7 @@ pub(super) fn stacked(
     let stack = stack(subject, upper, draw).ok_or_else(missing)?;
     match rock_stack(&stack, floor.base(draw.is_along_x(0)), &options()) {
         Ok(found) => {
+            resolved(found.outcome).map_err(|lost| lost.why().to_owned())?;
             let history = (found.outcome, &found.lower, &found.landings);
             let motion = space_motion(subject, draw, history, floor.pfa_m_s2);
             Ok(PadMotion { space: None, fallen: found.overturned_body, ..motion })

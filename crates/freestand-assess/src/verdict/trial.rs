@@ -9,8 +9,6 @@ use freestand::compliant::{
     CompliantAccuracy, CompliantBase, CompliantOptions, CompliantWorld, rock_compliant_many, rock_compliant_observed,
 };
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
-use freestand::rocking::{Restitution, RockingError, rock_between};
-use freestand::wall::Walls;
 use freestand::worlds::Group;
 use rayon::prelude::*;
 
@@ -20,15 +18,15 @@ use freestand_input::problem::Problems;
 use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, draw};
-use super::object::{Model, Subject, Way};
+use super::object::{Model, Subject};
 use super::pulse::Pulses;
+use super::respond::{Drawn, Outcome, histories_on_rigid, on_rigid, whole};
 use super::response::{
-    AxisMotion, Lived, Lost, PadMotion, PadResponse, RigidResponse, axis_motion, demand_capacity, options, overturned,
-    pad_motion, pad_motion_of, pads_demand_capacity,
+    Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, pad_motion, pad_motion_of,
+    pads_demand_capacity, resolved,
 };
-use super::roll::rolled;
 use super::slip::{slipped, slips};
-use super::space::{in_space, stacked, toppled};
+use super::space::toppled;
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
@@ -161,19 +159,24 @@ impl<'a> Trial<'a> {
 
     /// The probability that it rolls or slides farther than this \[m\].
     fn beyond(&self, context: &Context, room_m: f64) -> Probability {
-        let answers: Vec<Option<bool>> =
-            self.lived.iter().map(|lived| Some(travel_m(lived.on_rigid()?) > room_m)).collect();
+        let answers: Vec<Option<bool>> = self.lived.iter().map(|lived| Some(self.travel_m(lived)? > room_m)).collect();
         Self::probability_of(context, &answers)
     }
 
     /// The least room that would suffice: the upper end of the probability that it goes farther is below
     /// the accepted one. With too few worlds for any, its largest travel; 0 where it rocks \[m\].
     pub(super) fn room_needed_m(&self, context: &Context) -> f64 {
-        let mut travels: Vec<f64> = self.lived.iter().filter_map(|lived| Some(travel_m(lived.on_rigid()?))).collect();
+        let mut travels: Vec<f64> = self.lived.iter().filter_map(|lived| self.travel_m(lived)).collect();
         travels.sort_by(f64::total_cmp);
         let suffices = |room_m: f64| side(self.beyond(context, room_m), self.member.accepted_ratio) == Side::Below;
         let least = travels.partition_point(|&room_m| !suffices(room_m));
         travels.get(least).or(travels.last()).copied().unwrap_or(0.0)
+    }
+
+    /// How far it rolls or slides in a world, 0 where it rocks; `None`: that is not known \[m\].
+    fn travel_m(&self, lived: &Lived) -> Option<f64> {
+        let outcome = Outcome::on_rigid(&self.subject.way, lived.on_rigid()?);
+        Some(outcome.travelled().map_or(0.0, |way| way.travel_m))
     }
 
     /// Whether worlds can still settle a question.
@@ -191,11 +194,6 @@ impl<'a> Trial<'a> {
     }
 }
 
-/// How far it rolls or slides in a world, about the axis where it goes farther \[m\].
-fn travel_m(axes: &[AxisMotion]) -> f64 {
-    axes.iter().filter_map(|one| Some(one.roll?.travel_m)).fold(0.0, f64::max)
-}
-
 pub(super) fn side(p: Probability, accepted: f64) -> Side {
     Interval { low: p.low, high: p.high }.side(accepted)
 }
@@ -208,9 +206,10 @@ pub(super) fn answer(subject: &Subject, lived: &Lived, question: Question, model
         Model::Pads => model,
     };
     let has_fallen = match model {
-        Model::Rigid => lived.rigid.as_ref()?.as_ref().ok().map(|axes| overturned(axes)),
-        Model::Pads => lived.pads.as_ref()?.as_ref().ok().map(|axes| axes.iter().any(|one| one.has_overturned)),
+        Model::Rigid => lived.rigid.as_ref()?.as_ref().ok().map(|axes| Outcome::on_rigid(&subject.way, axes)),
+        Model::Pads => lived.pads.as_ref()?.as_ref().ok().map(|axes| Outcome::on_pads(axes)),
     };
+    let has_fallen = has_fallen.map(Outcome::has_fallen);
     if question == Question::Falls || has_fallen != Some(false) {
         return Some(has_fallen);
     }
@@ -408,42 +407,16 @@ fn rigid_in_world(
     draws: &[Draw],
     floor: &FloorOfWorld,
 ) -> Vec<Option<RigidResponse>> {
-    let mut found: Vec<Vec<Option<_>>> =
-        trials.iter().map(|trial| trial.subject.axes.iter().map(|_| None).collect()).collect();
-    for is_x in [true, false] {
-        let mut places = Vec::new();
-        let mut blocks = Vec::new();
-        let rocks = |trial: &Trial| trial.subject.way.rocks() && trial.asks(context, Model::Rigid);
-        let rocking = trials.iter().zip(draws).enumerate().filter(|(_, (trial, _))| rocks(trial));
-        for (place, (trial, draw)) in rocking {
-            for axis in (0..trial.subject.axes.len()).filter(|&axis| draw.is_along_x(axis) == is_x) {
-                if let Some((block, restitution)) = draw.block(&trial.subject, axis) {
-                    places.push((place, axis));
-                    blocks.push((block, restitution, draw.walls(&trial.subject, axis)));
-                }
-            }
-        }
-        let base = floor.base(is_x);
-        let rocked = rock_between(&blocks, base, &options(Restitution::Housner, Walls::NONE));
-        context.count(blocks.len());
-        for (((place, axis), (block, ..)), rocked) in places.into_iter().zip(blocks).zip(rocked) {
-            found[place][axis] = Some((block, rocked));
-        }
-    }
-    let of_trial = |((trial, draw), found): ((&&Trial, &Draw), Vec<Option<_>>)| -> RigidResponse {
-        if let Some(gliding) = trial.subject.way.glides() {
-            return rolled(&trial.subject, gliding, draw, floor);
-        }
-        let body = draw.body(&trial.subject);
-        let known = found.into_iter().enumerate().filter_map(|(axis, one)| Some((axis, one?)));
-        let axes = known.map(|(axis, (block, rocked)): (usize, (_, Result<_, _>))| {
-            let rocking = rocked.map_err(|error: RockingError| Lost::from(error))?;
-            Ok(axis_motion(&trial.subject, draw, axis, &block, rocking, body.as_ref(), floor.pfa_m_s2))
-        });
-        axes.collect()
-    };
-    let asked = trials.iter().zip(draws).zip(found);
-    asked.map(|one| one.0.0.asks(context, Model::Rigid).then(|| of_trial(one))).collect()
+    let asked = |trial: &&&Trial| trial.asks(context, Model::Rigid);
+    let objects: Vec<Drawn> = trials
+        .iter()
+        .zip(draws)
+        .filter(|(trial, _)| asked(trial))
+        .map(|(trial, draw)| Drawn { subject: &trial.subject, draw })
+        .collect();
+    context.count(objects.iter().map(|one| histories_on_rigid(one.subject)).sum());
+    let mut found = on_rigid(&objects, floor).into_iter();
+    trials.iter().map(|trial| asked(&trial).then(|| found.next()).flatten()).collect()
 }
 
 /// The place of an object, the place of a world, an axis; its draw and its floor.
@@ -497,13 +470,9 @@ fn pads_in_worlds(
         let (place, world, axis, draw, floor) = *job;
         let subject = &trials[place].subject;
         let is_among_first = first + (world as u32) < CURVED_WORLDS;
-        let history = match &subject.way {
-            Way::Spatial(beside) => in_space(subject, beside.as_ref(), draw, floor),
-            Way::Stack(upper) => stacked(subject, upper, draw, floor),
-            Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {
-                let is_curved = is_among_first && linear(trials, job).is_none();
-                return Ok(is_curved.then(|| on_any_pads(subject, draw, axis, floor, None)));
-            }
+        let Some(history) = whole(Drawn { subject, draw }, floor) else {
+            let is_curved = is_among_first && linear(trials, job).is_none();
+            return Ok(is_curved.then(|| on_any_pads(subject, draw, axis, floor, None)));
         };
         context.count(1);
         // Each takes long enough to stop between them.
@@ -553,7 +522,10 @@ pub(super) fn on_any_pads(
     let motion = floor.base(draw.is_along_x(axis));
     let mut pulses = Pulses::new(block.base_width_m());
     match rock_compliant_observed(&block, &base, motion, &options, |piece| pulses.observe(piece)) {
-        Ok(found) => Ok(pad_motion_of(subject, draw, &found, pulses, floor.pfa_m_s2)),
+        Ok(found) => {
+            resolved(found.outcome).map_err(|lost| lost.why().to_owned())?;
+            Ok(pad_motion_of(subject, draw, &found, pulses, floor.pfa_m_s2))
+        }
         Err(error) => toppled(&error),
     }
 }
@@ -563,6 +535,11 @@ impl Context<'_> {
     /// largest number of worlds has too few.
     pub(super) fn fewest_records(&self, accepted_ratio: f64) -> Option<u32> {
         self.looks().fewest_records(accepted_ratio, self.least_correlation()).ok()?
+    }
+
+    /// The smallest number of independent worlds that could show that an object stays.
+    pub(super) fn fewest_worlds(&self, accepted_ratio: f64) -> Option<u32> {
+        self.looks().fewest_worlds(accepted_ratio).ok()
     }
 
     fn looks(&self) -> Looks {

@@ -403,7 +403,10 @@ fn a_list_and_restrain_agree() {
             hazard: RestrainHazard::Study(Box::new(study.clone())),
             floor: RestrainFloor { level_ratio: Some(level_ratio), ..RestrainFloor::default() },
             factors: RestrainFactors::default(),
+            component: None,
+            anchor_inset_m: None,
             anchors_per_edge: 2,
+            units: freestand_input::quantity::UnitSystem::default(),
             is_compared: false,
         })
         .unwrap();

@@ -3,6 +3,7 @@
 
 mod around;
 mod assess;
+mod doubt;
 mod lists;
 mod mutations;
 mod one_object;

@@ -26,6 +26,7 @@ fn bare(height_m: f64, thickness_m: f64) -> Object {
         height_m,
         thickness_m,
         width_m: None,
+        is_round: false,
         cg_height_m: None,
         mass_kg: None,
         rests_on: None,
@@ -317,7 +318,7 @@ fn the_longest_answer() {
     assert!(report.warnings.iter().any(|warning| warning.contains("too close to call")), "{:?}", report.warnings);
     let lines = report.facts.lines();
     assert!(lines.len() > 16 && lines.len() <= 20, "{lines:?}");
-    assert!(lines.iter().any(|(_, text)| text == "ground type B, because no site was given"), "{lines:?}");
+    assert!(lines.iter().any(|(_, text)| text.contains("ground type B, because no site was given")), "{lines:?}");
     let report = answer(&request(object, Earthquake::GroundAcceleration(0.4 * freestand::G0_M_S2), floor));
     assert!(report.answer.starts_with("At a ground acceleration of 0.4 g on floor 2 of 5 this object "));
     let lines = report.facts.lines();

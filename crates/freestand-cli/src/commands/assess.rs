@@ -19,7 +19,7 @@ use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_study::resolve::{Overrides, builtin, load};
 use freestand_study::run::{Progress, Step};
-use freestand_study::study::Study;
+use freestand_study::study::{Outputs, Study};
 use serde_json::{Map, Value};
 
 use super::Done;
@@ -70,6 +70,18 @@ pub(crate) struct AssessArgs {
     /// Number of objects, the most urgent first, that get a page in the report [default: 200]
     #[arg(long, value_name = "N")]
     pages: Option<usize>,
+    /// Print the card of every object too, where the report is printed
+    #[arg(long, help_heading = "The report")]
+    cards: bool,
+    /// Date on the report [default: a line to fill in]
+    #[arg(long, value_name = "DATE", help_heading = "The report")]
+    date: Option<String>,
+    /// Who prepared the report [default: a line to fill in]
+    #[arg(long, value_name = "NAME", help_heading = "The report")]
+    preparer: Option<String>,
+    /// Revision of the report [default: a line to fill in]
+    #[arg(long, value_name = "TEXT", help_heading = "The report")]
+    revision: Option<String>,
     /// End with status 1 if an object gets this verdict; give it once for each verdict
     #[arg(long, value_enum, value_name = "VERDICT")]
     fail_on: Vec<FailOn>,
@@ -133,8 +145,13 @@ impl FailOn {
     }
 }
 
-/// Objects of a part while a user watches the page.
-const WATCHED_ROWS: usize = 32;
+/// Objects of a part while a user watches the page: one by one in a list that is read as it comes,
+/// more where each part would cost more than what it tells.
+fn watched_rows(rows: usize) -> usize {
+    const PARTS: usize = 128;
+    const MOST_ROWS: usize = 32;
+    (rows / PARTS).clamp(1, MOST_ROWS)
+}
 
 /// The folder where no `--out` is given.
 const FOLDER: &str = "freestand-assessment";
@@ -157,11 +174,11 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
             "leave pdf out, open report.html in a browser and print it, to paper or as a PDF",
         ));
     }
-    let (study, _, inventory) = args.list.read(global, args.pages)?;
+    let (mut study, _, inventory) = args.list.read(global, args.pages)?;
+    args.write_title(&mut study.outputs);
     let out = global.folder(FOLDER);
     let parquet = args.format.contains(&Format::Parquet);
-    // A user watches the page: few objects at a time.
-    let part_rows = printer.session().map(|_| WATCHED_ROWS);
+    let part_rows = printer.session().map(|_| watched_rows(inventory.items.len()));
     let job = Job { resume: args.resume, force: global.force, parquet, outcomes: args.outcomes, part_rows };
 
     if let Some(session) = printer.session() {
@@ -176,6 +193,17 @@ pub(crate) fn run(args: &AssessArgs, global: &GlobalArgs, printer: &Printer) -> 
     }
     let is_named = args.fail_on.iter().any(|verdict| report.count(verdict.decision()) > 0);
     Ok(Done { criterion_met: report.failed == 0 && !inventory.has_errors() && !is_named })
+}
+
+impl AssessArgs {
+    /// The flags of the report in place of the keys of the study.
+    fn write_title(&self, outputs: &mut Outputs) {
+        outputs.cards |= self.cards;
+        let title = &mut outputs.title;
+        title.date = self.date.clone().or(title.date.take());
+        title.preparer = self.preparer.clone().or(title.preparer.take());
+        title.revision = self.revision.clone().or(title.revision.take());
+    }
 }
 
 impl ListArgs {
@@ -350,4 +378,16 @@ fn first(report: &JobReport) -> String {
         text.push_str(&format!("… and {} more: worklist.csv, objects.csv\n", done - report.first.len()));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::watched_rows;
+
+    #[test]
+    fn who_watches_sees_objects_one_by_one() {
+        // The lists of a museum and of a hospital; one of ten thousand rows has 313 parts.
+        assert_eq!([1, 21, 200].map(watched_rows), [1, 1, 1]);
+        assert_eq!(watched_rows(10_000), 32);
+    }
 }

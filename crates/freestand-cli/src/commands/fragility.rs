@@ -18,7 +18,7 @@ use freestand_output::json::document;
 use super::Done;
 use super::assess::watched;
 use super::fragility_runs::{self, RunArgs};
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, Named, refuse_idle};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
 use crate::printer::{Column, Printer, facts_table};
@@ -65,7 +65,7 @@ pub(crate) struct FragilityArgs {
     #[arg(long, value_name = "FILE")]
     outcomes: Option<PathBuf>,
     #[command(flatten)]
-    pub(super) runs: RunArgs,
+    pub(super) runs: Named<RunArgs>,
     /// Motion of which a spectral acceleration is taken. With --motion, `ground` says that the object
     /// is on the ground [default: ground; with --motion, floor]
     #[arg(long, value_parser = choice(PLACES))]
@@ -152,7 +152,9 @@ fn run_table(
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    args.runs.refuse_list()?;
+    // The inventory has quantities and costs for --format; everything else describes runs.
+    let idle = args.runs.given.iter().map(String::as_str).filter(|flag| *flag != "inventory");
+    refuse_idle(idle, "--outcomes contains the runs, so nothing is run")?;
     let mut values = Values::default();
     let (tolerance, ceiling) = (values.read(&args.tolerance), values.read(&args.ceiling));
     if args.tolerance.is_some() && args.ceiling.is_none() {
@@ -234,6 +236,16 @@ impl Exports {
         if (args.hazard.is_some() || args.hazard_power.is_some()) && !args.format.contains(&ExportFormat::OpenQuake) {
             return Err(Failure::usage("only OpenQuake takes a hazard curve", "add --format openquake"));
         }
+        let has = |format| args.format.contains(&format);
+        let idle = [
+            (args.realizations.is_some() && !(has(ExportFormat::Pelicun) && args.demand.is_some()), "realizations"),
+            (args.site_coordinates.is_some() && !has(ExportFormat::OpenQuake), "site-coordinates"),
+            (args.demand.is_some() && args.format.iter().all(|format| *format == ExportFormat::Csv), "demand"),
+            (args.beta.is_some() && args.format.iter().all(|format| *format == ExportFormat::Csv), "beta"),
+            (args.discrete && args.format.iter().all(|format| *format == ExportFormat::Csv), "discrete"),
+        ];
+        let idle = idle.into_iter().filter_map(|(is_idle, flag)| is_idle.then_some(flag));
+        refuse_idle(idle, "no program of --format uses it (--realizations is for pelicun with --demand)")?;
         let list = args.runs.cells().request()?;
         let request = |&format| ExportRequest {
             format,
@@ -256,7 +268,8 @@ impl Exports {
     pub(super) fn make(&mut self, report: &FragilityReport) -> Result<(), Failure> {
         let measure = report.table.measure;
         let file = self.hazard.clone().map(HazardSource::File);
-        let hazard = file.or(self.power_law.clone().map(|text| HazardSource::PowerLaw { text, measure }));
+        let hazard =
+            file.or(self.power_law.clone().map(|text| HazardSource::PowerLaw { text, measure: Some(measure) }));
         for request in &self.requests {
             let hazard = hazard.clone().filter(|_| request.format == ExportFormat::OpenQuake);
             let folder = export(report, &ExportRequest { hazard, ..request.clone() })?;

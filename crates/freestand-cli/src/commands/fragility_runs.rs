@@ -8,7 +8,7 @@ use freestand_assess::fragility::{
     At, DEFAULT_MAX_SCALE, FRAGILITY_SCHEMA, FloorMotion, GivenObject, KeepRuns, Limits, METHODS, Measure, Method,
     RunObjects, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
-use freestand_assess::risk::load_changed;
+use freestand_assess::risk::{LEFT_OUT, load_changed};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -85,9 +85,9 @@ pub(crate) struct RunArgs {
     /// How the runs are chosen
     #[arg(long, value_parser = choice(METHODS), default_value = name_of(METHODS, Method::Incremental), help_heading = "The runs")]
     method: Method,
-    /// `adaptive`, or a grid "from:to:count" or a list. For ida these are factors on the motions, such
-    /// as "0.5:5:10"; for stripes intensities by the first measure, such as "0.1 m/s:2 m/s:12"
-    /// [default: adaptive]
+    /// `adaptive`, or a grid "from:to:count" of equal ratios, or a list. For ida these are factors on the
+    /// motions, such as "0.5:5:10"; for stripes intensities by the first measure, such as
+    /// "0.1 m/s:2 m/s:12" [default: adaptive]
     #[arg(long, conflicts_with = "outcomes", value_name = "adaptive|GRID", help_heading = "The runs")]
     scales: Option<String>,
     /// Largest factor on a motion [default: 10]
@@ -385,6 +385,9 @@ fn write(
         go_on()?;
         files.table(&name("fragility"), || fit.table())?;
         files.table(&name("empirical"), || fit.empirical_table())?;
+    }
+    if let Some(table) = report.left_out_table()? {
+        files.table(LEFT_OUT.trim_end_matches(".csv"), || Ok(table))?;
     }
     go_on()?;
     let json = document(FRAGILITY_SCHEMA, facts, warnings)?;

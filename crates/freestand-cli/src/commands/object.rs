@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use freestand_assess::inventory::{CASTERS, Casters, Surroundings, UpperBody};
 use freestand_assess::one_object::{
     Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn, SCHEMA, StudySource, Withstood,
@@ -65,6 +65,10 @@ pub(crate) struct ObjectArgs {
     /// Height of the centre of gravity [default: half of the height]
     #[arg(long, positive = Dimension::Length, help_heading = "The object")]
     cg_height: Option<Given>,
+    /// Shape of its base; of a cylinder, --thickness is the diameter. A cylinder is not calculated in three
+    /// dimensions: the numbers are those of the square prism around it, and it is never said to stand
+    #[arg(long, value_enum, default_value = "box", help_heading = "The object")]
+    shape: BaseShape,
     /// Mass
     #[arg(long, positive = Dimension::Mass, help_heading = "The object")]
     mass: Option<Given>,
@@ -77,7 +81,8 @@ pub(crate) struct ObjectArgs {
     #[arg(long, value_name = "ACCELERATION", read = withstood, help_heading = "The object")]
     tolerance: Option<Given<Withstood>>,
 
-    /// Coefficient of friction on the floor, one value or a range [default: drawn from 0.2 to 0.8]
+    /// Coefficient of friction on the floor, one value or a range; it then slides where rocking needs
+    /// more [default: enough for rocking; 0.2 to 0.8 only tells whether it may slide]
     #[arg(long, value_name = "RATIO", read = ratios, help_heading = "The object")]
     friction: Option<Given<(f64, f64)>>,
     #[command(flatten)]
@@ -119,6 +124,15 @@ pub(crate) struct ObjectArgs {
     /// Largest number of simulated earthquakes [default: until the answer is settled, at most 1280]
     #[arg(long, value_name = "N", value_parser = at_least_one)]
     worlds: Option<NonZeroUsize>,
+}
+
+/// The base of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum BaseShape {
+    /// Rectangular
+    Box,
+    /// Round
+    Cylinder,
 }
 
 /// What a list says in the columns of the same names.
@@ -305,6 +319,7 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
             height_m,
             thickness_m,
             width_m: width,
+            is_round: args.shape == BaseShape::Cylinder,
             cg_height_m: cg_height,
             mass_kg,
             rests_on,

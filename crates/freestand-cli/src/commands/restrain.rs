@@ -9,7 +9,7 @@ use freestand_assess::restrain::{
     DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainReport, RestrainRequest, restrain,
 };
 use freestand_input::keys::{KeyStyle, Words};
-use freestand_input::quantity::Dimension;
+use freestand_input::quantity::{Dimension, UnitSystem};
 use freestand_study::resolve::{Overrides, load};
 
 use super::Done;
@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::keys::{Key, KeySet, Keys, key};
 use crate::printer::{Printer, lines, table};
-use crate::values::{Given, Reads, Values};
+use crate::values::{Given, Reads, Typed, Values, choice};
 
 /// Calculate the force that the code asks a restraint to carry, and its anchors, on one sheet
 ///
@@ -29,7 +29,7 @@ use crate::values::{Given, Reads, Values};
 Examples:
   A cabinet on the third floor of six, in Los Angeles, in US units:
     freestand restrain --mass 800lb --height 6ft --thickness 24in --width 36in \\
-      --place \"Los Angeles\" --floor 3 --storeys 6 --storey-height 13ft
+      --component cabinet --anchor-inset 3in --place \"Los Angeles\" --floor 3 --storeys 6 --storey-height 13ft
   The same on the roof in Wellington, with a sheet to print and other codes beside it:
     freestand restrain --mass 360kg --height 1.8m --thickness 0.6m --width 0.9m \\
       --place Wellington --level-ratio 1 --compare --out restraint
@@ -42,14 +42,14 @@ Examples:
     freestand restrain --mass 360kg --height 1.8m --thickness 0.6m --floor-acceleration \"0.9 g\"")]
 pub(crate) struct RestrainArgs {
     /// Mass of the object
-    #[arg(long, positive = Dimension::Mass)]
-    mass: Given,
+    #[arg(long, typed = Dimension::Mass)]
+    mass: Given<Typed>,
     /// Height of the object
-    #[arg(long, positive = Dimension::Length)]
-    height: Given,
+    #[arg(long, typed = Dimension::Length)]
+    height: Given<Typed>,
     /// Horizontal size of the object, the smaller one
-    #[arg(long, positive = Dimension::Length)]
-    thickness: Given,
+    #[arg(long, typed = Dimension::Length)]
+    thickness: Given<Typed>,
     /// The other horizontal size [default: only the thickness is checked]
     #[arg(long, positive = Dimension::Length)]
     width: Option<Given>,
@@ -103,6 +103,19 @@ pub(crate) struct RestrainArgs {
     #[arg(long, positive = Dimension::Ratio, help_heading = "Factors")]
     building_ductility: Option<Given>,
 
+    /// What the object is, for the tables of ASCE 7 and table 4.4 of EN 1998-1: cabinet, shelving,
+    /// generator, engine, switchgear, computer, air-side, wet-side, isolated, other, or its name in
+    /// words, such as "emergency generator" [default: other, the most cautious row]
+    #[arg(long, value_name = "NAME")]
+    component: Option<String>,
+    /// Distance of the anchors from the edge that they hold down, inwards [default: assumed, 75 mm or
+    /// a quarter of the side]
+    #[arg(long, non_negative = Dimension::Length)]
+    anchor_inset: Option<Given>,
+    /// Units of the texts and of the sheet; the JSON document is in SI [default: those of most of
+    /// --mass, --height, --thickness]
+    #[arg(long, value_parser = choice(&UnitSystem::ALL))]
+    units: Option<UnitSystem>,
     /// Anchors along each of the two edges
     #[arg(long, value_name = "N", default_value_t = DEFAULT_ANCHORS_PER_EDGE, value_parser = at_least_one)]
     anchors_per_edge: NonZeroUsize,
@@ -127,7 +140,11 @@ impl KeySet for HazardKeys {
             "Values of the code",
             &[
                 key("site", "CLASS", "Site class of the code"),
-                key("edition", "YEAR", "Edition: 2016 or 2022 of ASCE 7 [default: 2022; with --place 2016]"),
+                key(
+                    "edition",
+                    "YEAR",
+                    "Edition: 2016 or 2022 of ASCE 7 [default: 2022; with --place 2016, in California 2022]",
+                ),
                 key("sds", "ACCELERATION", "S_DS of ASCE 7"),
                 key("ss", "ACCELERATION", "Mapped acceleration S_s of ASCE 7, with --fa, or with --s1 and --site"),
                 key("s1", "ACCELERATION", "Mapped acceleration S_1 of ASCE 7"),
@@ -167,6 +184,7 @@ fn request(args: &RestrainArgs) -> Result<RestrainRequest, Failure> {
     let mass = values.read(&args.mass);
     let height = values.read(&args.height);
     let thickness = values.read(&args.thickness);
+    let anchor_inset_m = values.read(&args.anchor_inset);
     let width_m = values.read(&args.width);
     let cg_height_m = values.read(&args.cg_height);
     let acceleration = values.read(&args.floor_acceleration);
@@ -185,16 +203,20 @@ fn request(args: &RestrainArgs) -> Result<RestrainRequest, Failure> {
         building_ductility_ratio: values.read(&args.building_ductility),
     };
     let object = values.finish_with(mass.zip(height).zip(thickness))?;
-    let ((mass_kg, height_m), thickness_m) = object;
+    let ((mass, height), thickness) = object;
+    let units = UnitSystem::of_most_systems([mass.system, height.system, thickness.system]);
     Ok(RestrainRequest {
-        mass_kg,
-        height_m,
-        thickness_m,
+        mass_kg: mass.value_si,
+        height_m: height.value_si,
+        thickness_m: thickness.value_si,
         width_m,
         cg_height_m,
         hazard: hazard(args, acceleration)?,
         floor,
         factors,
+        component: args.component.clone(),
+        anchor_inset_m,
+        units: args.units.unwrap_or(units),
         anchors_per_edge: args.anchors_per_edge.get(),
         is_compared: args.compare,
     })
@@ -241,6 +263,13 @@ fn text(report: &RestrainReport, sheet: Option<&str>) -> String {
         let rows: Vec<Vec<String>> = report.others.iter().map(|row| row.to_vec()).collect();
         text.push('\n');
         text.push_str(&table(&headings, &rows));
+    }
+    if !report.to_confirm.is_empty() {
+        text.push('\n');
+        for open in &report.to_confirm {
+            let value = if open.value.is_empty() { String::new() } else { format!(" (used: {})", open.value) };
+            text.push_str(&format!("an engineer must confirm: {}{value}\n", open.what));
+        }
     }
     if !report.assumptions.is_empty() {
         text.push('\n');

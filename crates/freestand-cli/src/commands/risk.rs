@@ -17,11 +17,11 @@ use super::Done;
 use super::assess::watched;
 use super::fragility::{PLACES, stopped};
 use super::list::CellsArgs;
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, refuse_idle};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
 use crate::printer::Printer;
-use crate::values::{Given, Reads, Values, choice, name_of};
+use crate::values::{Given, Reads, Values, choice};
 
 /// Calculate how often objects fail, what that costs a year, and which options are worth their cost
 ///
@@ -56,10 +56,10 @@ pub(crate) struct RiskArgs {
     /// under the same motions
     #[arg(long, value_name = "FILE", help_heading = "Fragility")]
     outcomes: Option<PathBuf>,
-    /// How the limit states of an object are fitted
-    #[arg(long, value_parser = choice(FITS), default_value = name_of(FITS, FitKind::Ordered), help_heading = "Fragility")]
-    fit: FitKind,
-    /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
+    /// How the limit states of an object are fitted, with --outcomes [default: ordered]
+    #[arg(long, value_parser = choice(FITS), help_heading = "Fragility")]
+    fit: Option<FitKind>,
+    /// Samples of motions for the 95 % intervals, with --outcomes; 0: none [default: 1000]
     #[arg(long, value_name = "N", help_heading = "Fragility")]
     bootstrap: Option<u32>,
     /// Motion of which a spectral acceleration is taken [default: ground]
@@ -69,7 +69,7 @@ pub(crate) struct RiskArgs {
     /// Hazard curve: "pgv [m/s],annual_rate", or a hazard_curve-*.csv of OpenQuake
     #[arg(long, value_name = "FILE", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     hazard: Option<PathBuf>,
-    /// Power law by --hazard-im, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
+    /// Power law, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
     #[arg(long, value_name = "LAW", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     hazard_power: Option<String>,
     /// Return periods of a code, for pga or sa(T)
@@ -130,6 +130,7 @@ fn measure(text: &str) -> Result<Measure, Problem> {
 }
 
 pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    refuse_unread(args)?;
     let request = request(args, global)?;
     let inputs: Vec<PathBuf> = [&args.fragility, &args.outcomes, &args.hazard, &args.inventory, &args.options]
         .into_iter()
@@ -157,6 +158,26 @@ pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Re
     files.finish_result(RISK_SCHEMA, &report.warnings)?;
     printer.result(RISK_SCHEMA, &facts, &report.warnings, || report.text())?;
     Ok(Done { criterion_met: report.is_accepted() })
+}
+
+/// Refuses flags that nothing reads beside the others.
+fn refuse_unread(args: &RiskArgs) -> Result<(), Failure> {
+    let of_fit = [("fit", args.fit.is_some()), ("bootstrap", args.bootstrap.is_some())];
+    let of_options = [("horizon", args.horizon.is_some()), ("discount", args.discount.is_some())];
+    let of_file = [("site-coordinates", args.site_coordinates.is_some())];
+    let given = |flags: &[(&'static str, bool)]| -> Vec<&'static str> {
+        flags.iter().filter(|(_, is_given)| *is_given).map(|(flag, _)| *flag).collect()
+    };
+    if args.fragility.is_some() {
+        refuse_idle(given(&of_fit), "the curves of --fragility are fitted already")?;
+    }
+    if args.options.is_none() {
+        refuse_idle(given(&of_options), "there are no --options whose savings would count over years")?;
+    }
+    if args.hazard.is_none() {
+        refuse_idle(given(&of_file), "it chooses a site of a file of --hazard, and none is given")?;
+    }
+    Ok(())
 }
 
 fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure> {
@@ -187,7 +208,7 @@ fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure>
     let curves = RiskCurves::given(args.fragility.clone(), args.outcomes.clone(), |outcomes| FragilityRequest {
         outcomes,
         at: args.at,
-        fit: args.fit,
+        fit: args.fit.unwrap_or(FitKind::Ordered),
         shock: None,
         replicates: args.bootstrap,
         seed: global.seed(),

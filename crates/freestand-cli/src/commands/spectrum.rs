@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use clap::Args;
 use freestand::block::Block;
-use freestand::rocking::{Base, RockingOptions, Until};
+use freestand::rocking::{Base, RockingOptions};
 use freestand_assess::one_object::Follow;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
@@ -13,8 +13,7 @@ use freestand_input::words::counted;
 use freestand_study::at_place::{AtPlace, LastGround, motions_at};
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::restitution::checked;
-use freestand_study::rock::{RockReport, RockRequest, problem, rock};
-use freestand_study::run::LONGEST_TAIL_S;
+use freestand_study::rock::{RockReport, RockRequest, problem, rock, until};
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum};
 use serde::Serialize;
 
@@ -23,7 +22,7 @@ use super::block::RockingArgs;
 use super::sliding::SlidingArgs;
 use super::spectrum_text::Seen;
 use super::walls::WallArgs;
-use crate::args::{GlobalArgs, Named};
+use crate::args::{GlobalArgs, Named, refuse_idle};
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
 use crate::files::Files;
@@ -216,6 +215,9 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
 }
 
 fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
+    if let Some(failure) = args.sliding.refused(false) {
+        return Err(failure);
+    }
     let mut values = Values::default();
     let heights = values.read(&args.heights).unwrap_or_default();
     let thicknesses = values.read(&args.thicknesses).unwrap_or_default();
@@ -233,11 +235,7 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
         restitution: args.rocking.restitution(&[], &mut values),
         accuracy: args.rocking.accuracy,
         walls,
-        // Motions of a place are those of a study, which follows its objects until they are at rest.
-        until: match args.motion.is_empty() {
-            true => Until::Settled { at_most_s: LONGEST_TAIL_S },
-            false => Until::EndOfMotion,
-        },
+        until: until(None),
         ..RockingOptions::default()
     };
     if args.friction.is_some() && !args.sliding.is_given() {
@@ -276,7 +274,13 @@ fn request(args: &SpectrumArgs) -> Result<SpectrumRequest, Failure> {
     let blocks: Vec<Block> = grid.blocks(0..grid.objects()).collect();
     checked(options.restitution, &blocks)?;
     let cushion = mass.zip(cushion);
-    Ok(SpectrumRequest { grid, options, cushion, wall, sensitivity: args.sensitivity, surface })
+    let request = SpectrumRequest { grid, options, cushion, wall, sensitivity: args.sensitivity, surface };
+    if let Some(flag) = args.rocking.of_rigid_base()
+        && request.none_rocks()
+    {
+        refuse_idle([flag], "every object slides or rolls, and none rocks")?;
+    }
+    Ok(request)
 }
 
 /// The motions of a floor at a place.

@@ -143,7 +143,8 @@ fn static_tests() {
     let test = &json(&execute(folder.path(), &[&args[..], &["--json"]].concat()))["tests"][0];
     // Straight lines of printed numbers: rounding alone. The way out lies 10 % lower.
     assert!((test["tangent_stiffness_n_m"].as_f64().unwrap() / 1e6 - 1.0).abs() < 1e-6);
-    assert!((test["secant_stiffness_n_m"].as_f64().unwrap() / 1e6 - 1.0).abs() < 1e-6);
+    // The slack is searched by least squares, which hide half of the digits.
+    assert!((test["secant_stiffness_n_m"].as_f64().unwrap() / 1e6 - 1.0).abs() < 1e-4);
     // ∫F dd of the way in is 0.32 J; the jump to 90 % at the turn costs half a step of 8 N·mm of
     // it.
     assert!((test["hysteresis_ratio"].as_f64().unwrap() - 0.1).abs() < 2e-3, "{test}");

@@ -173,6 +173,21 @@ fn stripes_have_the_same_levels_and_a_cloud_its_motions() {
     assert!(cloud["objects"][0]["goodness"]["ks"].is_null());
 }
 
+/// Stripes without intensities take some from the uplift on, so close together that little of a rate is
+/// between two of them.
+#[test]
+fn stripes_choose_their_intensities() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let found = document(folder, &call(&motions, &["--method", "stripes", "--bootstrap", "0"]));
+    let levels: Vec<f64> = found["scales"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    // A factor of 1.1, and rounding.
+    assert!(levels.len() > 5 && levels.windows(2).all(|pair| pair[1] / pair[0] < 1.1 + 1e-9), "{levels:?}");
+    let rocks = &found["objects"][0]["curves"][0];
+    let below = rocks["capacity"].as_array().unwrap().iter().filter(|one| one["to"].as_f64() == Some(levels[0]));
+    assert_eq!(below.count(), 0, "nothing rocks at the lowest: {rocks}");
+}
+
 #[test]
 fn what_cannot_be_run_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -182,7 +197,6 @@ fn what_cannot_be_run_is_refused() {
     assert!(said(&["--im", "pgx"]).contains("\"pgx\" is not an intensity measure"));
     assert!(said(&["--im", "pfv,pfv"]).contains("twice"));
     assert!(said(&["--scales", "1, 20"]).contains("scaled by 20, above the largest scale of 10"));
-    assert!(said(&["--method", "stripes"]).contains("stripes need the intensities"));
     assert!(said(&["--method", "cloud", "--scales", "1,2"]).contains("a cloud uses every motion unscaled"));
     assert!(said(&["--scales", "0:5:6"]).contains("not above 0"));
     assert!(said(&["--outcomes", "o.csv"]).contains("--outcomes contains the runs"));
@@ -213,8 +227,12 @@ fn an_inventory_is_run_on_the_floors_of_its_study() {
         .iter()
         .map(|one| (one["id"].as_str().unwrap(), one["at"].as_str().unwrap()))
         .collect();
-    assert_eq!(ids, [("shelf", "ground"), ("rack", "ground"), ("shelf", "floor"), ("rack", "floor")]);
-    assert_eq!(found["left_out"][0]["id"], "trolley");
+    let each = |at| ["shelf", "rack", "trolley"].map(|id| (id, at));
+    assert_eq!(ids, [each("ground"), each("floor")].concat());
+    assert_eq!(found["left_out"], serde_json::json!([]));
+    // It rolls, and nothing that was named stops it.
+    let trolley = &found["objects"][2]["counts"];
+    assert!(trolley["no_uplift"].as_f64().unwrap() > 0.0 && trolley["overturned"] == 0.0, "{trolley}");
     let states =
         |i: usize| found["objects"][i]["curves"].as_array().unwrap().iter().any(|one| one["limit_state"] == "exceeds");
     assert!(!states(0) && (states(1) || found["objects"][1]["counts"]["exceeded"] == 0.0));
@@ -292,22 +310,27 @@ fn a_list_without_a_study_says_whose_building_it_is() {
     let folder = folder.path();
     let list = "id,floor,height [mm],thickness [mm]\nshelf,0,1800,400\nrack,0,-5,500\n";
     fs::write(folder.join("list.csv"), list).unwrap();
-    let call = ["fragility", "--inventory", "list.csv", "--place", "Wellington", "--storeys", "3"];
+    let call = ["fragility", "--inventory", "list.csv", "--place", "Wellington"];
     let call = [&call[..], &["--worlds", "2", "--bootstrap", "0"]].concat();
     let output = execute(folder, &[&call[..], &["--json"]].concat());
     assert_eq!(output.status.code(), Some(1), "a cell could not be read");
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let sentence = "No study given: this is a 30-storey tower in Wellington, not your building.";
+    let sentence =
+        "Nobody stated the building: this is a 30-storey tower in Wellington, not your building. Give storeys.";
     assert_eq!((&found["no_study"], &found["warnings"][0]), (&sentence.into(), &sentence.into()));
     assert!(found["hazard"].as_str().unwrap().starts_with("Wellington (NZS 1170.5"), "{}", found["hazard"]);
     assert_eq!(found["building"], "tower, 30 storeys, 96 m high");
     assert!(found["study"].as_str().unwrap().contains("place = \"Wellington\""));
     let warnings = found["warnings"].to_string();
-    for said in ["in the list: error: out-of-range", "only places the floors", "has 30 storeys, 96 m high"] {
-        assert!(warnings.contains(said), "{said}: {warnings}");
-    }
+    assert!(warnings.contains("in the list: error: out-of-range"), "{warnings}");
+    assert_eq!((&found["place_is_assumed"], &found["building_is_assumed"]), (&false.into(), &true.into()));
+    assert!(found["assumptions"].to_string().contains("a building of 30 storeys"), "{}", found["assumptions"]);
     let output = execute(folder, &call);
     assert!(String::from_utf8(output.stdout).unwrap().starts_with(sentence));
+    // A number of storeys is a building.
+    let output = execute(folder, &[&call[..], &["--storeys", "3", "--json"]].concat());
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&found["no_study"], &found["building"]), (&Value::Null, &"3 storeys, 9.6 m high".into()));
 }
 
 #[test]

@@ -17,17 +17,20 @@ mod floor;
 mod folders;
 mod fragility_runs;
 mod ground_sources;
+mod idle;
 mod inventory;
 mod library;
 mod motions;
 mod object;
 mod processing;
 mod program;
+mod rates;
 mod records;
 mod restrain;
 mod risk;
 mod rocking_cases;
 mod run;
+mod same_answer;
 #[cfg(feature = "page")]
 mod serve;
 #[cfg(unix)]

@@ -5,7 +5,7 @@ use std::process::Command;
 use serde_json::Value;
 
 use crate::cases;
-use crate::program::{PROGRAM, execute, freestand_in, root};
+use crate::program::{PROGRAM, execute, freestand_in, json, root};
 
 const RECORD: &str = "validation/rocking/records/synthfloor.csv";
 
@@ -189,4 +189,23 @@ fn the_examples_of_the_help_run() {
         assert!(output.status.success(), "{script}: {}", String::from_utf8_lossy(&output.stderr));
         assert!(stdout.contains(" this object ") || stdout.contains("\"answer_kind\""), "{stdout}");
     }
+}
+
+/// The national annex of Portugal has two spectra: of each object the worse of both counts, and where it
+/// is that of type 2 the answer says so.
+#[test]
+fn the_worse_of_two_spectra_counts() {
+    let p_of = |kind: &str, thickness: &str| -> f64 {
+        let study = format!("[ground]\nplace = \"Lisbon\"\n{kind}[building]\nstoreys = 2\n");
+        let folder = crate::folder(&[("study.toml", &study)]);
+        let flags = ["object", "--study", "study.toml", "--height", "1.2m", "--thickness", thickness, "--worlds", "40"];
+        json(&execute(folder.path(), &[&flags[..], &["--json"]].concat()))["p_overturn"].as_f64().unwrap()
+    };
+    let mut differ = false;
+    for thickness in ["0.1m", "0.15m"] {
+        let [one, two] = ["spectrum_type = 1\n", "spectrum_type = 2\n"].map(|kind| p_of(kind, thickness));
+        differ |= one != two;
+        assert_eq!(p_of("", thickness), one.max(two), "{thickness}");
+    }
+    assert!(differ, "both spectra give the same answers: the test shows nothing");
 }

@@ -35,6 +35,8 @@ fn command(case: &Value) -> Option<Command> {
     flag("--initial-rotation", number("theta0"), " rad");
     flag("--initial-velocity", number("omega0"), " rad/s");
     flag("--vertical-scale", number("scale_v"), "");
+    // The cases end with their records.
+    flag("--duration", case["final"]["t"].as_f64().filter(|_| case["overturned"] == false), " s");
     if number("scale_v").is_some() {
         command.args(["--component", "1", "--vertical-component", "2", "--vertical"]).arg(&path);
     }
@@ -64,6 +66,7 @@ fn every_case_through_the_command_line() {
         let peak = case["theta_max"].as_f64().unwrap();
         let outcome = match case["overturned"].as_bool().unwrap() {
             true => "overturned",
+            false if case["final"]["at_rest"] == false => "unresolved",
             false if peak > 0.0 => "rocked",
             false => "no-uplift",
         };

@@ -45,8 +45,7 @@ const SHOCK: [&str; 4] = ["--mass", "150 kg", "--stiffness", "4380 N/mm"];
 /// Everything but the time that it took.
 fn without_timing(bytes: &[u8]) -> Value {
     let mut document: Value = serde_json::from_slice(bytes).unwrap();
-    document["timing"]["solve_s"].take();
-    document["timing"]["sensitivity_s"].take();
+    document["timing"].as_object_mut().unwrap().retain(|name, _| !name.ends_with("_s"));
     document
 }
 
@@ -60,8 +59,9 @@ fn the_same_bytes_on_any_number_of_threads() {
         let read = |path: PathBuf| std::fs::read(folder.path().join(path)).unwrap();
         let csv = read("rows.csv".into());
         assert!(csv == read(Path::new(&out).join("rows.csv")));
-        // One document, on standard output and in the folder.
-        assert!(output.stdout == read(Path::new(&out).join("result.json")));
+        // One document, on standard output and in the folder, where nothing differs between equal runs.
+        let kept: Value = serde_json::from_slice(&read(Path::new(&out).join("result.json"))).unwrap();
+        assert!(without_timing(&output.stdout) == kept);
         (csv, without_timing(&output.stdout))
     };
     let (csv, document) = run("1");

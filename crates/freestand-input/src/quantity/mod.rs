@@ -7,9 +7,11 @@ use crate::problem::{Problem, ProblemKind};
 use crate::words::number;
 
 mod number;
+mod system;
 mod units;
 
 use number::{Number, Split, plain, split};
+pub use system::UnitSystem;
 pub use units::{Dimension, Unit, find_unit, find_unit_any_case, lookup};
 use units::{unknown_unit, wrong_dimension};
 

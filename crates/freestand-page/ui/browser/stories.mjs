@@ -109,12 +109,14 @@ await story('a newcomer gets the sentence of the program and sees the fall', {},
   await answered(page);
   assert.ok(!page.url().includes(url.split('#')[1]), 'the token has left the address');
   const shown = await page.textContent('#answer');
-  const options = ['--height', '1.8 m', '--thickness', '400 mm', '--mass', '150 kg', '--on', '4380 N/mm', '--place', 'Melbourne', '--floor', 'roof', '--storeys', '30'];
+  const options = ['--height', '1.8 m', '--thickness', '400 mm', '--place', 'Melbourne', '--floor', 'roof', '--storeys', '30'];
   const told = JSON.parse(execFileSync(program, ['object', ...options, '--json', '-q']));
   assert.equal(shown, told.answer);
   const before = await stage(page);
   await page.$eval('#scrub', (bar) => { bar.value = '0'; bar.dispatchEvent(new Event('input', { bubbles: true })); });
   assert.deepEqual(await stage(page), { time: 0, tilt: 0 });
+  // From the beginning, also where nothing is to be seen yet.
+  await page.click('#quiet');
   const began = Date.now();
   await page.click('#play');
   await page.waitForFunction(() => Number(document.querySelector('#stage').dataset.time) > 0.3);
@@ -147,7 +149,7 @@ await story('a wider base changes the sentence; what is wrong is said', {}, asyn
   await page.fill('#level', 'ground');
   await page.waitForFunction(() => document.querySelector('#answer').textContent.includes('Wellington'), undefined, PATIENT);
   await answered(page);
-  const asked = ['--height', '2 m', '--thickness', '900 mm', '--mass', '150 kg', '--on', '4380 N/mm', '--place', 'Wellington'];
+  const asked = ['--height', '2 m', '--thickness', '900 mm', '--place', 'Wellington'];
   assert.equal(await page.textContent('#answer'), JSON.parse(execFileSync(program, ['object', ...asked, '--json', '-q'])).answer);
   await page.reload();
   await answered(page);
@@ -194,6 +196,161 @@ await story('units everywhere at once', {}, async (page) => {
   await answered(page);
   await page.click('#units');
   assert.equal(await page.inputValue('#height'), '1.8 m');
+});
+
+/** The options of every question that the page asks of a command. */
+function questions(page, command) {
+  const asked = [];
+  page.on('request', (request) => {
+    const body = request.url().endsWith('/run') ? request.postDataJSON() : null;
+    if (body?.command === command) asked.push(body.options);
+  });
+  return asked;
+}
+
+await story('changing the units never changes the object', {}, async (page) => {
+  await answered(page);
+  const asked = questions(page, 'object');
+  const command = await page.textContent('#command code');
+  const sentence = await page.textContent('#answer');
+  for (let i = 0; i < 6; i += 1) await page.click('#units');
+  await page.click('#units');
+  assert.equal(await page.inputValue('#thickness'), '1\'3.75"');
+  assert.equal(await page.textContent('#command code'), command);
+  assert.equal(await page.textContent('#answer'), sentence);
+  assert.deepEqual(asked, [], 'nothing is asked again');
+  // What is typed in inches stays in inches, also where millimetres are shown.
+  await page.fill('#thickness', '15.75 in');
+  await page.locator('#thickness').blur();
+  await answered(page);
+  await page.click('#units');
+  assert.match(await page.inputValue('#thickness'), / mm$/);
+  await answered(page);
+  assert.deepEqual([...new Set(asked.map((one) => one.thickness))], ['15.75 in']);
+});
+
+await story('what was not typed is not given, and every default is said beside the sentence', {}, async (page) => {
+  const asked = questions(page, 'object');
+  await page.reload();
+  await answered(page);
+  await page.click(`.cat button:has-text("${said('picture.vase')}")`);
+  await page.waitForFunction(() => document.querySelector('#command code')?.textContent.includes('600 mm'), undefined, PATIENT);
+  await answered(page);
+  for (const options of asked) assert.deepEqual([options.mass, options.on], [undefined, undefined], JSON.stringify(options));
+  const own = JSON.parse(execFileSync(program, ['object', '--height', '600 mm', '--thickness', '250 mm', '--place', 'Melbourne', '--floor', 'roof', '--storeys', '30', '--json', '-q']));
+  assert.equal(await page.textContent('#answer'), own.answer);
+  const shown = await page.$$eval('.answer #assumed li', (all) => all.filter((one) => one.checkVisibility()).map((one) => one.textContent));
+  assert.equal(shown.length, own.assumptions.length + own.warnings.length);
+  await picture(page, 'vase');
+  // Pads that wait for a mass are not counted in silence.
+  await page.click('#advanced > summary');
+  await page.fill('#on', '4380 N/mm');
+  await page.waitForSelector('#pad-waits');
+  await page.fill('#mass', '150');
+  await page.locator('#mass').blur();
+  await page.waitForFunction(() => document.querySelector('#command code')?.textContent.includes('--on "4380 N/mm"'), undefined, PATIENT);
+  await answered(page);
+  assert.match(await page.textContent('#command code'), /--mass "150 kg"/);
+  await page.waitForSelector('#means');
+  await picture(page, 'vase-on-pads');
+});
+
+await story('sizes as people write them, and a peak ground acceleration', {}, async (page) => {
+  await answered(page);
+  const asked = questions(page, 'object');
+  await page.fill('#height', '1,9 m');
+  await page.fill('#thickness', '450');
+  await page.fill('#pga', '0,3');
+  await page.locator('#pga').blur();
+  await page.waitForFunction(() => document.querySelector('#command code')?.textContent.includes('--pga'), undefined, PATIENT);
+  await answered(page);
+  const { height, thickness, pga, place } = asked.at(-1);
+  assert.deepEqual([height, thickness, pga, place], ['1.9 m', '450 mm', '0.3 g', undefined]);
+  // What is wrong is said without a word of the command line.
+  for (const [field, text] of [['#storeys', 'many'], ['#height', '3 apples'], ['#pga', 'hard']]) {
+    const before = await page.inputValue(field);
+    await page.fill(field, text);
+    await page.locator(field).blur();
+    await page.waitForSelector('#panel-fall .error', PATIENT);
+    const told = await page.textContent('#panel-fall .error');
+    assert.doesNotMatch(told, /--|invalid digit|usage|freestand [a-z]/);
+    assert.equal(await page.$('#badge'), null, 'no badge over a question that has no answer');
+    await page.fill(field, before);
+    await answered(page);
+  }
+  const everything = await page.evaluate(() => { const all = document.querySelector('main').cloneNode(true); all.querySelectorAll('code').forEach((one) => one.remove()); return all.textContent; });
+  assert.doesNotMatch(everything, /(^|\s)--[a-z]/);
+});
+
+await story('two tabs do not stop each other, and an answer has its own question', {}, async (page) => {
+  await answered(page);
+  const statuses = [];
+  page.on('response', (response) => { if (response.url().endsWith('/run')) statuses.push(response.status()); });
+  const other = await page.context().newPage();
+  await other.goto(url);
+  await answered(other);
+  await Promise.all([['Wellington', page], ['Christchurch', other]].map(async ([place, tab]) => {
+    await tab.fill('#place', place);
+    await tab.locator('#place').blur();
+    await tab.waitForFunction((name) => document.querySelector('#answer').textContent.includes(name) && document.querySelector('#answer').dataset.state === 'done', place, PATIENT);
+  }));
+  assert.ok(!statuses.includes(409), `${statuses}`);
+  await other.close();
+  // While the next question is open, nothing of the last answer looks like its answer.
+  let release;
+  const held = new Promise((resolve) => { release = resolve; });
+  await page.route('**/api/v1/run', async (route) => { await held; await route.continue(); });
+  await page.fill('#thickness', '910 mm');
+  await page.waitForSelector('#answer[data-state=working]');
+  assert.deepEqual([await page.$('#badge'), await page.$('#motions'), await page.$('#stage')], [null, null, null]);
+  release();
+  await answered(page);
+  assert.ok(await page.$('#badge'));
+});
+
+await story('one sheet to sign, on one page', {}, async (page) => {
+  await answered(page);
+  await page.click('#advanced > summary');
+  await page.fill('#mass', '150 kg');
+  await page.locator('#mass').blur();
+  await page.waitForFunction(() => document.querySelector('#command code')?.textContent.includes('--mass'), undefined, PATIENT);
+  await answered(page);
+  await page.evaluate(() => { window.print = () => { window.hasPrinted = true; }; });
+  await page.click('#print');
+  await page.waitForFunction(() => window.hasPrinted, undefined, PATIENT);
+  const sheet = await page.textContent('.sheet');
+  assert.ok(sheet.includes(await page.textContent('#answer')));
+  for (const word of ['paper.date', 'paper.name', 'paper.signature', 'assumed']) assert.ok(sheet.includes(said(word)), word);
+  assert.match(sheet, /AS 1170\.4/, 'the force of the restraint');
+  const paper = await page.pdf({ preferCSSPageSize: true });
+  assert.equal(paper.toString('latin1').match(/\/Type\s*\/Page\b/g).length, 1);
+  if (pictures) {
+    writeFileSync(join(pictures, 'sheet.pdf'), paper);
+    await page.emulateMedia({ media: 'print' });
+    await picture(page, 'sheet');
+  }
+});
+
+await story('a phone: what is entered is near what it changes', { viewport: { width: 390, height: 844 }, hasTouch: true }, async (page) => {
+  await answered(page);
+  const top = (selector) => page.$eval(selector, (one) => one.getBoundingClientRect().top + scrollY);
+  assert.ok(await top('#place') - await top('#answer') < 844, `${await top('#place') - await top('#answer')} px`);
+  await page.click('#advanced > summary');
+  await page.locator('#friction').scrollIntoViewIfNeeded();
+  // The answer in short stays in sight.
+  await page.waitForSelector('.brief');
+  const brief = await page.$eval('.brief', (one) => one.getBoundingClientRect());
+  assert.ok(brief.top >= 0 && brief.bottom <= 845, JSON.stringify(brief));
+  await fits(page);
+  await picture(page, 'phone-advanced');
+});
+
+await story('the form does not take the answer out of sight', {}, async (page) => {
+  await answered(page);
+  await page.click('#advanced > summary');
+  await page.locator('#upper-mass').scrollIntoViewIfNeeded();
+  const answer = await page.$eval('#answer', (one) => one.getBoundingClientRect());
+  assert.ok(answer.top >= 0 && answer.bottom <= 900, JSON.stringify(answer));
 });
 
 await story('reduced motion: stills, and nothing moves by itself', { reducedMotion: 'reduce' }, async (page) => {
@@ -247,7 +404,7 @@ await story('a list is mended, assessed, filtered and opened', {}, async (page) 
   await assessed(page, 4);
   const decisions = await page.$$eval('#objects tr[data-id]', (all) => all.map((one) => one.dataset.decision));
   assert.equal(decisions.length, 4);
-  assert.ok(decisions.every((one) => ['restrain', 'soften', 'no-verdict', 'leave'].includes(one)), `${decisions}`);
+  assert.ok(decisions.every((one) => ['restrain', 'soften', 'lock', 'no-verdict', 'leave'].includes(one)), `${decisions}`);
   assert.equal(await page.$('#progress'), null);
   const [saved] = await Promise.all([page.waitForEvent('download'), page.click('text="objects.csv"')]);
   const told = readFileSync(await saved.path(), 'utf8').split('\n');
@@ -282,6 +439,72 @@ await story('a list is mended, assessed, filtered and opened', {}, async (page) 
   await page.goBack();
   await page.waitForSelector('#objects tr[data-id="A-2"]');
   assert.equal(await page.inputValue('#filter'), '', 'the list is as it was left');
+});
+
+await story('a study that names its list, dropped in any order', {}, async (page) => {
+  writeFileSync(join(folder, 'names.toml'), `${study}[assessment]\ninventory = "list.csv"\n`);
+  await page.click('#tab-inventory');
+  for (const order of [['list.csv', 'names.toml'], ['names.toml', 'list.csv']]) {
+    await page.evaluate(() => sessionStorage.removeItem('inventory'));
+    await page.reload();
+    for (const name of order) {
+      await page.setInputFiles('#drop-inventory', []);
+      await Promise.all([page.waitForResponse((one) => one.url().endsWith('/files')), page.setInputFiles('#drop-inventory', [join(folder, name)])]);
+    }
+    await page.waitForSelector('#cells', PATIENT);
+    await page.waitForFunction(() => document.body.textContent.includes('names.toml'), undefined, PATIENT);
+    assert.equal(await page.$('#panel-inventory .error'), null, `${order}`);
+    assert.equal(await page.$('#assumed-list'), null, 'the study says where the objects stand');
+  }
+  await page.click('#assess');
+  await assessed(page, 4);
+});
+
+await story('no list yet: an example, a template, a table to type in', {}, async (page) => {
+  await page.click('#tab-inventory');
+  await accessible(page, 'no list');
+  await picture(page, 'inventory-empty');
+  const [template] = await Promise.all([page.waitForEvent('download'), page.click('#template')]);
+  assert.match(readFileSync(await template.path(), 'utf8'), /^id,item,quantity/);
+  await page.fill('#typed tbody tr:nth-child(1) td:nth-child(1) input', 'cabinet');
+  await page.fill('#typed tbody tr:nth-child(1) td:nth-child(2) input', '1');
+  await page.fill('#typed tbody tr:nth-child(1) td:nth-child(3) input', '1800 mm');
+  await page.fill('#typed tbody tr:nth-child(1) td:nth-child(4) input', '400 mm');
+  await page.click('#use-typed');
+  await page.waitForSelector('#cells', PATIENT);
+  // Nobody has said where it stands: that comes before any verdict.
+  await page.waitForSelector('#assumed-list');
+  await page.fill('#inventory-place', 'Wellington');
+  await page.fill('#inventory-storeys', '3');
+  await page.locator('#inventory-storeys').blur();
+  await page.waitForFunction(() => !document.querySelector('#assumed-list'));
+  // A building type makes a study; a column is named by choosing.
+  const jobs = [];
+  page.on('request', (request) => { if (request.url().endsWith('/jobs')) jobs.push(request.postDataJSON()); });
+  await page.selectOption('#inventory-frame', 'steel-moment');
+  await page.waitForFunction(() => document.querySelector('#panel-inventory code')?.textContent.includes('building.toml'), undefined, PATIENT);
+  await page.click(`summary:has-text("${said('inventory.columns')}")`);
+  await page.selectOption('#columns select[data-heading="mass"]', 'ignore');
+  await page.waitForFunction(() => document.querySelector('#panel-inventory code')?.textContent.includes('columns.toml'), undefined, PATIENT);
+  assert.equal(await page.$('#panel-inventory .error'), null);
+  await accessible(page, 'a typed list');
+  await fits(page);
+  await picture(page, 'inventory-typed');
+});
+
+await story('objects arrive one by one, with the time that is left', {}, async (page) => {
+  await uploaded(page);
+  await page.evaluate(() => {
+    window.counts = [];
+    const look = () => window.counts.push(document.querySelectorAll('#objects tr[data-id]').length);
+    new MutationObserver(look).observe(document.body, { childList: true, subtree: true });
+  });
+  await page.click('#assess');
+  await page.waitForSelector('#left, #ended:not(:empty)', LONG);
+  await assessed(page, 4);
+  // Some are there before all are.
+  const counts = await page.evaluate(() => window.counts);
+  assert.ok(counts.some((count) => count > 0 && count < 4), `${[...new Set(counts)]}`);
 });
 
 await story('a list by keyboard alone', {}, async (page) => {
@@ -485,7 +708,7 @@ await story('what rolls is answered, and an empty field is said', {}, async (pag
   await page.selectOption('#casters', 'free');
   await page.waitForFunction((old) => document.querySelector('#answer').textContent !== old, first, PATIENT);
   await answered(page);
-  const options = ['--height', '1.8 m', '--thickness', '400 mm', '--mass', '150 kg', '--on', '4380 N/mm', '--place', 'Melbourne', '--floor', 'roof', '--storeys', '30', '--casters', 'free'];
+  const options = ['--height', '1.8 m', '--thickness', '400 mm', '--place', 'Melbourne', '--floor', 'roof', '--storeys', '30', '--casters', 'free'];
   assert.equal(await page.textContent('#answer'), JSON.parse(execFileSync(program, ['object', ...options, '--json', '-q'])).answer);
   // It has no history to draw.
   assert.equal(await page.$('#stage'), null);
@@ -513,7 +736,7 @@ await story('drop tests become a pad', {}, async (page) => {
   await page.fill('#pads-mass', '0.365 kg');
   await page.fill('#pads-impact-velocity', '1.40 m/s');
   await page.setInputFiles('#drop-pads', [...[1, 2, 3].map((i) => join(validation, `cushion/drop-00${i}.csv`)), join(validation, 'cushion/README.md')]);
-  await page.waitForSelector(`text=${said('pads.answer', { value: 2192, low: 2175, high: 2209 })}`, PATIENT);
+  await page.waitForSelector(`text=${said('pads.answer', { value: 2192, low: 2173, high: 2211 })}`, PATIENT);
   const refused = await page.textContent('#panel-pads li:has(b:text-is("README.md"))');
   assert.ok(refused.length > 30, `the reason is said: ${refused}`);
   await accessible(page, 'pads with results');

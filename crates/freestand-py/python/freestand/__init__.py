@@ -12,24 +12,18 @@ from typing import TYPE_CHECKING
 from ._block import Block, Cushion, Sliding, Walls
 from ._errors import BadValue, FreestandError, FreestandWarning, Interrupted, Problem, ReadError, SolveError, StudyError
 from ._freestand import study_toml
+from ._ground import code_spectrum, floor, synth
+from ._ida import ida
+from ._laboratory import drop_test, shock_spectrum, static_test
 from ._motion import Motion, read_motion, read_motions
 from ._requests import (
     assess,
     check_inventory,
     check_object,
-    code_spectrum,
-    drop_test,
-    floor,
     fragility,
     restrain,
     risk,
-    rock,
     run,
-    shock,
-    shock_spectrum,
-    spectrum,
-    static_test,
-    synth,
     validate,
 )
 from ._results import (
@@ -38,6 +32,7 @@ from ._results import (
     DropTestResult,
     FloorResult,
     FragilityResult,
+    IdaResult,
     InventoryCheck,
     MotionSpectrumResult,
     ObjectResult,
@@ -52,6 +47,7 @@ from ._results import (
     ValidateResult,
     version,
 )
+from ._rocking import rock, shock, spectrum
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -80,6 +76,7 @@ __all__ = [
     "FragilityResult",
     "FreestandError",
     "FreestandWarning",
+    "IdaResult",
     "Interrupted",
     "InventoryCheck",
     "Motion",
@@ -108,6 +105,7 @@ __all__ = [
     "drop_test",
     "floor",
     "fragility",
+    "ida",
     "read_motion",
     "read_motions",
     "restrain",

@@ -60,8 +60,16 @@ class Result:
     def _repr_html_(self) -> str:
         import html
 
-        rows = "".join(f"<tr><th>{html.escape(key)}</th><td>{html.escape(value)}</td></tr>" for key, value in self._shown())
-        return f"<table><caption>{type(self).__name__}</caption><tbody>{rows}</tbody></table>"
+        shown = [(key, value) for key, value in self._shown() if key not in ("schema", "warnings")]
+        rows = "".join(f"<tr><th>{html.escape(key)}</th><td>{html.escape(value)}</td></tr>" for key, value in shown)
+        return f"<table><caption>{type(self).__name__}</caption><tbody>{rows}</tbody></table>{self._warnings_html()}"
+
+    def _warnings_html(self) -> str:
+        """The warnings: a result that is shown without them would say more than it knows."""
+        import html
+
+        items = "".join(f"<li>{html.escape(text)}</li>" for text in self.warnings)
+        return f"<p>Warnings</p><ul>{items}</ul>" if items else ""
 
 
 def _is_numbers(value: Any) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, fields
 from typing import Any
 
 from . import _freestand
-from ._convert import Given, PathLike, bad, given, of_kind, plain, words
+from ._convert import Given, PathLike, bad, given, of_kind, plain, sizes_m, words
 from ._results import DropTestResult
 
 
@@ -15,8 +15,32 @@ from ._results import DropTestResult
 class Cushion:
     """The cushion under one edge: of the whole edge (`stiffness_n_m`), or of one pad of several.
 
-    `law`: linear, power, kelvin-voigt, hunt-crossley, tangent. A pad is given by `pad_stiffness_n_m`, by
-    a drop test (`pad`) or by a cushion file (`file`), each with `pads_per_edge`.
+    Parameters
+    ----------
+    stiffness_n_m : float or str, optional
+        Stiffness of everything under one edge [N/m]; of a power law a text such as "2e7 N/m^1.5".
+    pad_stiffness_n_m : float or str, optional
+        Stiffness of one pad [N/m]; needs `pads_per_edge`, as do `pad` and `file`.
+    pads_per_edge : int, optional
+        Pads that share the landing of one edge.
+    series_stiffness_n_m : float or tuple of float, optional
+        Layers in series: legs, floor covering [N/m].
+    pad_thickness_m : float, optional
+        Thickness of the pad [m], for warnings.
+    law : str, optional
+        "linear" (default), "power", "kelvin-voigt", "hunt-crossley" or "tangent".
+    exponent, damping_ratio, damping_n_s_m, dissipation_s_m, bottoming_m : float, optional
+        Of these laws.
+    pad : DropTestResult, optional
+        A pad from its drop tests.
+    file : path, optional
+        A cushion file.
+
+    Examples
+    --------
+    >>> feet = fs.Cushion(pad_stiffness_n_m=2.19e6, pads_per_edge=2)
+    >>> print(f"{fs.Block(2.3, 0.6, 140, cushion=feet).shock(cg_rise_m=0.016).edge_acceleration_g:.2f}")
+    4.53
     """
 
     #: Stiffness of everything under one edge [N/m]; of a power law a text such as "2e7 N/m^1.5".
@@ -81,8 +105,32 @@ def cushion_given(
 class Block:
     """A free-standing object: a rigid block that rocks about the edges of its base.
 
-    Sizes in m, mass in kg. `stiffness_n_m` is that of everything under one edge; `cushion` replaces it
-    by a `Cushion` or a cushion file. Frozen and hashable; it pickles.
+    Frozen and hashable; it pickles. A size above 50 m is refused: it was meant in other units.
+
+    Parameters
+    ----------
+    height_m, thickness_m : float
+        Size in the plane in which it rocks [m].
+    mass_kg : float, optional
+        Mass [kg]; the shock needs it.
+    width_m : float, optional
+        Horizontal size across the thickness [m].
+    base_width_m : float, optional
+        Distance between the two edges [m], if the feet are inset.
+    cg_height_m, cg_offset_m : float, optional
+        Centre of gravity: its height, and its distance to the right of the middle [m].
+    inertia_kg_m2 : float, optional
+        Moment of inertia about the left edge [kg m²]; needs the mass.
+    stiffness_n_m : float, optional
+        Stiffness of everything under one edge [N/m].
+    cushion : Cushion or path, optional
+        In place of `stiffness_n_m`.
+
+    Examples
+    --------
+    >>> cabinet = fs.Block(height_m=1.8, thickness_m=0.4, mass_kg=150, stiffness_n_m=4.38e6)
+    >>> print(f"{cabinet.uplift_threshold_g:.3f} g")
+    0.222 g
     """
 
     height_m: float
@@ -104,6 +152,7 @@ class Block:
     def __post_init__(self) -> None:
         for name in (*_SIZES, "stiffness_n_m"):
             object.__setattr__(self, name, plain(getattr(self, name)))
+        sizes_m(**{name: getattr(self, name) for name in _LENGTHS if getattr(self, name) is not None})
         values = given(**{name: getattr(self, name) for name in _SIZES}) | cushion_given(self.cushion, self.stiffness_n_m, None)
         object.__setattr__(self, "_body", _freestand.Body(values))
 
@@ -121,8 +170,13 @@ class Block:
         return self._body.slenderness_angle_rad
 
     @property
-    def frequency_rad_s(self) -> float:
+    def frequency_parameter_rad_s(self) -> float:
         """p: the frequency parameter, √(3g/4R) of a uniform block [rad/s]."""
+        return self._body.frequency_rad_s
+
+    @property
+    def frequency_rad_s(self) -> float:
+        """The earlier name of `frequency_parameter_rad_s`."""
         return self._body.frequency_rad_s
 
     @property
@@ -131,23 +185,39 @@ class Block:
         return self._body.restitution_ratio
 
     @property
-    def lift_acceleration_g(self) -> float:
+    def uplift_threshold_g(self) -> float:
         """Acceleration of the floor that lifts an edge [g]."""
         return self._body.lift_acceleration_g
 
+    @property
+    def lift_acceleration_g(self) -> float:
+        """The earlier name of `uplift_threshold_g`."""
+        return self._body.lift_acceleration_g
+
+    def _repr_html_(self) -> str:
+        import html
+
+        given = [(one.name, getattr(self, one.name)) for one in fields(self) if one.init]
+        derived = ("half_diagonal_m", "slenderness_angle_rad", "frequency_parameter_rad_s", "restitution_ratio", "uplift_threshold_g")
+        facts = [(name, str(value)) for name, value in given if value is not None]
+        facts += [(name, f"{getattr(self, name):.6g}") for name in derived]
+        rows = "".join(f"<tr><th>{name}</th><td>{html.escape(value)}</td></tr>" for name, value in facts)
+        return f"<table><caption>Block</caption><tbody>{rows}</tbody></table>"
+
     def rock(self, motion: Any = None, **options: Any) -> Any:
         """Its response to a motion: the same as `freestand.rock(block, motion, …)`."""
-        from ._requests import rock
+        from ._rocking import rock
 
         return rock(self, motion, **options)
 
     def shock(self, **options: Any) -> Any:
         """One landing: the same as `freestand.shock(block, …)`."""
-        from ._requests import shock
+        from ._rocking import shock
 
         return shock(self, **options)
 
 
+_LENGTHS = ("height_m", "thickness_m", "width_m", "base_width_m", "cg_height_m", "cg_offset_m")
 _SIZES = (
     "height_m", "thickness_m", "mass_kg", "width_m", "base_width_m", "cg_height_m", "cg_offset_m", "inertia_kg_m2",
 )  # fmt: skip
@@ -155,7 +225,25 @@ _SIZES = (
 
 @dataclass(frozen=True, kw_only=True)
 class Walls:
-    """Walls beside the object: gaps in m, 0 where they touch; None: no wall on this side."""
+    """Walls beside the object.
+
+    Parameters
+    ----------
+    left_m, right_m : float, optional
+        Gaps [m], 0 where they touch; None: no wall on this side.
+    height_m : float, optional
+        Height of the walls [m]; None: taller than the object.
+    restitution : float, optional
+        Angular velocity after an impact on a wall divided by the one before, 0 to below 1.
+    stiffness_n_m : float, optional
+        At the point of contact [N/m]; with the mass it gives the shock there.
+
+    Examples
+    --------
+    >>> result = fs.rock(fs.Block(1.8, 0.4), motion, walls=fs.Walls(left_m=0.02, restitution=0.5))
+    >>> result.wall_impact_count > 0
+    True
+    """
 
     left_m: float | None = None
     right_m: float | None = None
@@ -178,7 +266,26 @@ class Walls:
 
 @dataclass(frozen=True, kw_only=True)
 class Sliding:
-    """The object slides on its base, or stands on casters and rolls."""
+    """The object slides on its base, or stands on casters and rolls.
+
+    Parameters
+    ----------
+    friction, friction_kinetic : float, optional
+        Coefficient of friction at rest and while it slides, of the base or of braked wheels.
+    casters, brakes : bool, optional
+        Whether it stands on casters, and whether these are braked.
+    rolling_resistance : float, optional
+        Of free casters.
+    clearance_left_m, clearance_right_m : float, optional
+        Room beside it [m]: the time and the speed at which it is reached are reported.
+    stop_stiffness_n_m : float, optional
+        Of the stop at the end of the clearance [N/m]; with the mass it gives the shock there.
+
+    Examples
+    --------
+    >>> fs.rock(fs.Block(0.8, 0.6), motion.scale(3), sliding=fs.Sliding(friction=0.2)).outcome
+    'slid'
+    """
 
     #: Coefficient of friction at rest, of the base or of braked wheels.
     friction: float | None = None

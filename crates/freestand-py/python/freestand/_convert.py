@@ -283,3 +283,33 @@ def _write_csv(source: Any, path: str, name: str) -> None:
     else:
         kind = type(source).__name__
         raise bad(f"{name} cannot be of type {kind}", "give a path, or a table of pandas, polars or pyarrow")
+
+
+#: More than the cores of any machine today. Each thread takes memory, and a million threads take
+#: all of it.
+MAX_THREADS = 1024
+
+
+def threads_given(threads: Any) -> int | None:
+    """The number of threads; None: the default."""
+    return whole("threads", threads, 1, MAX_THREADS)
+
+
+#: The largest obelisk ever begun is 42 m long: a larger number was meant in other units.
+MOST_M = 50.0
+
+
+def sizes_m(**sizes: Any) -> None:
+    """Refuses sizes of an object that cannot be meters, such as millimeters or centimeters."""
+    for name, given_m in sizes.items():
+        try:
+            largest = float(np.max(np.abs(np.asarray(given_m, "f8")), initial=0.0))
+        except (TypeError, ValueError):
+            continue  # It is refused, as what it is, where it is read.
+        if np.isfinite(largest) and largest > MOST_M:
+            meant = largest / 1000 if largest >= 300 else largest / 100
+            unit = "mm" if largest >= 300 else "cm"
+            raise bad(
+                f"{name} is {largest:g} m: no free-standing object is so large",
+                f"give {name} in meters: {meant:g} if {largest:g} {unit} is meant",
+            )

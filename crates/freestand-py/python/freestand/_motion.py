@@ -12,35 +12,57 @@ from . import _freestand
 from ._convert import Array, Numbers, PathLike, bad, data, doubles, given, number, of_kind, path_text, paths_text, warn, words
 from ._results import MotionSpectrumResult
 
+#: The name of a motion that was given none; in a list with others it gets its number.
+UNNAMED = "motion"
+
 
 class Motion:
     """An acceleration history, equally spaced and linear between samples.
 
-    `accel_m_s2`: shape (n,), n ≥ 2, finite, in m/s², the first at t = 0; `dt_s`: time step in s.
+    Parameters
+    ----------
+    accel_m_s2 : array_like
+        Accelerations [m/s²], two or more, all finite, the first at t = 0.
+    dt_s : float
+        Time step [s].
+    name : str, optional
+        Its name in results. In a list, motions without a name are called "motion 1", "motion 2", …
+
+    Examples
+    --------
+    >>> fs.Motion([0, 1.5, -2, 0], dt_s=0.01, name="test")
+    <freestand.Motion test: 4 samples at 0.01 s, PGA 0.2039 g>
     """
 
-    __slots__ = ("_accel", "_record")
+    __slots__ = ("_accel", "_is_named", "_record")
 
     _record: _freestand.Record
     _accel: Array | None
+    _is_named: bool
 
     def __init__(self, accel_m_s2: Numbers, dt_s: float, name: str | None = None) -> None:
         if accel_m_s2 is None:
             raise bad("accel_m_s2 is None", "give the accelerations as a list or an array of numbers")
         of_kind("name", name, str, "a string")
         samples = doubles("accel_m_s2", accel_m_s2).tobytes()
-        self._record = _freestand.Record(samples, number("dt_s", dt_s), "motion" if name is None else name)
-        self._accel = None
+        self._record = _freestand.Record(samples, number("dt_s", dt_s), UNNAMED if name is None else name)
+        self._accel, self._is_named = None, name is not None
 
     @classmethod
-    def _of(cls, record: _freestand.Record) -> Motion:
+    def _of(cls, record: _freestand.Record, is_named: bool = True) -> Motion:
         motion = cls.__new__(cls)
-        motion._record, motion._accel = record, None
+        motion._record, motion._accel, motion._is_named = record, None, is_named
         return motion
 
     @classmethod
-    def _restored(cls, accel: bytes, dt_s: float, name: str, notes: list[str], processing: list[str]) -> Motion:
-        return cls._of(_freestand.Record(accel, dt_s, name, notes, processing))
+    def _restored(
+        cls, accel: bytes, dt_s: float, name: str, notes: list[str], processing: list[str], is_named: bool = True
+    ) -> Motion:
+        return cls._of(_freestand.Record(accel, dt_s, name, notes, processing), is_named)
+
+    def _called(self, name: str) -> Motion:
+        """The same motion under another name."""
+        return Motion._restored(self._record.accel(), self.dt_s, name, self.warnings, self.processing)
 
     @classmethod
     def from_obspy(cls, trace: Any, unit: str | None = None) -> Motion:
@@ -71,7 +93,7 @@ class Motion:
         if len(steps) == 0 or not np.allclose(steps, steps[0], rtol=1e-6, atol=0.0):
             raise bad("the times are not equally spaced", "resample the array first")
         dt_s = float((seconds[-1] - seconds[0]) / len(steps))
-        name = "motion" if array.name is None else str(array.name)
+        name = None if array.name is None else str(array.name)
         return cls(np.asarray(array.values, "f8") * _freestand.acceleration_unit(str(unit)), dt_s, name)
 
     @property
@@ -145,11 +167,11 @@ class Motion:
             filter_order=filter_order, resample_s=resample_s, scale=scale, scale_to_g=scale_to_g,
             scale_to_sa=scale_to_sa, scale_to_spectrum=scale_to_spectrum,
         )  # fmt: skip
-        return Motion._of(self._record.process(given(words=keys)))
+        return Motion._of(self._record.process(given(words=keys)), self._is_named)
 
     def scale(self, factor: float) -> Motion:
         """A copy with every sample multiplied by `factor`."""
-        return Motion._of(self._record.scaled(number("factor", factor)))
+        return Motion._of(self._record.scaled(number("factor", factor)), self._is_named)
 
     def write(self, path: PathLike) -> None:
         """Writes the motion as `.csv` (to the last bit) or `.at2` (8 digits)."""
@@ -165,8 +187,15 @@ class Motion:
         return len(self.accel_m_s2)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        parts = (self._record.accel(), self.dt_s, self.name, self.warnings, self.processing)
+        parts = (self._record.accel(), self.dt_s, self.name, self.warnings, self.processing, self._is_named)
         return Motion._restored, parts
+
+    def _repr_html_(self) -> str:
+        import html
+
+        facts = [("name", self.name), ("samples", str(len(self))), ("dt_s", f"{self.dt_s:g}"), ("pga_g", f"{self.pga_g:.4g}")]
+        rows = "".join(f"<tr><th>{key}</th><td>{html.escape(value)}</td></tr>" for key, value in facts)
+        return f"<table><caption>Motion</caption><tbody>{rows}</tbody></table>"
 
     def __repr__(self) -> str:
         return f"<freestand.Motion {self.name}: {len(self)} samples at {self.dt_s:g} s, PGA {self.pga_g:.4g} g>"
@@ -192,10 +221,36 @@ def read_motions(
     scale_to_sa: str | None = None,
     scale_to_spectrum: str | None = None,
 ) -> list[Motion]:
-    """Motions from record files: a pattern such as `"floor/*.csv"` (sorted by name), or paths.
+    """Motions from record files, whose format is recognised by the content.
 
-    The format is recognised by the content. `unit` and `dt_s` are for files that do not state them;
-    `component` is a name or a number from 1. The other arguments process the motions: docs/records.md.
+    Parameters
+    ----------
+    paths : path or iterable of path
+        A pattern such as "floor/*.csv" (sorted by name), or paths.
+    unit : str, optional
+        Unit of acceleration of files that do not state it: "g", "m/s2", "gal", …
+    dt_s : float, optional
+        Time step of files that do not state it [s].
+    component : str or int, optional
+        Component to read, by its name or its number from 1.
+    scale : float, optional
+        Factor that multiplies the samples.
+    station_xml : path, optional
+        StationXML file with the sensitivity of a miniSEED file.
+    keep_mean : bool, optional
+        Whether the mean of raw records stays.
+    azimuth_deg, baseline, taper_ratio, low_cut_hz, high_cut_hz, filter_order, resample_s, scale_to_g, scale_to_sa, scale_to_spectrum : optional
+        Processing, in this order: docs/records.md.
+
+    Returns
+    -------
+    list of Motion
+        One for each file.
+
+    Examples
+    --------
+    >>> [motion.name for motion in fs.read_motions("validation/rocking/records/synthfloor.cs*")]
+    ['synthfloor']
     """
     if isinstance(paths, str | os.PathLike):
         import glob
@@ -225,5 +280,49 @@ def read_motion(
     component: str | int | None = None,
     **processing: Any,
 ) -> Motion:
-    """The motion of one record file; the arguments are those of `read_motions`."""
+    """The motion of one record file.
+
+    Parameters
+    ----------
+    path : path
+        The file.
+    unit, dt_s, component, **processing : optional
+        As in `read_motions`.
+
+    Returns
+    -------
+    Motion
+        The motion, named as its file.
+
+    Examples
+    --------
+    >>> fs.read_motion("validation/rocking/records/synthfloor.csv", scale=3.5)
+    <freestand.Motion synthfloor: 4801 samples at 0.005 s, PGA 0.3569 g>
+    """
     return read_motions([path], unit, dt_s, component, **processing)[0]
+
+
+def record(name: str, motion: Motion) -> _freestand.Record:
+    """The samples of a motion; `name` is its argument."""
+    if not isinstance(motion, Motion):
+        kind = type(motion).__name__
+        raise bad(f"{name} must be a freestand.Motion, not {kind}", "make one: Motion(accel_m_s2, dt_s), or read_motion(path)")
+    return motion._record
+
+
+def several(motions: Motion | Iterable[Motion], name: str = "motions") -> list[Motion]:
+    """One motion or a list of them, whose names differ: those without one get their number."""
+    if not isinstance(motions, Motion | Iterable):
+        record(name, motions)
+    found = [motions] if isinstance(motions, Motion) else list(motions)
+    for motion in found:
+        record(name, motion)
+    if not found:
+        raise bad(f"there is no motion in {name}", "give at least one")
+    if len(found) > 1:
+        found = [one if one._is_named else one._called(f"{UNNAMED} {i}") for i, one in enumerate(found, 1)]
+    names = [motion.name for motion in found]
+    twice = next((one for one in names if names.count(one) > 1), None)
+    if twice is not None:
+        raise bad(f"two motions of {name} are called {twice}", "give them names: Motion(accel_m_s2, dt_s, name)")
+    return found

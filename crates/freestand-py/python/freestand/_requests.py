@@ -3,37 +3,26 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias, TypedDict
-
-import numpy as np
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from . import _freestand
-from ._block import Block, Cushion, Sliding, Walls, cushion_given
-from ._convert import Numbers, PathLike, bad, data, given, of_kind, path_text, paths_text, removed_on_failure, warn
+from ._convert import Numbers, PathLike, bad, data, given, path_text, removed_on_failure, sizes_m, threads_given
 from ._convert import inventory as as_file
 from ._convert import study as study_given
-from ._convert import whole, words
-from ._motion import Motion
+from ._convert import warn, words
+from ._ground import TargetArguments, target_words
+from ._motion import Motion, several
 from ._results import (
     AssessResult,
-    CodeSpectrumResult,
-    DropTestResult,
-    FloorResult,
     FragilityResult,
     InventoryCheck,
     ObjectResult,
     RestrainResult,
     RiskResult,
-    RockResult,
     RunResult,
-    ShockResult,
-    ShockSpectrumResult,
-    StaticTestResult,
-    SynthResult,
     ValidateResult,
 )
-from ._table import Table, _Column
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -41,464 +30,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 Progress: TypeAlias = Callable[[str, int, int], object]
-Files: TypeAlias = "PathLike | Iterable[PathLike]"
 Study: TypeAlias = "PathLike | Mapping[str, Any]"
-
-
-def rock(
-    block: Block,
-    motion: Motion | None = None,
-    *,
-    vertical: Motion | None = None,
-    restitution: float | None = None,
-    restitution_factor: float | None = None,
-    model: str | None = None,
-    accuracy: str | None = None,
-    base: str | None = None,
-    initial_rotation_rad: float | None = None,
-    initial_velocity_rad_s: float | None = None,
-    duration_s: float | None = None,
-    history: bool = False,
-    walls: Walls | None = None,
-    sliding: Sliding | None = None,
-    friction: float | None = None,
-    gravity_m_s2: float | None = None,
-    cg_rise_m: float | None = None,
-    contacts: int | None = None,
-    at_m: tuple[float, float] | None = None,
-    tangential_stiffness_n_m: float | None = None,
-    tangential_ratio: float | None = None,
-) -> RockResult:
-    """How an object responds to a motion of its floor.
-
-    `restitution` in (0, 1] replaces Housner's ratio, `restitution_factor` multiplies it; `model` is
-    "rigid" (default) or "linear", `accuracy` "fast", "standard" (default) or "tight". Without a motion give
-    `initial_rotation_rad` or `initial_velocity_rad_s`, and `duration_s`; after the last sample the floor
-    does not move. `base="compliant"` follows the object on its cushions (`cg_rise_m`, `contacts`, `at_m`,
-    `tangential_…` apply to it alone); `sliding` follows an object that slides or rolls. With
-    `history=True` the result has arrays over time.
-    """
-    _check_block(block)
-    of_kind("walls", walls, Walls, "a freestand.Walls")
-    of_kind("sliding", sliding, Sliding, "a freestand.Sliding")
-    of_kind("history", history, (bool, np.bool_), "True or False")
-    history = bool(history)
-    record = None if motion is None else _record("motion", motion)
-    upward = None if vertical is None else _record("vertical", vertical)
-    values: dict[str, Any] = {}
-    for name, value in (
-        ("restitution", restitution), ("restitution_factor", restitution_factor), ("model", model),
-        ("accuracy", accuracy), ("base", base), ("initial_rotation_rad", initial_rotation_rad),
-        ("initial_velocity_rad_s", initial_velocity_rad_s), ("duration_s", duration_s), ("friction", friction),
-        ("gravity_m_s2", gravity_m_s2), ("cg_rise_m", cg_rise_m), ("contacts", contacts), ("at_m", at_m),
-        ("tangential_stiffness_n_m", tangential_stiffness_n_m), ("tangential_ratio", tangential_ratio),
-    ):  # fmt: skip
-        if value is not None:
-            values[name] = value
-    if base != "compliant":
-        for name in _COMPLIANT:
-            if name in values:
-                raise bad(f"{name} applies only to a compliant base", 'add base="compliant", or leave it out')
-    if walls is not None:
-        values |= walls._given()
-    found = None if sliding is None else _freestand.rock(block._body, record, upward, values | _slid(sliding, walls), history)
-    if found is None:
-        # An object that does not slide, or stands on braked casters that hold.
-        found = _freestand.rock(block._body, record, upward, values, history)
-    else:
-        for name in _OF_ROCKING:
-            if name in values:
-                raise bad(f"{name} applies only to an object that rocks, and this one slides or rolls", "leave it out")
-    assert found is not None
-    warn(found[1])
-    return RockResult(*found, motion)
-
-
-_COMPLIANT = ("cg_rise_m", "contacts", "at_m", "tangential_stiffness_n_m", "tangential_ratio")
-_OF_ROCKING = ("restitution", "restitution_factor", "model", "base", "initial_rotation_rad", "initial_velocity_rad_s")
-
-
-def _check_block(block: Block) -> None:
-    if not isinstance(block, Block):
-        raise bad(f"block must be a freestand.Block, not {type(block).__name__}", "make one: Block(height_m, thickness_m)")
-
-
-def _slid(sliding: Sliding, walls: Walls | None) -> dict[str, Any]:
-    if walls is not None:
-        raise bad("walls apply only to an object that rocks", "give the room as clearance_left_m and clearance_right_m")
-    return sliding._given() | {"sliding": True}
-
-
-def _record(name: str, motion: Motion) -> _freestand.Record:
-    if not isinstance(motion, Motion):
-        kind = type(motion).__name__
-        raise bad(f"{name} must be a freestand.Motion, not {kind}", "make one: Motion(accel_m_s2, dt_s), or read_motion(path)")
-    return motion._record
-
-
-def _motions(motions: Motion | Iterable[Motion], name: str = "motions") -> list[Motion]:
-    if not isinstance(motions, Motion | Iterable):
-        _record(name, motions)
-    found = [motions] if isinstance(motions, Motion) else list(motions)
-    for motion in found:
-        _record(name, motion)
-    if not found:
-        raise bad(f"there is no motion in {name}", "give at least one")
-    return found
-
-
-#: More than the cores of any machine today. Each thread takes memory, and a million threads take
-#: all of it.
-MAX_THREADS = 1024
-
-
-def _threads(threads: Any) -> int | None:
-    return whole("threads", threads, 1, MAX_THREADS)
-
-
-def spectrum(
-    motions: Motion | Iterable[Motion],
-    heights_m: Numbers,
-    thicknesses_m: Numbers,
-    *,
-    mass_kg: float | None = None,
-    stiffness_n_m: float | None = None,
-    cushion: Cushion | DropTestResult | PathLike | None = None,
-    pairs: bool = False,
-    vertical: Motion | Iterable[Motion] | None = None,
-    restitution: float | None = None,
-    restitution_factor: float | None = None,
-    model: str | None = None,
-    accuracy: str | None = None,
-    walls: Walls | None = None,
-    sliding: Sliding | None = None,
-    sensitivity: bool = False,
-    threads: int | None = None,
-) -> Table:
-    """Uplift and shock of a grid of uniform objects under each motion.
-
-    Rows in the order motion, height, thickness: all combinations of `heights_m` and `thicknesses_m` [m],
-    or with `pairs=True` one object for each (height, thickness) pair. The shock needs `mass_kg` and
-    `stiffness_n_m` (of everything under one edge) or a cushion. `threads`: one per core by default; the
-    result does not depend on it.
-    """
-    named = _motions(motions)
-    of_kind("walls", walls, Walls, "a freestand.Walls")
-    of_kind("sliding", sliding, Sliding, "a freestand.Sliding")
-    upward = [] if vertical is None else _motions(vertical, "vertical")
-    if upward and len(upward) != len(named):
-        raise bad(f"vertical has {len(upward)} motions, motions {len(named)}", "give one for each, in the same order")
-    values = given(
-        heights_m=data("heights_m", heights_m), thicknesses_m=data("thicknesses_m", thicknesses_m), mass_kg=mass_kg,
-        pairs=pairs or None, restitution=restitution, restitution_factor=restitution_factor, model=model,
-        accuracy=accuracy, sensitivity=sensitivity or None,
-    )  # fmt: skip
-    values |= cushion_given(cushion, stiffness_n_m, None)
-    if walls is not None:
-        values |= walls._given()
-    if sliding is not None:
-        values |= _slid(sliding, None)
-    verticals: Sequence[Motion | None] = upward or [None] * len(named)
-    records = [
-        (motion.name, motion._record, None if second is None else _record("vertical", second))
-        for motion, second in zip(_unique(named), verticals)
-    ]
-    columns, warnings, timing = _freestand.spectrum(records, values, _threads(threads))
-    if pairs:
-        dims: tuple[str, ...] = ("motion", "object")
-        shape: tuple[int, ...] = (len(named), len(values["heights_m"]) // 8)
-    else:
-        dims = ("motion", "height_m", "thickness_m")
-        shape = (len(named), len(values["heights_m"]) // 8, len(values["thicknesses_m"]) // 8)
-    table = Table({name: _Column(kind, held, texts) for name, kind, held, texts in columns}, dims, shape)
-    table.warnings = warnings
-    table.timing = {"solve_s": timing[0], "block_steps": timing[1]}
-    warn(warnings)
-    return table
-
-
-def _unique(motions: list[Motion]) -> list[Motion]:
-    """The motions, whose names must differ."""
-    names = [motion.name for motion in motions]
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise bad(f"two motions are called {twice}", "give them names: Motion(accel_m_s2, dt_s, name)")
-    return motions
-
-
-def shock(
-    block: Block,
-    *,
-    cg_rise_m: float | None = None,
-    uplift_m: float | None = None,
-    rotation_rad: float | None = None,
-    angular_velocity_rad_s: float | None = None,
-    stiffness_n_m: float | None = None,
-    cushion: Cushion | DropTestResult | PathLike | None = None,
-    pads_per_edge: int | None = None,
-    drop_acceleration_g: float | None = None,
-    contact_stiffness_n_m: float | None = None,
-    scenario: str | None = None,
-    model: str | None = None,
-    gap_m: float | None = None,
-    obstacle_height_m: float | None = None,
-    at_m: tuple[float, float] | None = None,
-    friction: float | None = None,
-    gravity_m_s2: float | None = None,
-    tolerance_g: float | None = None,
-    tolerance_duration_s: float | None = None,
-    tolerance_velocity_change_m_s: float | None = None,
-    tolerance_edge_lift_m: float | None = None,
-    component_frequency_hz: float | None = None,
-    component_capacity_g: float | None = None,
-    damage_boundary: PathLike | None = None,
-) -> ShockResult:
-    """The shock of one landing, from one of `cg_rise_m`, `uplift_m`, `rotation_rad`, `angular_velocity_rad_s`.
-
-    The cushion is that of the block, or `stiffness_n_m` or `cushion` given here (a drop test or a
-    cushion file is of one pad, and needs `pads_per_edge`). `scenario`: rocking (default), halted,
-    overturn-floor, overturn-obstacle. With `tolerance_g` the result has a verdict.
-    """
-    _check_block(block)
-    values = given(
-        cg_rise_m=cg_rise_m, uplift_m=uplift_m, rotation_rad=rotation_rad,
-        angular_velocity_rad_s=angular_velocity_rad_s, drop_acceleration_g=drop_acceleration_g,
-        contact_stiffness_n_m=contact_stiffness_n_m, scenario=scenario, model=model, gap_m=gap_m,
-        obstacle_height_m=obstacle_height_m, at_m=at_m, friction=friction, gravity_m_s2=gravity_m_s2,
-        tolerance_g=tolerance_g, tolerance_duration_s=tolerance_duration_s,
-        tolerance_velocity_change_m_s=tolerance_velocity_change_m_s, tolerance_edge_lift_m=tolerance_edge_lift_m,
-        component_frequency_hz=component_frequency_hz, component_capacity_g=component_capacity_g,
-        damage_boundary=damage_boundary,
-    )  # fmt: skip
-    values |= cushion_given(cushion, stiffness_n_m, pads_per_edge)
-    result = ShockResult._of(_freestand.shock(block._body, values))
-    warn(result.warnings)
-    return result
-
-
-def _files(files: Files) -> list[str]:
-    found = paths_text("files", files)
-    if not found:
-        raise bad("files names no file", "give the file of at least one test")
-    return found
-
-
-def drop_test(
-    files: Files,
-    *,
-    mass_kg: float | None = None,
-    height_m: float | None = None,
-    impact_velocity_m_s: float | None = None,
-    velocity_error_ratio: float | None = None,
-    law: str | None = None,
-    pad_thickness_m: float | None = None,
-    impactor: str | None = None,
-    sphere_radius_m: float | None = None,
-    boundary: str | None = None,
-    corner_hz: float | None = None,
-    gravity_m_s2: float | None = None,
-    inverted: bool = False,
-    unit: str | None = None,
-    dt_s: float | None = None,
-    component: str | None = None,
-    seed: int | None = None,
-) -> DropTestResult:
-    """The stiffness of a pad with its 95 % interval, from accelerations of a mass dropped on it.
-
-    Each file has columns of time and acceleration with their units. `mass_kg`, and `height_m` or
-    `impact_velocity_m_s`, replace what the files state.
-    """
-    values = given(
-        files=_files(files), mass_kg=mass_kg, height_m=height_m, impact_velocity_m_s=impact_velocity_m_s,
-        velocity_error_ratio=velocity_error_ratio, law=law, pad_thickness_m=pad_thickness_m, impactor=impactor,
-        sphere_radius_m=sphere_radius_m, boundary=boundary, corner_hz=corner_hz, gravity_m_s2=gravity_m_s2,
-        inverted=inverted or None, unit=unit, dt_s=dt_s, component=component, seed=seed,
-    )  # fmt: skip
-    text, toml, loops = _freestand.drop_test(values)
-    result = DropTestResult(json.loads(text), toml, loops)
-    warn(result.warnings)
-    return result
-
-
-def static_test(
-    files: Files,
-    *,
-    load_n: float | None = None,
-    machine_stiffness_n_m: float | None = None,
-    cut_toe: bool | None = None,
-    impactor: str | None = None,
-    boundary: str | None = None,
-    dynamic_stiffness_n_m: float | None = None,
-) -> StaticTestResult:
-    """The static stiffness of a pad, from files with columns of force and displacement."""
-    values = given(
-        files=_files(files), load_n=load_n, machine_stiffness_n_m=machine_stiffness_n_m, cut_toe=cut_toe,
-        impactor=impactor, boundary=boundary, dynamic_stiffness_n_m=dynamic_stiffness_n_m,
-    )  # fmt: skip
-    result = StaticTestResult._of(_freestand.static_test(values))
-    warn(result.warnings)
-    return result
-
-
-def shock_spectrum(
-    accel: Motion | Numbers,
-    dt_s: float | None = None,
-    frequencies_hz: Numbers | None = None,
-    *,
-    damping_ratio: float | None = None,
-    q: float | None = None,
-    kind: str | None = None,
-    peak: str | None = None,
-    upsample: bool | None = None,
-) -> ShockSpectrumResult:
-    """Shock response spectrum (ISO 18431-4) of a motion, or of accelerations [m/s²] at steps of `dt_s` [s].
-
-    `kind`: absolute-acceleration (default), relative-displacement, pseudo-velocity; `peak`: maximax
-    (default), positive, negative, primary, residual; `damping_ratio` 5 % by default, or `q`.
-    """
-    if isinstance(accel, Motion):
-        motion = accel
-        if dt_s is not None:
-            raise bad("dt_s is that of the motion", "leave it out")
-    elif dt_s is None:
-        raise bad("an array needs its time step", "give dt_s in seconds")
-    else:
-        motion = Motion(accel, dt_s)
-    values = given(
-        frequencies_hz=data("frequencies_hz", frequencies_hz), damping_ratio=damping_ratio, q=q, kind=kind, peak=peak,
-        upsample=upsample,
-    )  # fmt: skip
-    result = ShockSpectrumResult._of(_freestand.shock_spectrum(motion._record, values))
-    warn(result.warnings)
-    return result
-
-
-class TargetArguments(TypedDict, total=False):
-    """The target spectrum of a code, a place or a file: docs/codes.md has the values that each code needs."""
-
-    #: as1170.4 (default), eurocode8, asce7, nzs1170.5.
-    code: str | None
-    edition: int | str | None
-    site: str | None
-    #: Brings its code and its hazard.
-    place: str | None
-    city: str | None
-    hazard_factor: float | None
-    return_period_years: float | None
-    fault_distance_m: float | None
-    spectrum_type: int | None
-    ground_acceleration_g: float | None
-    importance_factor: float | None
-    soil_factor: float | None
-    corner_periods_s: Sequence[float] | None
-    sds_g: float | None
-    sd1_g: float | None
-    ss_g: float | None
-    s1_g: float | None
-    fa: float | None
-    fv: float | None
-    long_period_s: float | None
-    #: A file in place of a code.
-    spectrum: PathLike | None
-    interpolation: str | None
-    beyond: str | None
-
-
-def _target(arguments: Mapping[str, Any]) -> dict[str, Any] | None:
-    known = TargetArguments.__annotations__
-    unknown = next((name for name in arguments if name not in known), None)
-    if unknown is not None:
-        raise TypeError(f"unexpected argument {unknown!r}; those of a target are {', '.join(known)}")
-    return words(**arguments)
-
-
-def code_spectrum(
-    periods_s: Numbers | None = None,
-    *,
-    parts: bool = False,
-    building_height_m: float | None = None,
-    building_period_s: float | None = None,
-    **target: Unpack[TargetArguments],
-) -> CodeSpectrumResult:
-    """The elastic response spectrum of a design code for 5 % damping: `periods_s`, `sa_g`.
-
-    `code` is as1170.4 (default), eurocode8, asce7 or nzs1170.5, with `edition, site, place, city,
-    hazard_factor, return_period_years` and further values of the codes: `fault_distance_m, spectrum_type,
-    ground_acceleration_g, importance_factor, soil_factor, corner_periods_s, sds_g, sd1_g, ss_g, s1_g, fa, fv,
-    long_period_s`, and `spectrum` (a file), `interpolation`, `beyond`: docs/codes.md. With `parts=True` also
-    the accelerations of rigid parts.
-    """
-    values = given(
-        words=_target(target), periods_s=data("periods_s", periods_s), parts=parts or None, building_height_m=building_height_m,
-        building_period_s=building_period_s,
-    )  # fmt: skip
-    result = CodeSpectrumResult._of(_freestand.code_spectrum(values))
-    warn(result.warnings)
-    return result
-
-
-def synth(
-    count: int | None = None,
-    *,
-    seed: int | None = None,
-    time_step_s: float | None = None,
-    shaking_s: float | None = None,
-    envelope_s: float | None = None,
-    match_pga: bool = False,
-    threads: int | None = None,
-    **target: Unpack[TargetArguments],
-) -> SynthResult:
-    """Synthetic motions that fit the spectrum of a code (see `code_spectrum`): `records` are Motions."""
-    values = given(
-        words=_target(target), count=count, seed=seed, time_step_s=time_step_s, shaking_s=shaking_s, envelope_s=envelope_s,
-        match_pga=match_pga or None,
-    )  # fmt: skip
-    text, records = _freestand.synth(values, _threads(threads))
-    result = SynthResult(json.loads(text), [Motion._of(record) for record in records])
-    warn(result.warnings)
-    return result
-
-
-def floor(
-    motions: Motion | Iterable[Motion],
-    *,
-    levels: Numbers | None = None,
-    every_floor: bool = False,
-    storeys: int | None = None,
-    storey_height_m: float | None = None,
-    building_height_m: float | None = None,
-    period_s: float | None = None,
-    frame: str | None = None,
-    period_code: str | None = None,
-    damping_ratio: float | None = None,
-    shear_flexure: float | None = None,
-    modes: int | None = None,
-    storey_table: PathLike | None = None,
-    mode_table: PathLike | None = None,
-    tail_s: float | None = None,
-    upsample: int | None = None,
-    threads: int | None = None,
-    **target: Unpack[TargetArguments],
-) -> FloorResult:
-    """How the floors of a building move: `floors[i][j]` is the motion of level j under motion i.
-
-    `levels` are shares of the height, 0 to 1 (default 0.5 and 1); `every_floor=True` takes all floors. A
-    code (see `code_spectrum`) adds its accelerations of rigid parts for comparison.
-    """
-    building = words(
-        storeys=storeys, storey_height_m=storey_height_m, building_height_m=building_height_m, period_s=period_s,
-        frame=frame, period_code=period_code, damping_ratio=damping_ratio, shear_flexure=shear_flexure, modes=modes,
-        storey_table=storey_table, mode_table=mode_table,
-    )  # fmt: skip
-    values = given(
-        building=building, target=_target(target), levels=data("levels", levels), every_floor=every_floor or None, tail_s=tail_s,
-        upsample=upsample,
-    )  # fmt: skip
-    records = [motion._record for motion in _motions(motions)]
-    text, floors = _freestand.floor(records, values, _threads(threads))
-    result = FloorResult(json.loads(text), [[Motion._of(record) for record in one] for one in floors])
-    warn(result.warnings)
-    return result
 
 
 def check_object(
@@ -506,6 +38,7 @@ def check_object(
     thickness_m: float,
     *,
     width_m: float | None = None,
+    shape: str | None = None,
     cg_height_m: float | None = None,
     mass_kg: float | None = None,
     stiffness_n_m: float | None = None,
@@ -541,18 +74,71 @@ def check_object(
 ) -> ObjectResult:
     """Whether an earthquake rocks one object and whether it falls over: `answer` is one sentence.
 
-    Name the earthquake in one of four ways: `place`, `pga_g` (of the ground), `study` (a path, TOML text or
-    a dictionary), or `motions` of its floor. With a study, `place` (with `site` and `return_period_years`)
-    replaces the hazard of the study and keeps its building. A study that states no hazard has that of the
-    built-in study, Melbourne; `answer` names the place that was used. `cushion` is an entry of the cushion
-    library. `friction` is one value or the two ends of a range. `wall_gap_m` is behind the object and
-    `neighbour_gap_m` on both sides of it; 0 means that they touch. `casters` is "no", "free" or "braked".
-    `upper_…` describe the object on top of this one.
+    Name the earthquake in one of four ways: `place`, `pga_g`, `study`, or `motions`. With a study, `place`
+    (with `site` and `return_period_years`) replaces the hazard of the study and keeps its building. A study
+    that states no hazard has that of the built-in study, Melbourne: `place_is_assumed` is then true, and `answer`
+    names the place. An empty one is refused.
+
+    Parameters
+    ----------
+    height_m, thickness_m : float
+        Size of the object in the direction in which it rocks [m].
+    width_m, cg_height_m, mass_kg : float, optional
+        Size across the thickness [m], height of the centre of gravity [m], mass [kg].
+    shape : str, optional
+        "box" or "cylinder", of which `thickness_m` is the diameter; a cylinder is never said to stand.
+    stiffness_n_m : float, optional
+        Stiffness of everything under one edge [N/m].
+    cushion : str, optional
+        An entry of the cushion library, in place of `stiffness_n_m`.
+    tolerance_g, tolerance_duration_s : float, optional
+        Shock that it withstands [g], and the duration of the pulse [s].
+    place, site : str, optional
+        A place with the hazard of its code, and the class of its site.
+    return_period_years : float, optional
+        Return period of the hazard [years].
+    pga_g : float, optional
+        Peak acceleration of the ground [g].
+    study : path, str or dict, optional
+        A study: its path, its TOML text, or a dictionary of its tables.
+    motions : Motion or iterable of Motion, optional
+        Motions of the floor under the object.
+    scales : array_like, optional
+        Factors by which `motions` are multiplied, one answer for each.
+    floor, level_ratio : optional
+        Where it stands: the name or number of a floor, or the height divided by that of the building.
+    storeys, storey_height_m : optional
+        The building: number of storeys and height of a storey [m].
+    friction : float or tuple of float, optional
+        Coefficient of friction: one value, or the two ends of a range.
+    wall_gap_m, neighbour_gap_m : float, optional
+        Gap behind the object, and on both sides of it [m]; 0 means that they touch.
+    wall_height_m, wall_stiffness_n_m, wall_restitution : float, optional
+        Of these walls.
+    casters : str, optional
+        "no", "free" or "braked".
+    rolling_resistance, clearance_m : float, optional
+        Of an object on casters: its rolling resistance, and the room beside it [m].
+    upper_height_m, upper_thickness_m, upper_mass_kg : float, optional
+        The object on top of this one.
+    worlds, seed, threads : int, optional
+        Number of draws of all that is uncertain, seed of the random numbers, number of threads.
+
+    Returns
+    -------
+    ObjectResult
+        `answer`, `p_overturn` with its interval, `floor_acceleration_g` and more.
+
+    Examples
+    --------
+    >>> fs.check_object(1.8, 0.5, motions=motion.scale(3.5)).motions_lifted
+    1
     """
-    named = [] if motions is None else _motions(motions)
+    named = [] if motions is None else several(motions)
+    sizes_m(height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, upper_height_m=upper_height_m)
     values = given(
-        height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, mass_kg=mass_kg,
-        stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
+        height_m=height_m, thickness_m=thickness_m, width_m=width_m, shape=shape, cg_height_m=cg_height_m,
+        mass_kg=mass_kg, stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
         tolerance_duration_s=tolerance_duration_s,
         hazard=words(place=place, site=site, return_period_years=return_period_years), pga_g=pga_g,
         scales=data("scales", scales), floor=None if floor is None else str(floor), level_ratio=level_ratio,
@@ -563,7 +149,7 @@ def check_object(
         upper_mass_kg=upper_mass_kg, worlds=worlds, seed=seed,
     )  # fmt: skip
     records = [motion._record for motion in named]
-    result = ObjectResult._of(_freestand.check_object(records, values | study_given(study), _threads(threads)))
+    result = ObjectResult._of(_freestand.check_object(records, values | study_given(study), threads_given(threads)))
     warn(result.warnings)
     return result
 
@@ -587,23 +173,63 @@ def restrain(
     resonance_ratio: float | None = None,
     strength_ratio: float | None = None,
     building_ductility_ratio: float | None = None,
+    component: str | None = None,
+    anchor_inset_m: float | None = None,
     anchors_per_edge: int | None = None,
     compare: bool = False,
     **target: Unpack[TargetArguments],
 ) -> RestrainResult:
     """The force that the code asks of a restraint, and what it asks of the anchors.
 
-    The hazard is one of `place`, `code` with its values (see `code_spectrum`), `study` or
-    `floor_acceleration_g`. `save(path)` writes a sheet to print.
+    The hazard is one of `place`, `code` with its values, `study` and `floor_acceleration_g`.
+
+    Parameters
+    ----------
+    mass_kg, height_m, thickness_m : float
+        The object [kg, m].
+    width_m, cg_height_m : float, optional
+        Size across the thickness and height of the centre of gravity [m].
+    study : path, str or dict, optional
+        A study, whose hazard and building are used.
+    floor_acceleration_g : float, optional
+        Acceleration of the floor [g], in place of a code.
+    floor, level_ratio : optional
+        Where it stands: the name or number of a floor, or the height divided by that of the building.
+    storeys, storey_height_m : optional
+        The building: number of storeys and height of a storey [m].
+    importance_ratio, amplification_ratio, response_ratio, resonance_ratio, strength_ratio, building_ductility_ratio : float, optional
+        Factors of the clause, in place of its usual values: docs/codes.md.
+    component : str, optional
+        What the object is in the tables of ASCE 7, such as "generator".
+    anchor_inset_m : float, optional
+        Distance of the anchors from the edge that they hold down [m].
+    anchors_per_edge : int, optional
+        Number of anchors that share the tension.
+    compare : bool, default False
+        Whether `others` has the forces by the other codes.
+    **target
+        The hazard of a code: `TargetArguments`, see `code_spectrum`.
+
+    Returns
+    -------
+    RestrainResult
+        `force_n`, `anchor_tension_n` and more; `to_confirm` lists what an engineer has to confirm before the sheet is signed,
+        and `save(path)` writes that sheet to print.
+
+    Examples
+    --------
+    >>> print(f"{fs.restrain(360, 1.8, 0.6, floor_acceleration_g=0.5).force_n:.0f}")
+    1765
     """
+    sizes_m(height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m)
     values = given(
         mass_kg=mass_kg, height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m,
-        hazard=_target(target),
+        hazard=target_words(target),
         floor_acceleration_g=floor_acceleration_g, floor=None if floor is None else str(floor),
         level_ratio=level_ratio, storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio,
         amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
         strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
-        anchors_per_edge=anchors_per_edge, compare=compare or None,
+        component=component, anchor_inset_m=anchor_inset_m, anchors_per_edge=anchors_per_edge, compare=compare or None,
     )  # fmt: skip
     text, sheet = _freestand.restrain(values | study_given(study))
     result = RestrainResult(json.loads(text), sheet)
@@ -625,8 +251,35 @@ def check_inventory(
 ) -> InventoryCheck:
     """How a list of objects is understood, with all its problems.
 
-    A path (CSV, XLSX), or a table of pandas, polars or pyarrow with the headings of a file. `marked_copy`
-    is a file (XLSX) to write: the list with a note at each cell that has a problem.
+    Parameters
+    ----------
+    inventory : path or table
+        A file (CSV, XLSX), or a table of pandas, polars or pyarrow with the headings of a file.
+    sheet : str, optional
+        Sheet of a workbook.
+    columns : path, optional
+        Mapping file (TOML) that says what columns, floors and numbers of the list mean.
+    storeys : int, optional
+        Number of storeys, to place floors by their numbers.
+    strict : bool, default False
+        Whether every doubt is an error.
+    study : path, str or dict, optional
+        A study, whose building and libraries are used.
+    library, cushion_library : path, optional
+        Your own libraries of tolerances and cushions (CSV).
+    marked_copy : path, optional
+        File (XLSX) to write: the list with a note at each cell that has a problem.
+
+    Returns
+    -------
+    InventoryCheck
+        `ok`, `objects`, `columns`, `problems`; `table` in SI units.
+
+    Examples
+    --------
+    >>> found = fs.check_inventory("examples/hospital/inventory.csv")
+    >>> found.counts["rows"], [problem["severity"] for problem in found.problems].count("error") == 0
+    (28, False)
     """
     values = given(
         sheet=sheet, columns=columns, storeys=storeys, strict=strict or None, library=library,
@@ -682,10 +335,45 @@ def assess(
 ) -> AssessResult:
     """Which objects of an inventory must be restrained.
 
-    `study`: a path, TOML text or a dictionary; by default the built-in one. `inventory`: a path, or a
-    table of pandas, polars or pyarrow with the headings of a file; by default that of the study. Without
-    `out` the files are kept until `save(folder)`. `progress(stage, done, total)` is called as the work
-    goes on. Ctrl-C stops it; with `out` and `resume=True` it goes on later.
+    Ctrl-C stops it; with `out` and `resume=True` it goes on later.
+
+    Parameters
+    ----------
+    study : path, str or dict, optional
+        A study: its path, its TOML text, or a dictionary of its tables. By default the built-in one.
+    inventory : path or table, optional
+        A file, or a table of pandas, polars or pyarrow with the headings of a file; by default that of the study.
+    out : path, optional
+        Folder for the files; without it they are kept until `save(folder)`.
+    seed, threads : int, optional
+        Seed of the random numbers, number of threads; the result does not depend on the threads.
+    resume : bool, default False
+        Whether to continue an earlier run in `out`.
+    progress : callable, optional
+        Called with (stage, done, total) as the work goes on.
+    place, site : str, optional
+        A place with the hazard of its code, in place of that of the study, and the class of its site.
+    return_period_years : float, optional
+        Return period of the hazard [years].
+    sheet, columns, storeys, strict, library, cushion_library : optional
+        As in `check_inventory`.
+    assess_anchored : bool, default False
+        Whether anchored objects are assessed as if they were free.
+    parquet, outcomes : bool, default False
+        Whether to write objects.parquet, and what happened to every object in every world.
+    force : bool, default False
+        Whether to write into a folder with other files.
+
+    Returns
+    -------
+    AssessResult
+        `objects` is a table with a row for each object; `save(folder)` writes the files of the command.
+
+    Examples
+    --------
+    >>> found = fs.assess({"assessment": {"worlds": {"most": 200}}}, list_of_objects, place="Wellington")  # doctest: +SKIP
+    >>> found.objects.column("decision")  # doctest: +SKIP
+    array(['restrain', 'leave'], dtype=object)
     """
     values = given(
         seed=seed, hazard=words(place=place, site=site, return_period_years=return_period_years), sheet=sheet,
@@ -697,7 +385,7 @@ def assess(
     _check_progress(progress)
     folder, own = _folder(out)
     with removed_on_failure(own), as_file(inventory) as listed:
-        text = _freestand.assess(listed.path, folder, values | source, _threads(threads), progress)
+        text = _freestand.assess(listed.path, folder, values | source, threads_given(threads), progress)
         result = AssessResult._of(listed.named(text))
     result._in(folder, own)
     warn(result.warnings)
@@ -719,8 +407,34 @@ def run(
 ) -> RunResult:
     """A whole study: motions, building, spectra of a grid of objects, figures and report.
 
-    `study`: a path, TOML text or a dictionary; by default the built-in one. `rows` is srs.csv as a table.
-    With `parquet=True` the tables are written as Parquet too.
+    Parameters
+    ----------
+    study : path, str or dict, optional
+        A study: its path, its TOML text, or a dictionary of its tables. By default the built-in one.
+    out : path, optional
+        Folder for the files; without it they are kept until `save(folder)`.
+    seed, threads : int, optional
+        Seed of the random numbers, number of threads; the result does not depend on the threads.
+    progress : callable, optional
+        Called with (stage, done, total) as the work goes on.
+    place, site : str, optional
+        A place with the hazard of its code, in place of that of the study, and the class of its site.
+    return_period_years : float, optional
+        Return period of the hazard [years].
+    parquet : bool, default False
+        Whether to write the tables as Parquet, too.
+    force : bool, default False
+        Whether to write into a folder with other files.
+
+    Returns
+    -------
+    RunResult
+        `rows` is srs.csv as a table, `uplift_rows` urs.csv.
+
+    Examples
+    --------
+    >>> fs.run("study.toml", "out").rows.num_rows  # doctest: +SKIP
+    5120
     """
     values = given(
         seed=seed, hazard=words(place=place, site=site, return_period_years=return_period_years),
@@ -730,7 +444,7 @@ def run(
     _check_progress(progress)
     folder, own = _folder(out)
     with removed_on_failure(own):
-        result = RunResult._of(_freestand.run(folder, values | source, _threads(threads), progress))
+        result = RunResult._of(_freestand.run(folder, values | source, threads_given(threads), progress))
     result._in(folder, own)
     warn(result.warnings)
     return result
@@ -749,16 +463,38 @@ def fragility(
 ) -> FragilityResult:
     """Fragilities of objects: the probabilities of limit states against the intensity of the motion.
 
-    `outcomes` is a path (CSV; docs/risk.md has its columns) or a table of pandas, polars or pyarrow with its headings:
-    one row for each object and motion. `outcomes.csv` of an assessment is another table. `at`: "ground" or "floor", where a spectral acceleration is taken; `fit`: "ordered" (default) or
-    "separate"; `tolerance_g` with `ceiling_g`: fit `exceeds` to the shocks; `bootstrap`: samples of motions for the 95 %
-    intervals, 0 for none.
+    Parameters
+    ----------
+    outcomes : path or table
+        One row for each object and motion (CSV; docs/risk.md has its columns), or a table of pandas, polars or
+        pyarrow with its headings. `outcomes.csv` of an assessment is another table.
+    at : str, optional
+        "ground" or "floor", where a spectral acceleration is taken.
+    fit : str, optional
+        "ordered" (default) or "separate".
+    tolerance_g, ceiling_g : float, optional
+        Both: fit `exceeds` to the shocks [g].
+    bootstrap : int, optional
+        Samples of motions for the 95 % intervals, 0 for none.
+    seed, threads : int, optional
+        Seed of the random numbers, number of threads.
+
+    Returns
+    -------
+    FragilityResult
+        `curves` is a table with `median` and `beta`; `probability` evaluates one, `plot` draws them.
+
+    Examples
+    --------
+    >>> found = fs.fragility("examples/risk/outcomes.csv", bootstrap=0)
+    >>> print(f"{found.curve('cabinet', 'overturns')['median']:.3f} m/s")
+    0.472 m/s
     """
     values = given(
         at=at, fit=fit, tolerance_g=tolerance_g, ceiling_g=ceiling_g, bootstrap=bootstrap, seed=seed,
     )  # fmt: skip
     with as_file(outcomes, "outcomes") as runs:
-        text, seen = _freestand.fragility(values | given(outcomes=runs.path), _threads(threads))
+        text, seen = _freestand.fragility(values | given(outcomes=runs.path), threads_given(threads))
     result = FragilityResult(json.loads(runs.named(text)), seen)
     warn(result.warnings)
     return result
@@ -791,10 +527,53 @@ def risk(
 ) -> RiskResult:
     """How often objects fail per year, what that costs, and which options are worth their money.
 
-    The fragilities are `fragility` (the file fragility.csv) or are fitted to `outcomes`. The hazard is one of
-    `hazard` (a file), `hazard_power` ("k0=1e-4 /yr, k=2.5, reference=1 m/s") and `hazard_code` (with `site` and
-    `hazard_factor`); the last two need `hazard_im`, such as "pgv". `inventory` holds costs and accepted rates,
-    `options` what can be bought, `budget` is an amount such as "20000 AUD". Tables are accepted as in `fragility`.
+    Parameters
+    ----------
+    fragility : path, optional
+        Curves, such as the file fragility.csv.
+    outcomes : path or table, optional
+        Runs to which curves are fitted, in place of `fragility`.
+    hazard : path, optional
+        Hazard curve (CSV).
+    hazard_power : str, optional
+        A hazard curve as "k0=1e-4 /yr, k=2.5, reference=1 m/s", in place of `hazard`.
+    hazard_code : str, optional
+        A code, with `site`, `hazard_factor` and `fault_distance_m`, in place of `hazard`.
+    hazard_im : str, optional
+        Intensity measure of the hazard, such as "pgv".
+    site : str, optional
+        Class of the site.
+    hazard_factor, fault_distance_m : float, optional
+        Values of the code.
+    site_deg : tuple of float, optional
+        Latitude and longitude [degrees].
+    at, fit, bootstrap, seed : optional
+        As in `fragility`.
+    inventory : path or table, optional
+        Costs and accepted rates.
+    options : path or table, optional
+        What can be bought.
+    budget : str, optional
+        An amount, such as "20000 AUD".
+    horizon_years, discount_ratio : float, optional
+        Years over which losses count, and their discount per year.
+    accepted_rate : float, optional
+        Accepted rate per year.
+    years : float, optional
+        Years of a probability.
+    threads : int, optional
+        Number of threads.
+
+    Returns
+    -------
+    RiskResult
+        `objects` with rates and losses, `plan`, `portfolio`.
+
+    Examples
+    --------
+    >>> found = fs.risk("examples/risk/curves.csv", hazard="examples/risk/hazard.csv")
+    >>> sorted({item["id"] for item in found.objects})[:1]
+    ['cabinet']
     """
     values = given(
         fragility=fragility, hazard=hazard, hazard_power=hazard_power, hazard_code=hazard_code, hazard_im=hazard_im,
@@ -808,12 +587,28 @@ def risk(
         as_file(options, "options") as bought,
     ):
         files = given(outcomes=runs.path, inventory=costs.path, options=bought.path)
-        text = _freestand.risk(values | files, _threads(threads))
+        text = _freestand.risk(values | files, threads_given(threads))
     result = RiskResult._of(bought.named(costs.named(runs.named(text))))
     warn(result.warnings)
     return result
 
 
 def validate(*, threads: int | None = None) -> ValidateResult:
-    """Recalculates Table I of the paper and every closed form that is built in."""
-    return ValidateResult._of(_freestand.validate(_threads(threads)))
+    """Recalculates Table I of the paper and every closed form that is built in.
+
+    Parameters
+    ----------
+    threads : int, optional
+        Number of threads.
+
+    Returns
+    -------
+    ValidateResult
+        `table_one`, `checks`, and `ok`: whether all of them hold.
+
+    Examples
+    --------
+    >>> fs.validate().ok
+    True
+    """
+    return ValidateResult._of(_freestand.validate(threads_given(threads)))

@@ -46,7 +46,8 @@ def _structured(rows: list[dict[str, Any]]) -> npt.NDArray[Any]:
 class RockResult(Result):
     """The response of one object to one motion.
 
-    `outcome` is `no-uplift`, `rocked`, `leaned` or `overturned`. Lengths in m, rotations in rad, times in s;
+    `outcome` is `no-uplift`, `rocked`, `leaned`, `overturned` or, where `duration_s` ended it while the object
+    was neither at rest nor down, `unresolved`. Lengths in m, rotations in rad, times in s;
     `edge_acceleration_g` is the shock from the largest uplift by the paper's Eq. (5).
     """
 
@@ -459,6 +460,9 @@ class RestrainResult(Result):
     place: dict[str, Any] | None
     factors: dict[str, Any]
     assumptions: list[str]
+    component: str | None
+    anchor_inset_m: float
+    to_confirm: list[dict[str, Any]]
     others: list[Any]
     sheet: Any
 
@@ -489,6 +493,20 @@ class FragilityResult(Result):
         """The share of runs that reached each limit state at each intensity, with its 95 % interval."""
         return Table._from_rows(_csv_rows(self._seen.splitlines()))
 
+    @property
+    def curves(self) -> Table:
+        """A row for each object and limit state: `kind`, `median`, `beta`, the ends of their 95 % intervals, and
+        the unit of the intensity."""
+        return Table._from_rows([_curve_row(item, one) for item in self._document["objects"] for one in item["curves"]])
+
+    def __repr__(self) -> str:
+        rows = [_curve_words(row) for row in self.curves.rows()]
+        shown = rows[:20] + [f"and {len(rows) - 20} more curves"] * (len(rows) > 20)
+        return "\n".join([f"<freestand.FragilityResult: {len(self._document['objects'])} objects", *shown]) + ">"
+
+    def _repr_html_(self) -> str:
+        return f"<p>FragilityResult</p>{self.curves._repr_html_()}{self._warnings_html()}"
+
     def curve(self, id: str, limit_state: str) -> dict[str, Any]:
         """The curve of an object: `kind`, `median`, `beta`, their intervals, `lower`, `upper`."""
         curves = [one for item in self._document["objects"] if item["id"] == id for one in item["curves"]]
@@ -512,6 +530,127 @@ class FragilityResult(Result):
         return plot.fragility(self, id, ax=ax)
 
 
+def _curve_row(item: dict[str, Any], curve: dict[str, Any]) -> dict[str, Any]:
+    median, beta = (curve[name] or (None, None) for name in ("median_ci95", "beta_ci95"))
+    unit = item["im_unit"] or None
+    return {
+        "id": item["id"], "limit_state": curve["limit_state"], "kind": curve["kind"], "im": item["im"], "im_unit": unit,
+        "at": item["at"], "median": curve["median"], "median_ci95_low": median[0], "median_ci95_high": median[1],
+        "beta": curve["beta"], "beta_ci95_low": beta[0], "beta_ci95_high": beta[1],
+        "lower": curve["lower"], "upper": curve["upper"],
+    }  # fmt: skip
+
+
+def _curve_words(row: dict[str, Any]) -> str:
+    unit = f" {row['im_unit']}" if row["im_unit"] else ""
+    said = [f"{name} {row[name]:.4g}{mark}" for name, mark in (("median", unit), ("beta", "")) if row[name] is not None]
+    said += [f"{name} {row[name]:.4g}{unit}" for name in ("lower", "upper") if row[name] is not None]
+    return f"  {row['id']}, {row['limit_state']} ({row['im']} of the {row['at']}): {', '.join([row['kind'], *said])}"
+
+
+class IdaResult(Result):
+    """Incremental dynamic analysis of an object: `runs`, one row for each motion and scale.
+
+    `im` and `im_unit` are the measure of intensity and its unit, `motions` the names.
+    """
+
+    im: str
+    im_unit: str
+    motions: list[str]
+    scales_ratio: Array
+    #: The outcome and the responses of each run: motion, scale_ratio, intensity, outcome, peak_rotation_rad, …
+    runs: Table
+
+    def __init__(
+        self, im: str, unit: str, motions: list[str], scales: Array, rows: list[dict[str, Any]], warnings: list[str]
+    ) -> None:
+        super().__init__(
+            {"schema": "freestand.ida/1", "im": im, "im_unit": unit, "motions": motions,
+             "scales_ratio": scales.tolist(), "runs": rows, "warnings": warnings}
+        )  # fmt: skip
+        table = Table._from_rows(rows)
+        self.runs = Table(table._columns, ("motion", "scale_ratio"), (len(motions), len(scales)))
+        self.runs.warnings = warnings
+
+    def quantile(self, name: str, q: float = 0.5) -> Array:
+        """Quantile of a response over the motions at each scale; `inf` where it falls: `Table.quantile`."""
+        return self.runs.quantile(name, q)
+
+    def capacities(self, limit_state: str = "overturns") -> Array:
+        """The lowest intensity at which each motion reaches a limit state.
+
+        Parameters
+        ----------
+        limit_state : str, default "overturns"
+            "rocks", "exceeds" (with a tolerance) or "overturns", each or worse.
+
+        Returns
+        -------
+        numpy.ndarray
+            One intensity for each motion; `inf` if no scale reaches it, NaN if that depends on an unresolved run.
+        """
+        reached = _REACHED.get(limit_state)
+        if reached is None:
+            raise bad(f"there is no limit state {limit_state}", f"name one of {', '.join(_REACHED)}")
+        outcome = self.runs.column("outcome").reshape(self.runs._shape)
+        intensity = self.runs.column("intensity").reshape(self.runs._shape)
+        at = np.where(np.isin(outcome, reached), intensity, np.inf).min(axis=1)
+        unknown = np.where(outcome == "unresolved", intensity, np.inf).min(axis=1)
+        found: Array = np.where(unknown < at, np.nan, at)
+        return found
+
+    def fragility(
+        self, *, fit: str | None = None, bootstrap: int | None = None, seed: int | None = None, threads: int | None = None
+    ) -> FragilityResult:
+        """Lognormal curves fitted to the runs: the function `fragility`, whose arguments these are.
+
+        The object is called "object".
+        """
+        import os
+        import tempfile
+
+        from ._requests import fragility
+
+        unit = f" [{self.im_unit}]" if self.im_unit else ""
+        with tempfile.TemporaryDirectory(prefix="freestand-") as folder:
+            path = os.path.join(folder, "outcomes.csv")
+            _write(path, "".join(_outcome_lines(f"{self.im}{unit}", self.runs)))
+            at = "floor" if self.im.startswith("sa(") else None
+            return fragility(path, at=at, fit=fit, bootstrap=bootstrap, seed=seed, threads=threads)
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """The largest rotation against the intensity: `freestand.plot.ida`."""
+        from . import plot
+
+        return plot.ida(self, ax=ax)
+
+    def _repr_html_(self) -> str:
+        return f"<p>IdaResult</p>{self.runs._repr_html_()}{self._warnings_html()}"
+
+
+_REACHED = {
+    "rocks": ("rocked", "exceeded", "leaned", "overturned"),
+    "exceeds": ("exceeded", "leaned", "overturned"),
+    "overturns": ("leaned", "overturned"),
+}
+
+
+def _outcome_lines(heading: str, runs: Table) -> Iterable[str]:
+    """The table of outcomes that `fragility` reads."""
+    import csv
+    import io
+
+    def line(*cells: object) -> str:
+        text = io.StringIO()
+        csv.writer(text, lineterminator="\n").writerow(cells)
+        return text.getvalue()
+
+    yield line("object", "motion", heading, "outcome")
+    for row in runs.rows():
+        outcome = "overturned" if row["outcome"] == "leaned" else row["outcome"]
+        yield line("object", row["motion"], repr(row["intensity"]), outcome)
+
+
 class RiskResult(Result):
     """How often objects fail, and what that costs."""
 
@@ -522,7 +661,11 @@ class RiskResult(Result):
     hazard: dict[str, Any]
     objects: list[dict[str, Any]]
     expected_annual_loss: float | None
+    expected_annual_loss_lower: float | None
+    expected_annual_loss_upper: float | None
+    is_bound: bool
     is_at_least: bool
+    not_run: list[dict[str, Any]]
     portfolio: dict[str, Any] | None
     ranking: Any
     plan: Any
@@ -622,6 +765,9 @@ class AssessResult(_Folder):
     def __init__(self, document: dict[str, Any]) -> None:
         super().__init__(document)
         self.objects = Table._from_rows(document["rows"])
+
+    def _repr_html_(self) -> str:
+        return f"<p>AssessResult</p>{self.objects._repr_html_()}{self._warnings_html()}"
 
     def report_html(self) -> str:
         """The report, which loads nothing from a network."""

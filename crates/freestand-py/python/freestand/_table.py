@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _freestand
-from ._convert import bad
+from ._convert import bad, number
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -26,6 +26,14 @@ _UNITS = [
 def unit_of(name: str) -> str:
     """The unit that a name ends in; "" for a ratio, a count or a text."""
     return next((unit for ending, unit in _UNITS if name.endswith(ending)), "")
+
+
+#: Outcomes in which the object has fallen, onto the floor or against a wall.
+_FALLEN = ("overturned", "leaned")
+#: Outcomes whose numbers are not those of the whole motion.
+_UNKNOWN = ("unresolved", "failed")
+#: Columns of the object or of its motion, which no outcome changes.
+_NOT_A_RESPONSE = ("height_m", "thickness_m", "ceiling_g", "scale_ratio", "intensity")
 
 
 class _Column(NamedTuple):
@@ -120,6 +128,47 @@ class Table:
         for values in zip(*columns):
             yield dict(zip(self._columns, values))
 
+    def quantile(self, name: str, q: float = 0.5) -> npt.NDArray[np.float64]:
+        """Quantile of a response over the motions, in which a fall ranks above every number.
+
+        A median over only those motions that leave the object standing would be too small. This one
+        is that of `freestand run`: linear between the ranks (type 7 of Hyndman and Fan, the default of NumPy).
+
+        Parameters
+        ----------
+        name : str
+            A column of numbers that depends on the motion, such as "uplift_m".
+        q : float, default 0.5
+            From 0 to 1; 0.5 is the median.
+
+        Returns
+        -------
+        numpy.ndarray
+            One value for each object (of a grid: heights × thicknesses) or, of `ida`, for each scale.
+            `inf`: the object falls. NaN: it depends on runs that have no result.
+
+        Examples
+        --------
+        >>> table = fs.spectrum(motions, [1.8], [0.3, 0.5, 0.9])
+        >>> table.quantile("uplift_m").round(3)
+        array([[  inf, 0.003, 0.   ]])
+        """
+        if "motion" not in self._dims or "outcome" not in self._columns:
+            raise bad("this table has no motions to rank", "take the table of freestand.spectrum or freestand.ida")
+        values = self.column(name)
+        if self._columns[name].kind not in ("number", "count") or name in _NOT_A_RESPONSE:
+            raise bad(f"{name} is not a number that depends on the motion", "name a column such as uplift_m")
+        share = number("q", q)
+        if not 0 <= share <= 1:
+            raise bad(f"q is {share:g}, which is no share", "give q from 0 to 1: 0.5 is the median")
+        outcome, missing = self.column("outcome"), self._columns[name].missing()
+        missing = (missing | np.isin(outcome, _UNKNOWN) | (outcome == None)).reshape(self._shape)  # noqa: E711
+        ranked = np.where(np.isin(outcome, _FALLEN), np.inf, values.astype("f8")).reshape(self._shape)
+        missing &= np.isfinite(ranked) | np.isnan(ranked)
+        axis = self._dims.index("motion")
+        low, high = (_ranked(np.where(missing, bound, ranked), share, axis) for bound in (-np.inf, np.inf))
+        return np.where(low == high, high, np.nan)
+
     def to_pandas(self) -> pandas.DataFrame:
         """A pandas DataFrame; texts are categories."""
         import pandas
@@ -145,7 +194,9 @@ class Table:
             raise bad("this table has no grid", "use to_pandas().to_xarray()")
         coords: dict[str, Any] = {}
         positions = dict(zip(self._dims, range(len(self._dims))))
-        for name in ("motion", "height_m", "thickness_m"):
+        for name in dict.fromkeys(("motion", *self._dims, "height_m", "thickness_m")):
+            if name not in self._columns:
+                continue
             values = self.column(name).reshape(self._shape)
             dim = name if name in positions else "object"
             first = tuple(slice(None) if one == dim else 0 for one in self._dims)
@@ -156,6 +207,13 @@ class Table:
             if name not in coords
         }
         return xarray.Dataset(variables, coords)
+
+    def _of_motion(self, index: int) -> Table:
+        """The rows of one motion."""
+        rows = self.num_rows // self._shape[0]
+        of = slice(index * rows, (index + 1) * rows)
+        columns = {name: one._replace(data=one.values()[of].tobytes()) for name, one in self._columns.items()}
+        return Table(columns, self._dims, (1, *self._shape[1:]))
 
     def __repr__(self) -> str:
         return f"<freestand.Table: {self.num_rows} rows of {', '.join(self._columns)}>"
@@ -171,6 +229,21 @@ class Table:
         )
         more = f"<p>and {self.num_rows - shown} more rows</p>" if self.num_rows > shown else ""
         return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
+
+
+def _ranked(values: npt.NDArray[np.float64], share: float, axis: int) -> npt.NDArray[np.float64]:
+    """A quantile by linear interpolation between the ranks; infinite where it needs an infinite value."""
+    ranked = np.sort(values, axis=axis)
+    last = ranked.shape[axis] - 1
+    position = share * last
+    below, part = int(position), position % 1
+    lower: npt.NDArray[np.float64] = np.take(ranked, below, axis)
+    if part == 0:
+        return lower
+    upper = np.take(ranked, min(below + 1, last), axis)
+    with np.errstate(invalid="ignore"):
+        between = lower + part * (upper - lower)
+    return np.where(np.isinf(upper), upper, np.where(np.isinf(lower), lower, between))
 
 
 def _short(value: object) -> str:

@@ -32,9 +32,8 @@ except ImportError as error:
 from ._convert import PathLike, bad, warn
 from ._convert import inventory as as_file
 from ._convert import study as study_given
-from ._convert import whole
+from ._convert import MAX_THREADS, whole
 from ._errors import FreestandError, Interrupted, ReadError, SolveError, StudyError
-from ._requests import MAX_THREADS
 from ._results import AssessResult, version
 
 if TYPE_CHECKING:

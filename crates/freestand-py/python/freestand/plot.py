@@ -17,6 +17,7 @@ from ._results import (
     CodeSpectrumResult,
     DropTestResult,
     FragilityResult,
+    IdaResult,
     MotionSpectrumResult,
     RockResult,
     ShockSpectrumResult,
@@ -85,24 +86,20 @@ def rock(result: RockResult, ax: Axes | None = None) -> Axes:
 
 
 def _medians(table: Table, name: str, motion: str | None) -> tuple[npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any]]:
-    """Heights, thicknesses, the median over motions (NaN where half of them overturn), the share that does."""
+    """Heights, thicknesses, the median over motions (NaN where the object falls), the share of them in which it does."""
     if table._dims != ("motion", "height_m", "thickness_m"):
         raise bad("this table has no grid of heights and thicknesses", "give the table of freestand.spectrum")
-    values = table.column(name).reshape(table._shape).astype("f8")
-    overturned = (table.column("outcome") == "overturned").reshape(table._shape)
     if motion is not None:
         names = table.column("motion").reshape(table._shape)[:, 0, 0].tolist()
         if motion not in names:
             raise bad(f"there is no motion {motion}", f"the motions are {', '.join(names)}")
-        chosen = slice(names.index(motion), names.index(motion) + 1)
-        values, overturned = values[chosen], overturned[chosen]
-    ranked = np.sort(np.where(overturned, np.inf, values), axis=0)
-    count = len(ranked)
-    low, high = ranked[(count - 1) // 2], ranked[count // 2]
-    median = np.where(np.isinf(high), np.nan, (low + np.where(np.isinf(high), low, high)) / 2)
+        table = table._of_motion(names.index(motion))
+    fallen = np.isin(table.column("outcome"), ("overturned", "leaned")).reshape(table._shape)
+    median = table.quantile(name)
+    median = np.where(np.isinf(median), np.nan, median)
     heights = table.column("height_m").reshape(table._shape)[0, :, 0]
     thicknesses = table.column("thickness_m").reshape(table._shape)[0, 0, :]
-    return heights, thicknesses, median, overturned.mean(axis=0)
+    return heights, thicknesses, median, fallen.mean(axis=0)
 
 
 def _lines(table: Table, name: str, factor: float, label: str, ax: Axes | None, motion: str | None) -> Axes:
@@ -162,6 +159,25 @@ def fragility(result: FragilityResult, id: str | None = None, ax: Axes | None = 
     unit = f" [{item['im_unit']}]" if item["im_unit"] else ""
     ax.set(title=id, xlabel=f"{item['im']}{unit} of the {item['at']}", ylabel="probability", ylim=(-0.02, 1.02))
     ax.legend(loc="upper left")
+    return ax
+
+
+def ida(result: IdaResult, ax: Axes | None = None) -> Axes:
+    """Incremental dynamic analysis: the largest rotation over α against the intensity, a line for each motion.
+
+    A line ends in a cross where the motion overturns the object.
+    """
+    ax = _axes(ax)
+    table = result.runs
+    intensity, ratio = (table.column(name).reshape(table._shape) for name in ("intensity", "peak_rotation_ratio"))
+    fallen = np.isin(table.column("outcome"), ("overturned", "leaned")).reshape(table._shape)
+    for name, x, y, down in zip(result.motions, intensity, ratio, fallen):
+        count = int(np.argmax(down)) if down.any() else len(down)
+        (line,) = ax.plot(x[:count], y[:count], label=name, linewidth=0.8)
+        if down.any():
+            ax.plot(x[count], 1.0, "x", color=line.get_color(), markersize=4)
+    unit = f" [{result.im_unit}]" if result.im_unit else ""
+    ax.set(xlabel=f"{result.im}{unit} of the floor", ylabel="largest rotation / α", ylim=(-0.02, 1.05))
     return ax
 
 

@@ -32,7 +32,7 @@ pub use crate::write::{write_at2, write_csv, write_pair_csv};
 
 use std::path::Path;
 
-use crate::motion_file::{Reading, extreme_note};
+use crate::motion_file::{Reading, extreme_note, offset_note};
 use crate::text::lines::check_text;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, Problems};
@@ -64,12 +64,24 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     options.check()?;
     let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
-    let Reading { format, components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
+    let Reading { format, mut components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
     if !options.is_shock {
         notes.extend(components.iter().filter_map(extreme_note));
+        notes.extend(components.iter().filter_map(offset_note));
     }
+    // What a header holds goes to terminals and into tables.
+    for component in &mut components {
+        component.name = printable(&component.name);
+        component.station = component.station.as_deref().map(printable);
+    }
+    let notes = notes.iter().map(|note| printable(note)).collect();
     let file = MotionFile { path: path.to_path_buf(), format, components, notes };
     Ok(file.with_unused(options))
+}
+
+/// A text of a file without control characters, by which a terminal would be told to do something.
+fn printable(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
 }
 
 /// A family of formats that share a layout.

@@ -154,6 +154,37 @@ pub(crate) fn extreme_note(component: &Component) -> Option<String> {
     })
 }
 
+/// A note if the values lie about another level than zero: an instrument that shows gravity, or an offset that was not
+/// removed. A floor that accelerates by a constant is a slope for everything that stands on it.
+///
+/// Before and after an earthquake the values are near zero, so that their median is: half of them lie above and half
+/// below. That of the corrected records of agencies is below 1 % of the peak.
+pub(crate) fn offset_note(component: &Component) -> Option<String> {
+    /// Below this, an offset moves no object and decides nothing.
+    const LEAST_M_S2: f64 = 0.01 * freestand::G0_M_S2;
+    const SHARE: f64 = 0.1;
+    /// A history of a few values has no level.
+    const MIN_SAMPLES: usize = 50;
+    let accel = component.motion.accel_m_s2();
+    if component.is_raw || accel.len() < MIN_SAMPLES {
+        return None;
+    }
+    let mut sorted = accel.to_vec();
+    let (_, median, _) = sorted.select_nth_unstable_by(accel.len() / 2, f64::total_cmp);
+    let offset_m_s2 = *median;
+    let reach = accel.iter().fold(0.0, |most: f64, a| most.max((a - offset_m_s2).abs()));
+    (offset_m_s2.abs() > LEAST_M_S2 && offset_m_s2.abs() > SHARE * reach).then(|| {
+        let offset_g = offset_m_s2 / freestand::G0_M_S2;
+        let cause =
+            if (offset_g.abs() - 1.0).abs() < 0.1 { "the sensor shows gravity" } else { "an offset is left in it" };
+        format!(
+            "{}: the values lie about {offset_g:.3} g, not about zero: {cause}, and objects react as on a slope that \
+             never ends: remove it with `baseline = \"mean\"`",
+            shorten(&component.name)
+        )
+    })
+}
+
 /// A note if the values do not last as long as the header says \[s\]: the step, the length or the
 /// number is wrong.
 ///

@@ -221,6 +221,17 @@ mod tests {
         assert_eq!(frequencies.modes[0].period_s, 0.4);
     }
 
+    /// A file of millions of rows is refused at the first row too many, without reading the rest: its last row, which is
+    /// none, is not mentioned.
+    #[test]
+    fn a_table_without_end_is_left_early() {
+        let storeys = format!("height [m],mass [t],stiffness [kN/mm]\n{}x\n", "3,1,1\n".repeat(25_000));
+        let modes = format!("period [s],participation,3 m\n{}x\n", "1,1,1\n".repeat(25_000));
+        for problem in [read_storeys(storeys.as_bytes()).unwrap_err(), read_modes(modes.as_bytes()).unwrap_err()] {
+            assert_eq!(problem.line, Some(20_002), "{problem}");
+        }
+    }
+
     #[test]
     fn what_is_no_table_is_refused_with_its_line() {
         let storeys = "storey,height [m],mass [t],stiffness [kN/mm]\n";

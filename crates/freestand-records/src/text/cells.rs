@@ -7,6 +7,10 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::words::counted;
 
+/// Rows of the longest table: storeys, modes, points of a curve. A file of millions is something else, and reading all
+/// of it would take minutes, only to refuse it.
+const MAX_ROWS: usize = 20_000;
+
 /// A table.
 pub(crate) struct Cells {
     separator: u8,
@@ -41,7 +45,14 @@ impl Cells {
         let text = header.text();
         let separator = [b';', b'\t'].into_iter().find(|byte| text.as_bytes().contains(byte)).unwrap_or(b',');
         let headings: Vec<Heading> = quoted_cells(&text, separator).iter().map(|cell| heading(cell)).collect();
-        let rows = rest.map(|line| row(&line, separator, headings.len())).collect::<Result<Vec<_>, _>>()?;
+        let mut rows = Vec::new();
+        for line in rest {
+            if rows.len() == MAX_ROWS {
+                let message = format!("a table has at most {MAX_ROWS} rows, and more follow");
+                return Err(wrong(line.number, message).hint(hint));
+            }
+            rows.push(row(&line, separator, headings.len())?);
+        }
         if rows.is_empty() {
             return Err(wrong(header.number, "no rows follow the headings").hint(hint));
         }

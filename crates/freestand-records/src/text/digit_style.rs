@@ -21,8 +21,8 @@ pub(crate) struct DigitStyle {
 impl DigitStyle {
     /// Adds a number from line `at`.
     pub(crate) fn see(&mut self, number: &Number, at: usize) {
-        // Zero is often written in a short form of its own.
-        if number.value == 0.0 && number.tail <= 2 {
+        // Zero is often written in a form of its own: `0`, `0.00`, `0.000000` among numbers of nine digits.
+        if number.value == 0.0 {
             return;
         }
         for met in &mut self.met {
@@ -96,6 +96,9 @@ mod tests {
         assert_eq!(odd((0..500).map(|i| format!("{}", f64::from(i).sin()))), None);
         assert_eq!(odd((0..500).map(|i| format!("{}", (f64::from(i).sin() * 1e4).round() / 1e4))), None);
         assert_eq!(odd((0..100).map(|i| if i == 50 { "1.5".to_owned() } else { "1.25".to_owned() })), None);
-        assert_eq!(odd((0..500).map(|i| if i == 0 { "0".to_owned() } else { format!("{i}.25") })), None);
+        for zero in ["0", "0.000000", "0.0E+00"] {
+            let text = |i: usize| if i == 0 { zero.to_owned() } else { format!("{i}.25") };
+            assert_eq!(odd((0..500).map(text)), None, "{zero}");
+        }
     }
 }

@@ -153,6 +153,18 @@ pub(crate) fn is_missing_value(value: f64) -> bool {
     value == -999.0 || value == -9999.0 || value == -32768.0 || value.abs() >= 1e30 || value.is_nan()
 }
 
+/// As [`is_missing_value`], and numbers of nothing but nines, 9999.99 or 99999, with which data loggers and spreadsheets
+/// fill a gap. Four nines at least: a motion may well reach 999 in mm/s².
+pub(crate) fn is_gap_mark(value: f64) -> bool {
+    let is_nines = |decimals: i32| {
+        let digits = value.abs() * 10f64.powi(decimals);
+        let whole = digits.round();
+        // A printed decimal differs from its digits by rounding alone.
+        (digits - whole).abs() < 1e-6 && whole >= 9999.0 && (whole + 1.0).log10().fract() == 0.0
+    };
+    is_missing_value(value) || value.abs() >= 999.0 && value.abs() < 1e9 && (0..=4).any(is_nines)
+}
+
 /// The numbers of a line of fields separated by blanks, or by a sign where a blank had no room.
 pub(crate) fn fields(line: &[u8], mut each: impl FnMut(Number)) -> Result<(), BadField> {
     let mut rest = line.trim_ascii();

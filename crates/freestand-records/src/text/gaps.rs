@@ -1,6 +1,6 @@
 //! Values that mark missing values.
 
-use super::fortran::is_missing_value;
+use super::fortran::is_gap_mark;
 use super::units::missing;
 use freestand_input::problem::Problem;
 
@@ -43,7 +43,7 @@ impl Markers {
         if is_no_value(value) {
             return Err(missing(&value.to_string(), line));
         }
-        if is_missing_value(value) {
+        if is_gap_mark(value) {
             self.first.get_or_insert((value, line));
         }
         Ok(())
@@ -55,7 +55,7 @@ impl Markers {
     /// A value that marks a missing value.
     pub(crate) fn judge(&self, values: &[f64]) -> Result<Option<String>, Problem> {
         match self.first {
-            Some((value, line)) if gap(values, is_missing_value).is_some() => Err(missing(&value.to_string(), line)),
+            Some((value, line)) if gap(values, is_gap_mark).is_some() => Err(missing(&value.to_string(), line)),
             first => Ok(first.map(|(value, line)| ordinary_note(value, line))),
         }
     }
@@ -63,7 +63,21 @@ impl Markers {
 
 #[cfg(test)]
 mod tests {
+    use super::super::fortran::is_missing_value;
     use super::*;
+
+    #[test]
+    fn nothing_but_nines_marks_a_gap() {
+        let marks = [9999.99, -9999.99, 999.9, 999.99, 99999.0, -99999.9, 9999.0, 999_999.0, -999.0, 9999.999];
+        for value in marks {
+            assert!(is_gap_mark(value), "{value}");
+            assert_eq!(gap(&[1.0, value, 2.0], is_gap_mark), Some(1), "{value}");
+        }
+        for value in [999.0, 99.99, 9998.99, 9.999, 9990.0, 1000.0, 999.95, 0.0, 1e-9] {
+            assert!(!is_gap_mark(value), "{value}");
+        }
+        assert_eq!(gap(&[1.0, 9999.99, 6000.0], is_gap_mark), None);
+    }
 
     #[test]
     fn what_stands_out_is_a_gap_and_what_does_not_is_a_value() {

@@ -99,6 +99,40 @@ pub(crate) fn is_time_name(name: &str) -> bool {
     matches!(name.to_ascii_lowercase().as_str(), "time" | "t" | "time_s" | "t_s" | "zeit" | "temps" | "tiempo")
 }
 
+/// Names of a column that counts samples, which is no time: its steps are not seconds.
+pub(crate) fn is_counter_name(name: &str) -> bool {
+    let name = name.to_lowercase();
+    let name = name.trim_end_matches(['.', ':', '°', 'º']).trim();
+    const NAMES: [&str; 25] = [
+        "sample",
+        "samples",
+        "sample no",
+        "sample number",
+        "sample #",
+        "index",
+        "idx",
+        "no",
+        "n",
+        "nr",
+        "num",
+        "number",
+        "i",
+        "k",
+        "count",
+        "counter",
+        "row",
+        "point",
+        "pt",
+        "id",
+        "scan",
+        "data point",
+        "messpunkt",
+        "echantillon",
+        "muestra",
+    ];
+    NAMES.contains(&name)
+}
+
 fn is_other_name(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
     lower.starts_with("vel") || lower.starts_with("disp")

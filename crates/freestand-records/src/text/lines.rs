@@ -32,8 +32,8 @@ const OTHERS: &[(usize, &[u8], &str, &str)] = &[
 
 /// Refuses what is not text, and removes a byte-order mark and the end-of-file character of DOS.
 pub(crate) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
-    if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
-        return Err(Problem::new(ProblemKind::Format, "is UTF-16 text").hint("save it as UTF-8 or plain text"));
+    if let Some(text) = from_utf16(bytes)? {
+        *bytes = text.into_bytes();
     }
     if bytes.starts_with(&[0xEF, 0xBB, 0xBF]) {
         bytes.drain(..3);
@@ -55,6 +55,24 @@ pub(crate) fn check_text(bytes: &mut Vec<u8>) -> Result<(), Problem> {
             .hint("convert the record to AT2, or to CSV with time and acceleration columns"));
     }
     Ok(())
+}
+
+/// The text of a file that begins with the byte-order mark of UTF-16, as Windows programs save "Unicode text".
+///
+/// # Errors
+/// Half of a character.
+fn from_utf16(bytes: &[u8]) -> Result<Option<String>, Problem> {
+    let unit: fn([u8; 2]) -> u16 = match bytes {
+        [0xFF, 0xFE, ..] => u16::from_le_bytes,
+        [0xFE, 0xFF, ..] => u16::from_be_bytes,
+        _ => return Ok(None),
+    };
+    let (pairs, rest) = bytes[2..].as_chunks::<2>();
+    let text: Result<String, _> = char::decode_utf16(pairs.iter().map(|pair| unit(*pair))).collect();
+    match text {
+        Ok(text) if rest.is_empty() => Ok(Some(text)),
+        _ => Err(Problem::new(ProblemKind::Format, "is damaged UTF-16 text").hint("save it as UTF-8 or plain text")),
+    }
 }
 
 /// A line with its number, counted from 1.
@@ -160,12 +178,21 @@ mod tests {
     }
 
     #[test]
+    fn utf16_is_text() {
+        for unit in [u16::to_le_bytes, u16::to_be_bytes] {
+            let mut bytes: Vec<u8> = "\u{feff}Kraft [N]\r\n1\r\n".encode_utf16().flat_map(unit).collect();
+            check_text(&mut bytes).unwrap();
+            assert_eq!(bytes, b"Kraft [N]\r\n1\r\n");
+        }
+    }
+
+    #[test]
     fn what_is_not_text_is_refused() {
         for (bytes, message) in [
             (&b""[..], "empty"),
             (b" \r\n\t\n", "empty"),
             (b"\xEF\xBB\xBF\n\x1A", "empty"),
-            (b"\xFF\xFE0\x00", "UTF-16"),
+            (b"\xFF\xFE0\x00\x00", "UTF-16"),
             (b"12 \x00 3", "binary"),
             (b"\x1F\x8B\x08", "a gzip file"),
             (b"PK\x03\x04\x14", "a zip file"),

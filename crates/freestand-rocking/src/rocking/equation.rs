@@ -124,6 +124,14 @@ impl Edge {
         v * self.threshold + self.side * u
     }
 
+    /// Whether a block that leaves the floor with the velocity w does not reach its balance point on a base
+    /// at rest.
+    pub(super) fn swings_back(&self, w: f64) -> bool {
+        let alpha = self.pivot.slenderness_angle_rad;
+        let climb = if self.linearised { 0.5 * alpha * alpha } else { 1.0 - alpha.cos() };
+        0.5 * w * w < self.p2 * climb
+    }
+
     /// The longest step over which the series converges fast.
     pub(super) fn max_step_s(&self) -> f64 {
         MAX_STEP / self.p2.sqrt()

@@ -142,6 +142,10 @@ impl Accuracy {
     }
 }
 
+/// Longest time after the motion in which a block may come to rest, where nothing else is said
+/// \[s\]; only a restitution of nearly 1, and pads without damping, need more.
+pub const LONGEST_TAIL_S: f64 = 120.0;
+
 /// When a history ends, unless the block overturns first.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Until {
@@ -153,7 +157,7 @@ pub enum Until {
     Time(f64),
     /// When the block has come to rest after the last sample, or `at_most_s` after that sample. A
     /// block that would need more than 1e5 impacts to come to rest stops at its first impact after
-    /// the motion, with the reason [`StopReason::EndOfMotion`].
+    /// the motion from which it cannot fall any more, with the reason [`StopReason::EndOfMotion`].
     Settled {
         /// Longest time after the last sample \[s\].
         at_most_s: f64,
@@ -282,10 +286,13 @@ pub struct WallImpact {
 pub enum Outcome {
     /// The base never passed the uplift threshold.
     NoUplift,
-    /// The object rocked and did not overturn.
+    /// The object rocked and did not overturn: it came to rest, or it is certain that it will.
     Rocked,
     /// At the end the object is past its balance point and a wall holds it, or it bounces there.
     Leaned,
+    /// The history ended while the object was neither at rest nor down; on cushions, with energy enough
+    /// to fall.
+    Unresolved,
     /// |θ| reached π/2.
     Overturned,
 }
@@ -297,12 +304,13 @@ impl Outcome {
         matches!(self, Self::Leaned | Self::Overturned)
     }
 
-    /// The name in every output: `no-uplift`, `rocked`, `leaned`, `overturned`.
+    /// The name in every output: `no-uplift`, `rocked`, `leaned`, `unresolved`, `overturned`.
     pub fn name(self) -> &'static str {
         match self {
             Self::NoUplift => "no-uplift",
             Self::Rocked => "rocked",
             Self::Leaned => "leaned",
+            Self::Unresolved => "unresolved",
             Self::Overturned => "overturned",
         }
     }

@@ -476,7 +476,10 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             return Err(RockingError::TooManyImpacts { time_s, limit: MAX_IMPACTS });
         }
         let loss = -self.restitution[0].max(self.restitution[1]).ln();
-        self.steady = self.settle && self.quiet && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss;
+        self.steady = self.settle
+            && self.quiet
+            && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss
+            && self.edges.iter().all(|edge| edge.swings_back(after));
         self.phase = if after > REST_OMEGA_RAD_S {
             Phase::Moving { edge: next, y: 0.0, w: after, start: Start::Moving }
         } else if let Some(lifted) =
@@ -569,7 +572,15 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     }
 
     fn finish(self) -> Rocking {
+        let is_certain = match self.phase {
+            // One that rocks practically for ever cannot fall any more.
+            Phase::Moving { .. } => self.steady,
+            Phase::Rest | Phase::Leaning { .. } => true,
+        };
         let mut result = self.result;
+        if !is_certain {
+            result.outcome = Outcome::Unresolved;
+        }
         let (edge, y, w) = match self.phase {
             Phase::Rest => (RIGHT, 0.0, 0.0),
             Phase::Moving { edge, y, w, .. } => (edge, y, w),

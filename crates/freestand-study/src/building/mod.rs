@@ -228,6 +228,9 @@ fn refused(error: &BuildingError) -> Problem {
         BuildingError::ModeValue { quantity: ModeQuantity::EffectiveMass, .. } => {
             "shares in percent need the heading \"effective mass [%]\""
         }
+        BuildingError::RoofShare { .. } => {
+            "take participation factors and shapes from one export, in the same units, normalisation and direction"
+        }
         BuildingError::Storeys { .. } => "combine storeys, or use the modes of your own model",
         BuildingError::Modes { .. } => "a building has no more modes than storeys, and only the first few matter",
         _ => "correct the value",
@@ -345,13 +348,23 @@ mod tests {
 
     #[test]
     fn doubtful_modes_are_said() {
-        let (_folder, path) = file("period [s],participation,effective mass [%],3 m\n1,1300,78,1\n");
+        let (_folder, path) = file("period [s],participation,effective mass [%],3 m\n1,1.9,78,1\n");
         let axis = axis(&request(AxisModel::ModeTable(path))).unwrap();
         let [mass, roof] = axis.warnings.as_slice() else { panic!("{:?}", axis.warnings) };
         assert!(
             mass.contains("tower.csv: the effective masses of the modes add up to 78.0 % of the mass")
-                && roof.contains("adds up to 1300 at")
+                && roof.contains("adds up to 1.9 at")
         );
+    }
+
+    /// Factors of a program that normalises by mass in kg, with shapes of one that does so in t.
+    #[test]
+    fn modes_of_two_normalisations_are_refused() {
+        for factor in [1300.0, 30.6, 3.1, 0.2, -1.3] {
+            let (_folder, path) = file(&format!("period [s],participation,3 m\n1,{factor},1\n"));
+            let problem = axis(&request(AxisModel::ModeTable(path))).unwrap_err();
+            assert!(problem.hint.is_some() && problem.to_string().contains("at the roof"), "{problem}");
+        }
     }
 
     #[test]

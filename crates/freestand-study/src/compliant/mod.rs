@@ -7,13 +7,14 @@ use freestand::G0_M_S2;
 use freestand::block::{Block, Pivot};
 use freestand::compliant::{
     CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantPoint, CompliantRecorder,
-    CompliantRocking, Start, Swing, Touch, rock_compliant_observed,
+    CompliantRocking, Start, Swing, Touch, rock_compliant, rock_compliant_observed,
 };
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::{ImpactModel, Landing, compression_warnings, stiffness_warnings};
 use freestand::motion::{MAX_SAMPLES, Motion};
-use freestand::rocking::{Base, Outcome};
+use freestand::rocking::{Base, LONGEST_TAIL_S, Outcome};
 
+use crate::rock::unresolved_warning;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::facts;
@@ -112,7 +113,8 @@ pub fn rock_on_cushions(request: &CompliantRequest, record: bool) -> Result<Comp
         options.duration_s = Some(natural_duration_s(&pivot, options.start, options.gravity_m_s2));
     }
     let dt_s = sampling_s(request);
-    let end_s = options.duration_s.or(motion.horizontal.or(motion.vertical).map(Motion::duration_s)).unwrap_or(0.0);
+    let given = motion.horizontal.or(motion.vertical);
+    let end_s = options.duration_s.unwrap_or_else(|| given.map_or(0.0, Motion::duration_s) + LONGEST_TAIL_S);
     if record && end_s / dt_s > MAX_SAMPLES as f64 {
         let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
         return Err(Problem::value(message, "give a shorter `duration`, or leave `history` and `out` out"));
@@ -126,7 +128,36 @@ pub fn rock_on_cushions(request: &CompliantRequest, record: bool) -> Result<Comp
     })
     .map_err(problem)?;
     let history = if record { recorder.finish(&rocking) } else { Vec::new() };
-    Ok(report(request, rocking, history))
+    let is_one = is_one_realisation(request, &options, rocking.outcome);
+    let mut report = report(request, rocking, history);
+    if is_one {
+        report.warnings.push(ONE_REALISATION.to_owned());
+    }
+    Ok(report)
+}
+
+/// What a single history is worth where a small change of the motion ends it differently.
+const ONE_REALISATION: &str = "one realisation: another outcome follows from a motion that differs by 0.01 %; trust \
+                               shares over many motions, not this history";
+
+/// Relative change of the motion by which an outcome is tested.
+const CHANGE_RATIO: f64 = 1e-4;
+
+/// Whether the outcome is another under a slightly weaker or stronger motion.
+fn is_one_realisation(request: &CompliantRequest, options: &CompliantOptions, outcome: Outcome) -> bool {
+    let is_other = |factor: f64| {
+        let scaled = |motion: &Option<Motion>| motion.as_ref().map(|motion| motion.scaled(factor)).transpose();
+        let (Ok(horizontal), Ok(vertical)) = (scaled(&request.horizontal), scaled(&request.vertical)) else {
+            return false;
+        };
+        if horizontal.is_none() && vertical.is_none() {
+            return false;
+        }
+        let motion = Base { horizontal: horizontal.as_ref(), vertical: vertical.as_ref() };
+        let found = rock_compliant(&request.block, &request.base, motion, options);
+        found.map_or(true, |found| found.outcome != outcome)
+    };
+    [1.0 - CHANGE_RATIO, 1.0 + CHANGE_RATIO].into_iter().any(is_other)
 }
 
 fn pivot_of(block: &Block, start: Start) -> Pivot {
@@ -199,7 +230,7 @@ fn report(request: &CompliantRequest, rocking: CompliantRocking, history: Vec<Co
     let (block, base, options) = (&request.block, &request.base, &request.options);
     let pivot = block.pivot();
     let alphas = [pivot, block.right_pivot()].map(|pivot| pivot.slenderness_angle_rad);
-    let is_up = rocking.outcome == Outcome::Rocked;
+    let is_up = matches!(rocking.outcome, Outcome::Rocked | Outcome::Unresolved);
     let landed = |base: &CompliantBase| {
         let a = is_up.then(|| paper_edge_acceleration_m_s2(block, base, rocking.cg_rise_m, options.gravity_m_s2));
         a.filter(|a| *a > 0.0 && a.is_finite())
@@ -305,6 +336,7 @@ fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<Strin
         warnings.push("the cushions are too soft to keep the object upright at rest: check their stiffness".to_owned());
     }
     warnings.extend(energy_warning(rocking.energy.residual_ratio));
+    warnings.extend(unresolved_warning(rocking.outcome));
     warnings
 }
 

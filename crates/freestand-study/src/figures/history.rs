@@ -59,6 +59,7 @@ pub(crate) fn history(result: &StudyResult) -> Option<Page> {
         Outcome::NoUplift => "it does not uplift",
         Outcome::Rocked => "it rocks and does not overturn",
         Outcome::Leaned => "it ends leaning on a wall",
+        Outcome::Unresolved => "it still moves at the end, and may yet fall",
         Outcome::Overturned => "it overturns",
     };
     let title = format!(

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use freestand::identify::{StaticError, StaticOptions, StaticTest, static_test};
+use freestand::identify::{StaticError, StaticOptions, StaticTest, Toe, static_test};
 
 use super::Impactor;
 use crate::recorded::Failed;
@@ -28,9 +28,11 @@ pub struct StaticRequest {
     pub load_n: Option<f64>,
     /// Stiffness of the machine \[N/m\].
     pub machine_stiffness_n_m: Option<f64>,
-    /// `Some(false)`: the toe of the curve is kept; `None`: it is removed unless the impactor is a
+    /// What is removed from the beginning of the curve; `None`: its slack, or nothing if the impactor is a
     /// sphere.
-    pub compensates_toe: Option<bool>,
+    pub toe: Option<Toe>,
+    /// Whether the signs of force and displacement are reversed: tension is written as positive.
+    pub inverted: bool,
     /// Flat or sphere; overrides the file.
     pub impactor: Option<String>,
     /// Glued, unglued or lubricated; overrides the file.
@@ -43,7 +45,7 @@ pub struct StaticRequest {
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticReport {
     pub(super) path: String,
-    compensates_toe: bool,
+    toe: Toe,
     dynamic_stiffness_n_m: Option<f64>,
     impactor: Option<String>,
     boundary: Option<String>,
@@ -71,7 +73,7 @@ impl StaticReport {
             .key("path", self.path.as_str())
             .and(facts!(test; tangent_stiffness_n_m, secant_stiffness_n_m, hysteresis_ratio, load_n, max_force_n,
                 max_compression_m, toe_m))
-            .key("toe_compensated", self.compensates_toe)
+            .key("toe_compensated", self.toe != Toe::Keep)
             // Cycles of the file that were not evaluated.
             .and(facts!(test; other_cycles, exponent))
             .key("dynamic_over_static_ratio", dynamic)
@@ -141,14 +143,16 @@ fn one(path: &Path, request: &StaticRequest) -> Result<StaticReport, Problem> {
     let read = load_static(path)?;
     let said = |key: &str| read.said.iter().find(|(k, ..)| k == key).map(|(_, value, _)| value.clone());
     let impactor = request.impactor.clone().or_else(|| said("impactor"));
-    let compensates_toe = request.compensates_toe.unwrap_or(Impactor::of(impactor.as_deref()) != Impactor::Sphere);
-    let options =
-        StaticOptions { load_n: request.load_n, machine_stiffness_n_m: request.machine_stiffness_n_m, compensates_toe };
-    let test =
-        static_test(&read.force_n, &read.displacement_m, &options).map_err(|error| problem(&error).in_file(path))?;
+    let usual = if Impactor::of(impactor.as_deref()) == Impactor::Sphere { Toe::Keep } else { Toe::Slack };
+    let toe = request.toe.unwrap_or(usual);
+    let options = StaticOptions { load_n: request.load_n, machine_stiffness_n_m: request.machine_stiffness_n_m, toe };
+    let sign = if request.inverted { -1.0 } else { 1.0 };
+    let [force_n, displacement_m] = [&read.force_n, &read.displacement_m]
+        .map(|values| values.iter().map(|value| sign * value).collect::<Vec<f64>>());
+    let test = static_test(&force_n, &displacement_m, &options).map_err(|error| problem(&error).in_file(path))?;
     Ok(StaticReport {
         path: path.to_string_lossy().into_owned(),
-        compensates_toe,
+        toe,
         dynamic_stiffness_n_m: request.dynamic_stiffness_n_m,
         impactor,
         boundary: request.boundary.clone().or_else(|| said("boundary")),
@@ -160,7 +164,7 @@ fn problem(error: &StaticError) -> Problem {
     let hint = match error {
         StaticError::TooFew { .. } => "record more points while loading",
         StaticError::NotFinite { .. } => "repair the file",
-        StaticError::NoForce { .. } => "compression must be positive: reverse the signs of the columns",
+        StaticError::NoForce { .. } => "compression must be positive: `invert` reverses the signs of both columns",
         StaticError::Load { .. } => "give a `load` that the test reached",
         StaticError::NotRising { .. } => "check which columns are force and displacement, and their signs",
         StaticError::Foot { .. } => "unload between the cycles, or give a higher `load`",

@@ -21,8 +21,9 @@ pub const DEFAULT_VELOCITY_ERROR_RATIO: f64 = 0.01;
 /// A virtual drop as a laboratory file: its setup in comments, then time and acceleration.
 ///
 /// # Errors
-/// A record of more than five million samples.
+/// A record of more than five million samples, or a velocity of no drop.
 pub fn drop_file(cushion: &Cushion, options: &VirtualDropOptions) -> Result<(String, VirtualDrop), Problem> {
+    check_speed(options.speed_m_s)?;
     let drop = virtual_drop(cushion, options).ok_or_else(|| {
         Problem::value(
             "the record would have more than five million samples",
@@ -40,6 +41,21 @@ pub fn drop_file(cushion: &Cushion, options: &VirtualDropOptions) -> Result<(Str
     let row = |(i, a): (usize, &f64)| [tidy(i as f64 * drop.dt_s * 1e3), (a / G0_M_S2 * 1e6).round() / 1e6];
     let text = numbers_csv(&text, samples.map(row));
     Ok((text, drop))
+}
+
+/// The largest velocity of a drop \[m/s\]: a fall of 1.3 km without air.
+const MAX_SPEED_M_S: f64 = 160.0;
+
+/// Refuses the velocity of no drop test, such as that of a height in another unit.
+///
+/// # Errors
+/// A velocity above 160 m/s.
+pub(super) fn check_speed(speed_m_s: f64) -> Result<(), Problem> {
+    if speed_m_s <= MAX_SPEED_M_S {
+        return Ok(());
+    }
+    let message = format!("a drop test has an impact velocity of at most {MAX_SPEED_M_S} m/s, a fall of 1.3 km");
+    Err(Problem::value(message, "check `height` or `impact_velocity`, and its unit"))
 }
 
 /// Nine decimals: picoseconds in ms, and no 0.30000000000000004.
@@ -304,7 +320,7 @@ mod tests {
         assert_eq!(report.warnings, Vec::<String>::new());
         assert!(report.all_gave() && report.tests.iter().all(|test| test.test.flags.is_empty()));
         let pooled = &report.pooled;
-        let pad = pooled.pad.unwrap();
+        let pad = pooled.pad.as_ref().unwrap();
         assert!((pad.stiffness.stiffness_n_m / 2.19e6 - 1.0).abs() < 0.02);
         let (low, high) = pad.stiffness.ci95_n_m;
         assert!(low < 2.19e6 && 2.19e6 < high, "{low} {high}");
@@ -313,6 +329,16 @@ mod tests {
         std::fs::write(folder.path().join("cushion.toml"), toml).unwrap();
         let (words, _) = crate::cushion::read_cushion_file(&folder.path().join("cushion.toml")).unwrap();
         assert_eq!(words.get("law"), Some("linear"));
+    }
+
+    #[test]
+    fn a_height_of_no_drop_is_refused() {
+        let pad = Cushion::linear(2.19e6).unwrap();
+        for height_m in [2e3, 1e308] {
+            let speed_m_s = (2.0 * G0_M_S2 * height_m).sqrt();
+            let problem = drop_file(&pad, &VirtualDropOptions { speed_m_s, ..options() }).unwrap_err();
+            assert!(problem.hint.is_some_and(|hint| hint.contains("`height`")));
+        }
     }
 
     /// One cell of the table, whose numbers follow from the seed: all drops give a stiffness, and

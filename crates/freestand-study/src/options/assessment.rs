@@ -67,6 +67,7 @@ pub(crate) struct RestraintOptions {
     pub(crate) building_ductility_ratio: Option<Written<f64>>,
     pub(crate) importance_ratio: Option<Written<f64>>,
     pub(crate) bracket_height_m: Option<Written<f64>>,
+    pub(crate) anchor_inset_m: Option<Written<f64>>,
     pub(crate) bracket: Option<Written<String>>,
     /// The keys of a code.
     pub(crate) code: Words,
@@ -148,6 +149,7 @@ pub(super) fn restraint(reader: &mut Reader, table: &mut Section) -> RestraintOp
         building_ductility_ratio: table.ratio(reader, "building_ductility_ratio"),
         importance_ratio: table.ratio(reader, "importance_ratio"),
         bracket_height_m: table.quantity(reader, "bracket_height", Dimension::Length),
+        anchor_inset_m: table.quantity(reader, "anchor_inset", Dimension::Length),
         bracket: table.string(reader, "bracket"),
     }
 }

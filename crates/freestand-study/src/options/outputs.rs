@@ -9,6 +9,10 @@ pub(crate) struct OutputsOptions {
     pub(crate) figures: Option<Written<bool>>,
     pub(crate) report: Option<Written<bool>>,
     pub(crate) parquet: Option<Written<bool>>,
+    pub(crate) cards: Option<Written<bool>>,
+    pub(crate) date: Option<Written<String>>,
+    pub(crate) preparer: Option<Written<String>>,
+    pub(crate) revision: Option<Written<String>>,
     pub(crate) history: Option<HistoryOptions>,
 }
 
@@ -27,6 +31,10 @@ pub(super) fn outputs(reader: &mut Reader, table: &mut Section) -> OutputsOption
         figures: table.boolean(reader, "figures"),
         report: table.boolean(reader, "report"),
         parquet: table.boolean(reader, "parquet"),
+        cards: table.boolean(reader, "cards"),
+        date: table.string(reader, "date"),
+        preparer: table.string(reader, "preparer"),
+        revision: table.string(reader, "revision"),
         history: table.table(reader, "history").map(|mut entry| {
             let history = HistoryOptions {
                 line: entry.line,

@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use freestand::code_spectrum::NationalAnnex;
 use freestand_input::words::{canonical, edit_distance, number};
 use freestand_output::facts::Facts;
 
@@ -36,6 +37,8 @@ pub enum PlaceHazard {
     Nzs1170_5 {
         /// Hazard factor Z.
         hazard_factor: f64,
+        /// Distance to the nearest fault; [`FAR_KM`] stands for more \[km\].
+        fault_distance_km: f64,
     },
     /// ASCE 7-16, risk-targeted maximum considered earthquake, class B/C.
     Asce7 {
@@ -46,10 +49,17 @@ pub enum PlaceHazard {
     },
     /// Eurocode 8.
     Eurocode8 {
-        /// Reference ground acceleration on rock a_gR \[g\].
+        /// Reference ground acceleration on rock a_gR, of type 1 where the annex has two \[g\].
         ground_acceleration_g: f64,
+        /// That of type 2, where the national annex has both \[g\].
+        type2_ground_acceleration_g: Option<f64>,
+        /// The national annex; `None`: it was not read, and the shape is the recommended one.
+        annex: Option<NationalAnnex>,
     },
 }
+
+/// The distance to a fault from which it has no effect in NZS 1170.5 \[km\].
+pub const FAR_KM: f64 = 20.0;
 
 impl PlaceHazard {
     /// The name of the code in flags and studies.
@@ -75,24 +85,76 @@ impl PlaceHazard {
     /// The values with their symbols: `Z = 0.08`, `Ss = 1.976 g, S1 = 0.704 g`.
     pub fn words(&self) -> String {
         match self {
-            Self::As1170_4 { hazard_factor } | Self::Nzs1170_5 { hazard_factor } => {
-                format!("Z = {}", number(*hazard_factor, 4))
+            Self::As1170_4 { hazard_factor } => format!("Z = {}", number(*hazard_factor, 4)),
+            Self::Nzs1170_5 { hazard_factor, fault_distance_km } => {
+                format!("Z = {}, {}", number(*hazard_factor, 4), fault_words(*fault_distance_km))
             }
             Self::Asce7 { ss_g, s1_g } => format!("Ss = {} g, S1 = {} g", number(*ss_g, 4), number(*s1_g, 4)),
-            Self::Eurocode8 { ground_acceleration_g } => format!("a_gR = {} g", number(*ground_acceleration_g, 4)),
+            Self::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g, annex } => {
+                let one = format!("a_gR = {} g", number(*ground_acceleration_g, 4));
+                let two = type2_ground_acceleration_g
+                    .map_or_else(String::new, |two| format!(" (type 1), {} g (type 2)", number(two, 4)));
+                let corner = match annex {
+                    Some(NationalAnnex::Romania { corner_period_s }) => {
+                        format!(" (225 years), TC = {} s", number(*corner_period_s, 4))
+                    }
+                    _ => String::new(),
+                };
+                format!("{one}{two}{corner}")
+            }
         }
     }
 
-    /// The values of a row of the table.
+    /// The values of a row of the table: numbers, then names with values (`fault=6`, `annex=pt`).
     fn parse(code: &str, values: &str) -> Option<Self> {
-        let values: Vec<f64> = values.split(',').map(|value| value.trim().parse()).collect::<Result<_, _>>().ok()?;
-        match (code, values.as_slice()) {
-            ("as1170.4", &[hazard_factor]) => Some(Self::As1170_4 { hazard_factor }),
-            ("nzs1170.5", &[hazard_factor]) => Some(Self::Nzs1170_5 { hazard_factor }),
-            ("asce7", &[ss_g, s1_g]) => Some(Self::Asce7 { ss_g, s1_g }),
-            ("eurocode8", &[ground_acceleration_g]) => Some(Self::Eurocode8 { ground_acceleration_g }),
+        let (named, numbers): (Vec<&str>, Vec<&str>) =
+            values.split(',').map(str::trim).partition(|value| value.contains('='));
+        let numbers: Vec<f64> = numbers.into_iter().map(str::parse).collect::<Result<_, _>>().ok()?;
+        let named: Vec<(&str, &str)> = named.into_iter().filter_map(|value| value.split_once('=')).collect();
+        match (code, numbers.as_slice(), named.as_slice()) {
+            ("as1170.4", &[hazard_factor], []) => Some(Self::As1170_4 { hazard_factor }),
+            ("nzs1170.5", &[hazard_factor], [("fault", km)]) => {
+                Some(Self::Nzs1170_5 { hazard_factor, fault_distance_km: km.parse().ok()? })
+            }
+            ("asce7", &[ss_g, s1_g], []) => Some(Self::Asce7 { ss_g, s1_g }),
+            ("eurocode8", &[ground_acceleration_g], []) => {
+                Some(Self::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g: None, annex: None })
+            }
+            ("eurocode8", &[ground_acceleration_g], [("annex", "fr")]) => {
+                let annex = Some(NationalAnnex::France);
+                Some(Self::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g: None, annex })
+            }
+            ("eurocode8", &[ground_acceleration_g, two], [("annex", "pt")]) => Some(Self::Eurocode8 {
+                ground_acceleration_g,
+                type2_ground_acceleration_g: Some(two),
+                annex: Some(NationalAnnex::Portugal),
+            }),
+            ("eurocode8", &[ground_acceleration_g], [("annex", "ro"), ("tc", corner)]) => {
+                let annex = Some(NationalAnnex::Romania { corner_period_s: corner.parse().ok()? });
+                Some(Self::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g: None, annex })
+            }
             _ => None,
         }
+    }
+
+    /// Its return period \[years\], where its code has one alone.
+    pub fn return_period_years(&self) -> Option<u32> {
+        match self {
+            Self::Eurocode8 { annex, .. } => Some(annex.map_or(EUROCODE_YEARS, NationalAnnex::return_period_years)),
+            _ => None,
+        }
+    }
+}
+
+/// The return period of a_gR that EN 1998-1, 2.1, recommends \[years\].
+const EUROCODE_YEARS: u32 = 475;
+
+/// `a fault 6 km away`, `no fault within 20 km`.
+fn fault_words(fault_distance_km: f64) -> String {
+    if fault_distance_km >= FAR_KM {
+        format!("no fault within {} km", number(FAR_KM, 3))
+    } else {
+        format!("a fault {} km away", number(fault_distance_km, 3))
     }
 }
 
@@ -145,7 +207,7 @@ impl Place {
     /// use freestand_study::places::{Place, PlaceHazard};
     /// let place = Place::find("zürich").unwrap();
     /// assert_eq!((place.name, place.country), ("Zurich", "Switzerland"));
-    /// assert_eq!(place.hazard, PlaceHazard::Eurocode8 { ground_acceleration_g: 0.06 });
+    /// assert!(matches!(place.hazard, PlaceHazard::Eurocode8 { ground_acceleration_g: 0.06, .. }));
     /// assert_eq!(Place::find("Atlantis"), None);
     /// ```
     pub fn find(name: &str) -> Option<&'static Self> {
@@ -172,9 +234,16 @@ impl Place {
 
     /// What the reader must know about its values.
     pub fn doubt(&self) -> Option<String> {
+        let has_shape = !matches!(self.hazard, PlaceHazard::Eurocode8 { annex: None, .. });
         (self.confidence == Confidence::Approximate).then(|| {
+            let shape = if has_shape {
+                ""
+            } else {
+                ", and the shape of its spectrum is the one that EN 1998-1 recommends, because the national annex was \
+                 not read"
+            };
             format!(
-                "the hazard of {} ({}) is approximate: confirm it in the national annex before you rely on it",
+                "the hazard of {} ({}) is approximate{shape}: confirm it in the national annex before you rely on it",
                 self.name,
                 self.hazard.words()
             )
@@ -184,12 +253,17 @@ impl Place {
     /// Its row of `freestand place list`; the values that its code does not have are null.
     pub fn facts(&self) -> Facts<'static> {
         let (mut z, mut ss_g, mut s1_g, mut a_g) = (None, None, None, None);
+        let (mut fault_km, mut type_2_g, mut annex) = (None, None, None);
         match self.hazard {
-            PlaceHazard::As1170_4 { hazard_factor } | PlaceHazard::Nzs1170_5 { hazard_factor } => {
-                z = Some(hazard_factor);
+            PlaceHazard::As1170_4 { hazard_factor } => z = Some(hazard_factor),
+            PlaceHazard::Nzs1170_5 { hazard_factor, fault_distance_km } => {
+                (z, fault_km) = (Some(hazard_factor), Some(fault_distance_km));
             }
             PlaceHazard::Asce7 { ss_g: short, s1_g: long } => (ss_g, s1_g) = (Some(short), Some(long)),
-            PlaceHazard::Eurocode8 { ground_acceleration_g } => a_g = Some(ground_acceleration_g),
+            PlaceHazard::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g, annex: of } => {
+                (a_g, type_2_g) = (Some(ground_acceleration_g), type2_ground_acceleration_g);
+                annex = of.map(NationalAnnex::name);
+            }
         }
         Facts::default()
             .key("name", self.name)
@@ -200,6 +274,10 @@ impl Place {
             .key("s1_g", s1_g)
             .key("hazard_factor", z)
             .key("ground_acceleration_g", a_g)
+            .key("type2_ground_acceleration_g", type_2_g)
+            .key("annex", annex)
+            .key("return_period_years", self.hazard.return_period_years().map(u64::from))
+            .key("fault_distance_km", fault_km)
             .key("source", self.source)
             .key("confidence", self.confidence.name())
     }
@@ -250,8 +328,8 @@ mod tests {
                     [ss_g / 3.0, s1_g]
                 }
                 PlaceHazard::As1170_4 { hazard_factor: one }
-                | PlaceHazard::Nzs1170_5 { hazard_factor: one }
-                | PlaceHazard::Eurocode8 { ground_acceleration_g: one } => [one, one],
+                | PlaceHazard::Nzs1170_5 { hazard_factor: one, .. }
+                | PlaceHazard::Eurocode8 { ground_acceleration_g: one, .. } => [one, one],
             };
             assert!(values.into_iter().all(|value| value > 0.0 && value < 0.9), "{place:?}");
         }

@@ -165,6 +165,7 @@ impl Resolver<'_> {
             &format!("a factor from {LEAST_BUILDING_DUCTILITY_RATIO} to 20"),
         );
         self.require(&written.bracket_height_m, |height| height > 0.0, "bracket_height", "positive");
+        self.require(&written.anchor_inset_m, |inset| inset >= 0.0, "anchor_inset", "zero or positive");
         RestraintSettings {
             dead_load_ratio: or(&written.dead_load_ratio, defaults.dead_load_ratio),
             overstrength_ratio,
@@ -175,6 +176,7 @@ impl Resolver<'_> {
             building_ductility_ratio: written.building_ductility_ratio.as_ref().map(|factor| factor.value),
             importance_ratio,
             bracket_height_m: written.bracket_height_m.as_ref().map(|height| height.value),
+            anchor_inset_m: written.anchor_inset_m.as_ref().map(|inset| inset.value),
             bracket: self.named("bracket", &written.bracket, &Bracket::ALL).unwrap_or(defaults.bracket),
         }
     }

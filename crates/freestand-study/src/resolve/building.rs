@@ -51,7 +51,7 @@ impl Resolver<'_> {
             written.name = None;
         }
         let height = overrides.storey_height_m.map(|height_m| format!("{height_m} m"));
-        written.words.set("storeys", &storeys.to_string());
+        written.words.set("storeys", storeys.to_string());
         if let Some(height) = &height {
             written.words.set("storey_height", height);
         }

@@ -2,6 +2,7 @@
 //! once.
 
 mod assessment;
+mod assumed;
 mod building;
 mod cushion;
 mod ground;
@@ -134,6 +135,7 @@ pub fn resolve_with(
         let hint = "state the place, such as `place = \"Wellington\"` in [ground], and the building, such as `storeys = 4` \
                     in [building]";
         let empty = Problem::new(ProblemKind::Missing, "the study is empty: nothing is stated in it").hint(hint);
+        let empty = empty.shown(KeyStyle::File);
         return Err(source.map_or(empty.clone(), |path| empty.in_file(path)).into());
     }
     resolve_as(Text::Of(text), source, base_dir, overrides)
@@ -177,10 +179,10 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
         resolver.check_measured(&ground, &building, &levels, overrides);
         (Some(Ground::OnFloors), Some(None))
     } else {
-        let building = resolver.building(&building.words, period_code(&ground.target));
-        let ground = resolver.ground(&ground, overrides, building.as_ref(), &levels);
-        resolver.warnings.extend(building.iter().flat_map(|building| building.warnings.clone()));
-        (ground, building.map(Some))
+        let found = resolver.building(&building.words, period_code(&ground.target));
+        let ground = resolver.ground(&ground, overrides, found.as_ref(), &levels);
+        resolver.warnings.extend(found.iter().flat_map(|building| building.warnings.clone()));
+        (ground, found.map(Some))
     };
     let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
     if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
@@ -197,6 +199,15 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
     let place_is_assumed =
         target.is_some_and(|target| target.place_is_assumed || is_builtin && overrides.hazard.get("place").is_none());
     let outputs = resolver.outputs(&outputs, &levels, objects.as_ref(), names.as_deref());
+    let stated = assumed::Stated {
+        ground: &ground,
+        building: &building,
+        overrides,
+        is_builtin,
+        place_is_assumed,
+        building_is_assumed,
+    };
+    let assumed = assumed::assumed(ground_input.as_ref(), building_input.as_ref().and_then(Option::as_ref), &stated);
     if let (Text::Of(_), true, Some(Some(building))) = (written, building_is_assumed, &building_input) {
         resolver.warnings.push(format!(
             "[building] states no storeys: the building is the built-in one, with {} storeys and {} m high; give storeys",
@@ -210,6 +221,7 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
             is_builtin,
             place_is_assumed,
             building_is_assumed,
+            assumed,
             toml: text,
             ground,
             directions_deg,

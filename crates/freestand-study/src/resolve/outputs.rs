@@ -2,8 +2,9 @@
 
 use super::{Resolver, or};
 use crate::options::{HistoryOptions, OutputsOptions};
-use crate::study::{HistoryChoice, Level, Objects, Outputs};
+use crate::study::{HistoryChoice, Level, Objects, Outputs, TitleBlock};
 use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::toml_reader::Written;
 
 impl Resolver<'_> {
     pub(super) fn outputs(
@@ -15,7 +16,20 @@ impl Resolver<'_> {
     ) -> Outputs {
         let history = written.history.as_ref().and_then(|history| self.history(history, levels, objects, motions));
         let parquet = or(&written.parquet, false);
-        Outputs { figures: or(&written.figures, true), report: or(&written.report, true), parquet, history }
+        let stated = |text: &Option<Written<String>>| text.as_ref().map(|text| text.value.clone());
+        let title = TitleBlock {
+            date: stated(&written.date),
+            preparer: stated(&written.preparer),
+            revision: stated(&written.revision),
+        };
+        Outputs {
+            figures: or(&written.figures, true),
+            report: or(&written.report, true),
+            parquet,
+            cards: or(&written.cards, false),
+            title,
+            history,
+        }
     }
 
     fn history(

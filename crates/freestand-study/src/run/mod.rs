@@ -25,9 +25,7 @@ use motions::{floor_profile, floors, spectrum_of, verticals};
 pub use motions::{floors_under, ground_motions};
 use warnings::result_warnings;
 
-/// Longest time after the motion in which a block may settle \[s\]; only a restitution of nearly 1
-/// needs more.
-pub const LONGEST_TAIL_S: f64 = 120.0;
+pub use freestand::rocking::LONGEST_TAIL_S;
 
 /// Damping of all spectra in figures.
 pub use freestand::oscillator::DAMPING_RATIO as SPECTRUM_DAMPING_RATIO;

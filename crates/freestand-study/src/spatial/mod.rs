@@ -7,7 +7,7 @@ use freestand::compliant::CompliantEffort;
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::impact::stiffness_warnings;
 use freestand::motion::{MAX_SAMPLES, Motion};
-use freestand::rocking::Base;
+use freestand::rocking::{Base, LONGEST_TAIL_S};
 use freestand::signal::rotate::Pair;
 use freestand::spatial::{
     BodyMotion, Pattern, RIM_POINTS, Shape, SpatialMotion, SpatialObject, SpatialOptions, SpatialPiece, SpatialStart,
@@ -26,6 +26,7 @@ pub use wall::walls_on_cushions;
 
 use crate::compliant::{damped, energy_warning, problem, ringing_warning};
 use crate::cushion::EdgeCushion;
+use crate::rock::unresolved_warning;
 
 /// Sampling of a history without a motion \[s\].
 const FREE_HISTORY_DT_S: f64 = 0.005;
@@ -197,7 +198,7 @@ impl Sampler {
     /// For a history until `end_s`; refuses one that is too long.
     fn new(motion: Option<&Motion>, options: &SpatialOptions, is_wanted: bool) -> Result<Self, Problem> {
         let dt_s = motion.map_or(FREE_HISTORY_DT_S, Motion::dt_s);
-        let end_s = options.duration_s.or(motion.map(Motion::duration_s)).unwrap_or(0.0);
+        let end_s = options.duration_s.unwrap_or_else(|| motion.map_or(0.0, Motion::duration_s) + LONGEST_TAIL_S);
         if is_wanted && end_s / dt_s > MAX_SAMPLES as f64 {
             let message = format!("a history of {end_s} s at steps of {dt_s} s is too long");
             return Err(Problem::value(message, "give a shorter `duration`, or leave `history` and `out` out"));
@@ -297,7 +298,9 @@ pub fn rock_in_space(request: &SpatialRequest, record: bool) -> Result<SpatialRe
         .and(support_facts(object.mass_kg, &object.support, options, rocking.effort))
         .fact("notes", "note", notes(&request.edge));
     let is_shaken = given.is_some();
-    let warnings = warnings(object.mass_kg, &request.edge, is_shaken, rocking.energy.residual_ratio);
+    let mut warnings = warnings(object.mass_kg, &request.edge, is_shaken, rocking.energy.residual_ratio);
+    warnings.extend(unresolved_warning(body.outcome));
+    warnings.extend(wall::feet_warning(object));
     Ok(SpatialReport { facts, warnings, shape: object.shape, history, outline_m })
 }
 
@@ -352,7 +355,8 @@ pub fn rock_stacked(request: &StackRequest, record: bool) -> Result<StackReport,
     .map_err(problem)?;
     let facts = stack_facts(request, &rocking);
     let lower_kg = request.stack.lower.mass_kg;
-    let warnings = warnings(lower_kg, &request.edge, given.is_some(), rocking.energy.residual_ratio);
+    let mut warnings = warnings(lower_kg, &request.edge, given.is_some(), rocking.energy.residual_ratio);
+    warnings.extend(unresolved_warning(rocking.outcome));
     Ok(StackReport { facts, warnings, stack: request.stack.clone(), history })
 }
 

@@ -57,6 +57,15 @@ pub(super) fn check(object: &SpatialObject) -> Result<(), Problem> {
         .of(&["wall_gap_left"]))
 }
 
+/// What a wall beside an object on cushions does not do.
+pub(super) fn feet_warning(object: &SpatialObject) -> Option<String> {
+    (!object.walls.is_empty()).then(|| {
+        "the top and the face of the object meet the wall, and its feet pass through it: on a rigid base it may fall \
+         where it stands here"
+            .to_owned()
+    })
+}
+
 /// The contact of the object with one of its walls where it turns about an edge that does not give.
 fn contact(object: &SpatialObject, wall: &Wall) -> Option<Contact> {
     let [thickness_m, _, height_m] = object.shape.sizes_m();

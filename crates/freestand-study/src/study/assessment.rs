@@ -216,6 +216,9 @@ pub struct RestraintSettings {
     pub importance_ratio: Option<f64>,
     /// Height of a bracket \[m\]; `None`: 0.9 of the object's height.
     pub bracket_height_m: Option<f64>,
+    /// Distance of the anchors from the edge that they hold down, measured inwards \[m\]; `None`: it
+    /// is assumed.
+    pub anchor_inset_m: Option<f64>,
     /// What holds the object.
     pub bracket: Bracket,
 }
@@ -262,6 +265,7 @@ impl Default for RestraintSettings {
             building_ductility_ratio: None,
             importance_ratio: None,
             bracket_height_m: None,
+            anchor_inset_m: None,
             bracket: Bracket::Rigid,
         }
     }

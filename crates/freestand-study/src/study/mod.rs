@@ -43,6 +43,8 @@ pub struct Study {
     pub place_is_assumed: bool,
     /// Whether nobody stated the building: it is that of the built-in study.
     pub building_is_assumed: bool,
+    /// Everything about the shaking that nobody stated.
+    pub assumed: Vec<Assumed>,
     /// The study as TOML text: what `source` held, or the built-in study.
     pub toml: String,
     /// The motions at the base of the building.
@@ -73,6 +75,11 @@ pub struct Study {
 }
 
 impl Study {
+    /// What was assumed about the shaking at a level, in words; on the ground no building matters.
+    pub fn assumed_at(&self, level_ratio: f64) -> impl Iterator<Item = &str> {
+        self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0).map(|one| one.words.as_str())
+    }
+
     /// What nobody stated of the shaking at a level; `None`: everything is stated. On the ground no building
     /// matters.
     pub fn unstated(&self, level_ratio: f64) -> Option<Unstated> {
@@ -84,10 +91,27 @@ impl Study {
         }
     }
 
+    /// The same study with the other spectrum of its national annex, where that has two.
+    pub fn alternative(&self) -> Option<Self> {
+        let Ground::Synthetic(synthetic) = &self.ground else { return None };
+        let target = synthetic.target.with_alternative()?;
+        let ground = Ground::Synthetic(SyntheticGround { target, ..synthetic.clone() });
+        Some(Self { ground, ..self.clone() })
+    }
+
     /// The code by which restraints are designed: that of `[restraint]`, else that of the motions.
     pub fn restraint_target(&self) -> Option<&Target> {
         self.assessment.restraint_code.as_ref().or_else(|| self.ground.code_spectrum())
     }
+}
+
+/// A value that nobody stated.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Assumed {
+    /// Whether it is one of the building.
+    pub of_building: bool,
+    /// The value, and what it stands for: `site class C, because no site was given`.
+    pub words: String,
 }
 
 /// What a study leaves to the built-in study.
@@ -418,8 +442,24 @@ pub struct Outputs {
     pub report: bool,
     /// The tables of results as Parquet too.
     pub parquet: bool,
+    /// Whether the cards of objects in the report of a list are printed.
+    pub cards: bool,
+    /// Who signs for the report of a list.
+    pub title: TitleBlock,
     /// The object whose rocking history is drawn; `None`: chosen by the program.
     pub history: Option<HistoryChoice>,
+}
+
+/// Who signs for a report; what is not stated is a line to be filled in by hand. The date is not the
+/// clock's: equal runs write equal files.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct TitleBlock {
+    /// The date.
+    pub date: Option<String>,
+    /// Who prepared it.
+    pub preparer: Option<String>,
+    /// The revision.
+    pub revision: Option<String>,
 }
 
 /// The object whose rocking history is drawn.

@@ -3,13 +3,13 @@
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{
     As1170_4, Asce7, Asce7Edition, Asce7Site, CodeSpectrum, CodeSpectrumError, Edition, Eurocode8, GroundType,
-    Nzs1170_5, SiteClass, SpectrumShape, SpectrumType, SubsoilClass, minimum_kpz, probability_factor,
+    NationalAnnex, Nzs1170_5, SiteClass, SpectrumShape, SpectrumType, SubsoilClass, minimum_kpz, probability_factor,
     return_period_factor, site_coefficients,
 };
 
 use super::Target;
 use super::words::{Code, missing, needed, place_key};
-use crate::places::{Confidence, Place, PlaceHazard};
+use crate::places::{Confidence, FAR_KM, Place, PlaceHazard};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
@@ -69,6 +69,8 @@ fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
         place: None,
         place_is_assumed: false,
         facts: all,
+        alternative: None,
+        parts_edition: None,
         file: None,
         table_csv: None,
         warnings,
@@ -190,9 +192,15 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     const CODE: Code = Code::Eurocode8;
     edition(reader, &[("2004", ())], "2004 (EN 1998-1:2004)");
     refuse_beside_place(reader, &["ground_acceleration"]);
-    let acceleration_g = match place.map(|place| place.hazard) {
-        Some(PlaceHazard::Eurocode8 { ground_acceleration_g }) => Some(ground_acceleration_g),
-        _ => needed(reader, "ground_acceleration", Dimension::Acceleration, CODE, "0.15 g").map(|a| a / G0_M_S2),
+    let (of_place, of_type_2, annex) = match place.map(|place| place.hazard) {
+        Some(PlaceHazard::Eurocode8 { ground_acceleration_g, type2_ground_acceleration_g, annex }) => {
+            (Some(ground_acceleration_g), type2_ground_acceleration_g, annex)
+        }
+        _ => (None, None, None),
+    };
+    let stated_g = match of_place {
+        Some(_) => None,
+        None => needed(reader, "ground_acceleration", Dimension::Acceleration, CODE, "0.15 g").map(|a| a / G0_M_S2),
     };
     let importance = match reader.has("importance_factor") {
         false => Some(1.0),
@@ -207,6 +215,8 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
         }
         (true, _) => reader.one_of("spectrum_type", &types),
     };
+    let own_of_type_2 = of_type_2.filter(|_| spectrum_type == Some(SpectrumType::Type2));
+    let acceleration_g = own_of_type_2.or(of_place).or(stated_g);
     let soil_factor = reader.positive("soil_factor", Dimension::Ratio);
     let corners = eurocode8_corners(reader);
     let is_complete = ["soil_factor", "corner_periods"].iter().all(|key| reader.has(key));
@@ -226,12 +236,35 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     if !reader.problems.is_empty() {
         return None;
     }
-    let recommended = ground.zip(spectrum_type).map(|(ground, kind)| SpectrumShape::recommended(kind, ground));
-    let shape = eurocode8_shape(recommended, soil_factor, corners)?;
-    let result = Eurocode8::with_shape(spectrum_type?, ground, acceleration_g?, importance?, shape);
+    let (spectrum_type, acceleration_g, importance) = (spectrum_type?, acceleration_g?, importance?);
+    // Values that the user states take the place of a shape of the annex.
+    let annex = annex.filter(|_| soil_factor.is_none() && corners.is_none());
+    let of_annex = annex.zip(ground).map(|(annex, ground)| {
+        let of_type = |kind, a_g| Eurocode8::of_annex(annex, kind, ground, a_g, importance);
+        // The type that the user names counts alone.
+        let other = of_type_2.filter(|_| !reader.has("spectrum_type"));
+        (of_type(spectrum_type, acceleration_g), other.map(|a_g| of_type(SpectrumType::Type2, a_g)))
+    });
+    let recommended = ground.map(|ground| SpectrumShape::recommended(spectrum_type, ground));
+    let (result, alternative) = match of_annex {
+        Some((code, other)) => (code, other.and_then(Result::ok)),
+        None => {
+            let shape = eurocode8_shape(recommended, soil_factor, corners)?;
+            (Eurocode8::with_shape(spectrum_type, ground, acceleration_g, importance, shape), None)
+        }
+    };
     let code = made(reader, &["ground_acceleration", "soil_factor", "corner_periods"], result)?;
-    let given = |is_given: bool| if is_given { "as given" } else { "recommended" };
+    let shape = code.shape();
+    let unstated = if annex.is_some() { "of the national annex" } else { "recommended" };
+    let given = |is_given: bool| if is_given { "as given" } else { unstated };
     let assumed = |key: &str| if reader.has(key) { "" } else { ", assumed" };
+    let has_ground = annex.is_none_or(NationalAnnex::has_ground_types);
+    if !has_ground && reader.has("site") {
+        let message = "the national annex has no ground types: the corner period belongs to the place";
+        reader.note(&["site"], message, "leave `site` out");
+        return None;
+    }
+    let ground = ground.filter(|_| has_ground);
     let ground_words =
         ground.map_or_else(|| "not given".to_owned(), |ground| format!("{}: {}", ground.name(), ground.description()));
     let [tb_s, tc_s, td_s] = code.corner_periods_s().map(|period_s| number(period_s, 4));
@@ -244,7 +277,17 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
         fact("TB, TC, TD", format!("{tb_s} s, {tc_s} s, {td_s} s, {}", given(corners.is_some()))),
     ];
     let mut target = at(place, target(code.into(), facts));
-    if !code.is_recommended() {
+    target.facts.extend(annex.map(|annex| fact("National annex", annex.name())));
+    if let Some(other) = alternative {
+        let a_g = in_g(other.reference_acceleration_g());
+        target.facts.push(fact("Second spectrum of the annex", format!("type 2, a_gR = {a_g}")));
+        target.warnings.push(format!(
+            "the national annex has two spectra: assess, object and restrain take the worse of type 1 and type 2 \
+             (a_gR = {a_g}) for each object, everything else type 1 alone unless `spectrum_type` is given"
+        ));
+        target.alternative = Some(other.into());
+    }
+    if !code.is_recommended() && annex.is_none() {
         target.warnings.push(
             "the soil factor or the corner periods differ from those that EN 1998-1 recommends: check them against \
              the national annex"
@@ -342,7 +385,16 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> O
     let mut target = at(place, target(code.into(), facts));
     target.warnings.extend(warnings);
     target.period_warnings = period_warnings;
+    let in_force = place.and_then(parts_edition_in_force);
+    target.parts_edition = in_force.filter(|_| !reader.has("edition"));
     Some(target)
+}
+
+/// The edition of ASCE 7 that a state has adopted, where it is known not to be that of the mapped
+/// values: the California Building Code of 2025, in force since 2026-01-01, refers to ASCE 7-22 through
+/// the International Building Code of 2024.
+fn parts_edition_in_force(place: &Place) -> Option<Asce7Edition> {
+    (place.region == "CA").then_some(Asce7Edition::Asce7_22)
 }
 
 /// A mapped acceleration \[g\].
@@ -407,7 +459,7 @@ pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) 
     edition(reader, &[("2004", ())], "2004");
     refuse_beside_place(reader, &["hazard_factor"]);
     let hazard = match place.map(|place| place.hazard) {
-        Some(PlaceHazard::Nzs1170_5 { hazard_factor }) => Some(hazard_factor),
+        Some(PlaceHazard::Nzs1170_5 { hazard_factor, .. }) => Some(hazard_factor),
         _ => needed(reader, "hazard_factor", Dimension::Ratio, CODE, "0.40"),
     };
     let site = match reader.words.get("site") {
@@ -422,16 +474,16 @@ pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) 
         }
     };
     let years = return_period(reader, |years| return_period_factor(years).map(|_| ()), "see Table 3.5 of NZS 1170.5");
-    let distance_km = if reader.has("fault_distance") {
-        Some(reader.non_negative("fault_distance", Dimension::Length)? / 1e3)
-    } else {
-        None
+    let distance_km = match place.map(|place| place.hazard) {
+        _ if reader.has("fault_distance") => Some(reader.non_negative("fault_distance", Dimension::Length)? / 1e3),
+        Some(PlaceHazard::Nzs1170_5 { fault_distance_km, .. }) => Some(fault_distance_km),
+        _ => None,
     };
     let code = Nzs1170_5::new(site?, hazard?, years?, distance_km);
     let code = made(reader, &["hazard_factor", "fault_distance"], code)?;
     let maximum = if code.maximum_governs() { " (the code’s maximum governs)" } else { "" };
     let fault = match distance_km {
-        None if place.is_some() => "distance not given: N(T, D) = 1".to_owned(),
+        Some(km) if km >= FAR_KM => format!("{} km away or more: N(T, D) = 1", number(km, 4)),
         None => "none near: N(T, D) = 1".to_owned(),
         Some(km) if code.is_near_fault() => format!("{} km away: N(T, D) rises from 1.5 s on", number(km, 4)),
         Some(km) => format!("{} km away: N(T, D) = 1 by the code", number(km, 4)),
@@ -445,13 +497,6 @@ pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) 
         fact("Major fault", fault),
     ];
     let mut target = at(place, target(code.into(), facts));
-    if place.is_some() && distance_km.is_none() && code.return_period_years() > 250 {
-        target.period_warnings.push(
-            "the table of places has no distances to faults, so N(T, D) = 1: give `fault_distance` where a major fault \
-             is within 20 km, because it raises the spectrum beyond 1.5 s"
-                .to_owned(),
-        );
-    }
     if code.maximum_governs() {
         target.warnings.push(format!(
             "Z R = {} is above the maximum of NZS 1170.5, so 0.7 governs",

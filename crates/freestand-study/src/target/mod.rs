@@ -11,7 +11,7 @@ mod words;
 
 use std::path::Path;
 
-use freestand::code_spectrum::{As1170_4, CodeSpectrum, SiteClass};
+use freestand::code_spectrum::{As1170_4, Asce7Edition, CodeSpectrum, SiteClass};
 use freestand::synthesis;
 
 pub use codes::DEFAULT_YEARS;
@@ -40,6 +40,11 @@ pub struct Target {
     pub place_is_assumed: bool,
     /// Its description and the sources of its numbers, for reports: name and value.
     pub facts: Vec<(String, String)>,
+    /// The other spectrum of a national annex that has two: type 2 of Portugal. What happens to an
+    /// object is calculated for both, and the worse counts.
+    pub alternative: Option<CodeSpectrum>,
+    /// The edition of ASCE 7 in force for parts at the place, where it is not that of the hazard.
+    pub parts_edition: Option<Asce7Edition>,
     /// The file of a table.
     pub file: Option<InputFile>,
     /// A table as text, for outputs that need no other file: reading it gives the same bits.
@@ -110,6 +115,18 @@ impl Target {
     /// kp·Z of AS 1170.4 \[g\].
     pub fn kpz_g(&self) -> Option<f64> {
         Some(self.as1170_4()?.kpz_g())
+    }
+
+    /// The spectrum that asks more of parts: of two, the one with the larger acceleration of the ground.
+    pub fn parts_spectrum(&self) -> &CodeSpectrum {
+        let larger = self.alternative.as_ref().filter(|other| other.sa_g(0.0) > self.spectrum.sa_g(0.0));
+        larger.unwrap_or(&self.spectrum)
+    }
+
+    /// The same target with its other spectrum, where a national annex has two.
+    pub fn with_alternative(&self) -> Option<Self> {
+        let spectrum = self.alternative.clone()?;
+        Some(Self { spectrum, alternative: None, ..self.clone() })
     }
 
     /// What the document of a command says about it; values that its code does not have are null.

@@ -9,6 +9,7 @@ use freestand_input::words::number;
 use super::Target;
 use super::codes::DEFAULT_LONG_PERIOD_WORDS;
 use super::words::{self, CODES, Code};
+use crate::places::Place;
 
 impl Target {
     /// The code for parts that words with the keys of a spectrum describe.
@@ -69,13 +70,22 @@ impl Target {
         }
         match words::resolve(&words, "".as_ref()) {
             // The clauses use no long periods.
-            Ok(target) => Ok(Self { period_warnings: Vec::new(), ..target }),
+            Ok(target) => Ok(Self { period_warnings: Vec::new(), ..target.of_larger_type() }),
             Err(mut problems) => {
                 // The value that stands in is wrong where the value that it repeats is.
                 problems.problems.retain(|problem| !problem.keys.first().is_some_and(|key| filled.contains(key)));
                 Err(problems)
             }
         }
+    }
+
+    /// Of two spectra of a national annex the one that asks more of parts, alone.
+    fn of_larger_type(self) -> Self {
+        if self.alternative.is_none() {
+            return self;
+        }
+        let spectrum = self.parts_spectrum().clone();
+        Self { spectrum, alternative: None, warnings: self.place.and_then(Place::doubt).into_iter().collect(), ..self }
     }
 
     /// What the clauses for parts use of it: `S_DS = 1 g`, `site De, Z = 0.08 (Melbourne), 500

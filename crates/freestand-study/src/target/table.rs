@@ -61,6 +61,8 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
         place: None,
         place_is_assumed: false,
         file: read.file,
+        alternative: None,
+        parts_edition: None,
         table_csv: Some(format!("period [s],PSA [m/s2]\n{lines}")),
         warnings,
         period_warnings: Vec::new(),

@@ -268,7 +268,7 @@ fn the_lists_of_words_agree() {
 fn a_place_brings_its_code_and_its_hazard() {
     let cases: [(&str, f64, &str); 4] = [
         ("Sydney", 0.2944, "site De, Z = 0.08 (Sydney), 500 years, kpZ = 0.08 g"),
-        ("wellington", 1.172, "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g"),
+        ("wellington", 1.172, "site C, Z = 0.4 (Wellington), 500 years, Z R = 0.4 g, a fault 0 km away"),
         ("Los Angeles", 1.5808, "site D, SDS = 1.581 g, SD1 = 0.7979 g (Los Angeles), TL = 8 s"),
         ("athens", 0.48, "type 1, ground B, a_g = 0.16 g (Athens, approximate)"),
     ];
@@ -284,7 +284,8 @@ fn a_place_brings_its_code_and_its_hazard() {
     }
     let said = |place: &str| target(&[("place", place)]).warnings;
     assert!(said("Athens")[0].contains("approximate") && said("Sydney").is_empty());
-    assert!(said("Wellington")[0].contains("`fault_distance`"));
+    assert!(said("Athens")[0].contains("the national annex was not read"));
+    assert!(said("Wellington").is_empty());
     assert!(said("Los Angeles")[0].contains("site-specific study"));
     assert_eq!(target(&[("place", "Los Angeles")]).spectrum.name(), "ASCE 7-16");
     let chosen = target(&[("place", "Chicago"), ("site", "E"), ("edition", "2022"), ("long_period", "12 s")]);
@@ -293,6 +294,51 @@ fn a_place_brings_its_code_and_its_hazard() {
     assert!(chosen.warnings[0].contains("are those of ASCE 7-16"));
     let own = target(&[("place", "Chicago"), ("fa", "1.5"), ("fv", "2")]);
     assert_eq!(own.parameters(), "SDS = 0.117 g, SD1 = 0.084 g (Chicago), TL = 8 s");
+}
+
+/// By hand. Bucharest, 0.3 g, S = 1, T_C = 1.6 s: 0.75 g up to 1.6 s and 0.6 g at 2 s, where the recommended
+/// type 1 on ground B had 2.5 · 0.3 · 1.2 · 0.5/2 = 0.225 g. Lisbon, type 1, 0.153 g = 1.5004 m/s²: S = 1.35
+/// − 0.35 · 0.5004/3 = 1.29162, plateau 0.49404 g to 0.6 s; type 2, 0.173 g = 1.69655 m/s²: S = 1.26874,
+/// plateau 0.54873 g to 0.25 s. Nice, 0.163 g, ground B: S = 1.35, plateau 0.550125 g to 0.25 s.
+#[test]
+fn spectra_of_national_annexes() {
+    let near = |got: f64, expected: f64| assert!((got / expected - 1.0).abs() < 1e-4, "{got} {expected}");
+    let bucharest = target(&[("place", "Bucharest")]);
+    near(bucharest.spectrum.sa_g(1.5), 0.75);
+    near(bucharest.spectrum.sa_g(2.0), 0.6);
+    assert_eq!(bucharest.spectrum.return_period_years(), Some(225));
+    assert!(problems(&[("place", "Bucharest"), ("site", "B")])[0].contains("no ground types"));
+    let lisbon = target(&[("place", "Lisbon")]);
+    near(lisbon.spectrum.sa_g(0.5), 0.49404);
+    near(lisbon.spectrum.sa_g(1.2), 0.24702);
+    let other = lisbon.alternative.as_ref().unwrap();
+    near(other.sa_g(0.2), 0.54873);
+    near(other.sa_g(0.5), 0.274365);
+    // Parts take the larger acceleration of the ground, and a type that is named counts alone.
+    assert_eq!(lisbon.parts_spectrum(), other);
+    let parts = Target::for_parts(&[("place", "Lisbon")].into_iter().collect()).unwrap();
+    assert_eq!((&parts.spectrum, &parts.alternative), (other, &None));
+    let second = target(&[("place", "Lisbon"), ("spectrum_type", "2")]);
+    assert_eq!((&second.spectrum, &second.alternative), (other, &None));
+    assert!(target(&[("place", "Lisbon"), ("spectrum_type", "1")]).alternative.is_none());
+    let nice = target(&[("place", "Nice")]);
+    near(nice.spectrum.sa_g(0.2), 0.550_125);
+    near(nice.spectrum.sa_g(0.5), 0.275_062_5);
+    // Stated values take the place of the annex.
+    let own = target(&[("place", "Nice"), ("soil_factor", "1.2")]);
+    near(own.spectrum.sa_g(0.2), 0.163 * 2.5 * 1.2);
+}
+
+/// N(3 s, 0 km) = 0.24 · 3 + 0.64 = 1.36 in Wellington; 1 in Napier, which is far from faults; a distance
+/// that is stated counts.
+#[test]
+fn the_fault_of_a_place_raises_long_periods() {
+    let at = |words: Pairs| target(words).spectrum.sa_g(3.0);
+    let near = |got: f64, expected: f64| assert!((got - expected).abs() < 1e-12, "{got} {expected}");
+    let far = at(&[("place", "Wellington"), ("fault_distance", "20 km")]);
+    near(at(&[("place", "Wellington")]), 1.36 * far);
+    near(at(&[("place", "Napier")]), far * 0.38 / 0.4);
+    near(at(&[("place", "Kaikoura"), ("fault_distance", "2 km")]), 1.36 * far * 0.42 / 0.4);
 }
 
 #[test]

@@ -43,10 +43,14 @@ fn exact(blocks: &[Block], record: &Motion) -> Vec<(RockingSummary, bool)> {
     blocks.iter().map(one).collect()
 }
 
+/// Whether it rocked and did not fall, at rest or not where the record ends.
+fn has_rocked(one: &RockingSummary) -> bool {
+    matches!(one.outcome, Outcome::Rocked | Outcome::Unresolved)
+}
+
 /// Relative errors in the peak rotation of the blocks that rocked and are not sensitive, the smallest first.
 fn errors(exact: &[(RockingSummary, bool)], got: &[RockingSummary]) -> Vec<f64> {
-    let rocked =
-        exact.iter().zip(got).filter(|((exact, insensitive), _)| *insensitive && exact.outcome == Outcome::Rocked);
+    let rocked = exact.iter().zip(got).filter(|((exact, insensitive), _)| *insensitive && has_rocked(exact));
     let mut errors: Vec<f64> =
         rocked.map(|((exact, _), got)| (got.peak_rotation_rad / exact.peak_rotation_rad - 1.0).abs()).collect();
     errors.sort_by(f64::total_cmp);

@@ -132,6 +132,14 @@ pub enum BuildingError {
         /// The largest number of modes of this building.
         at_most: usize,
     },
+    /// Participation factors and shapes do not belong together.
+    #[error(
+        "participation times shape adds up to {sum_ratio:.4} at the roof; the modes of a building add up to about 1"
+    )]
+    RoofShare {
+        /// The sum.
+        sum_ratio: f64,
+    },
     /// No storeys, or more than [`MAX_STOREYS`].
     #[error("the number of storeys must be 1 to {MAX_STOREYS}, not {storeys}")]
     Storeys {

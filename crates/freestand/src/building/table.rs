@@ -48,6 +48,10 @@ const ENOUGH_MASS: std::ops::RangeInclusive<f64> = 0.9..=1.01;
 /// cantilever wall and 1.57 − 0.87 = 0.70 with the first two.
 const LIKELY_ROOF_SHARE: std::ops::RangeInclusive<f64> = 0.5..=1.75;
 
+/// Range of a possible `Σ Γφ` at the roof. No building is near its ends: beyond them, factors and shapes are not of one
+/// normalisation, and every floor motion would be wrong by this factor.
+const POSSIBLE_ROOF_SHARE: std::ops::RangeInclusive<f64> = 0.25..=3.0;
+
 impl Building {
     /// A building with the user's own `modes`, whose shapes are given at floors at `levels_ratio`
     /// of the height.
@@ -63,7 +67,7 @@ impl Building {
     /// Levels that do not rise from above 0 to exactly 1; no modes or more than [`MAX_MODES`]; a
     /// mode whose number of values differs from that of the floors, or a value that is not finite;
     /// an effective mass outside 0 to 1; periods above [`MAX_PERIOD_S`](super::MAX_PERIOD_S);
-    /// damping, see [`Damping::ratios`].
+    /// damping, see [`Damping::ratios`]; `Σ Γφ` at the roof outside 0.25 to 3.
     ///
     /// # Example
     /// A single mass at the roof, as its one mode with a product of 1; half-way up, by
@@ -100,6 +104,11 @@ impl Building {
         } else {
             damping.ratios(&periods_s)?
         };
+        let roof = |mode: &&TableMode| mode.participation_ratio * mode.shape_ratio.last().copied().unwrap_or(0.0);
+        let sum_ratio: f64 = sorted.iter().map(roof).sum();
+        if !POSSIBLE_ROOF_SHARE.contains(&sum_ratio) {
+            return Err(BuildingError::RoofShare { sum_ratio });
+        }
         let modes = sorted.into_iter().zip(common);
         let modes = modes.map(|(mode, common)| Mode {
             period_s: mode.period_s,
@@ -220,12 +229,12 @@ mod tests {
             damping_ratio: Some(0.01),
             participation_ratio: 1.5,
             effective_mass_ratio: None,
-            shape_ratio: vec![0.5, -1.0],
+            shape_ratio: vec![-0.5, 1.0],
         };
         let building = Building::from_modes(&[0.25, 1.0], &[mode], &Damping::Uniform(7.0)).unwrap();
         let mode = &building.modes()[0];
         let values = [0.0, 0.125, 0.25, 0.625, 1.0].map(|level| mode.shape_ratio(level));
-        assert_eq!(values, [0.0, 0.25, 0.5, -0.25, -1.0]);
+        assert_eq!(values, [0.0, -0.25, -0.5, 0.25, 1.0]);
         assert_eq!(mode.damping_ratio(), 0.01);
     }
 
@@ -236,12 +245,18 @@ mod tests {
         let doubts =
             |modes: &[TableMode]| Building::from_modes(building.floors_ratio(), modes, &UNIFORM).unwrap().doubts();
         for mode in &mut modes {
-            mode.participation_ratio *= 1000.0f64.sqrt();
+            mode.participation_ratio *= 2.0;
         }
-        assert!(matches!(doubts(&modes)[..], [ModalDoubt::RoofShare { sum_ratio }] if sum_ratio > 31.0));
+        assert!(matches!(doubts(&modes)[..], [ModalDoubt::RoofShare { sum_ratio }] if sum_ratio > 1.9));
+        for factor in [1000.0f64.sqrt(), 0.01, -1.0] {
+            let mut modes = table(&building, [1.0; 4]);
+            modes.iter_mut().for_each(|mode| mode.participation_ratio *= factor);
+            let refused = Building::from_modes(building.floors_ratio(), &modes, &UNIFORM);
+            assert!(matches!(refused, Err(BuildingError::RoofShare { .. })), "{factor}");
+        }
         let modes = table(&building, [1.0; 4]);
         assert!(
-            matches!(doubts(&modes[1..]).first(), Some(ModalDoubt::EffectiveMass { sum_ratio }) if *sum_ratio < 0.3)
+            matches!(doubts(&modes[..1]).first(), Some(ModalDoubt::EffectiveMass { sum_ratio }) if *sum_ratio < 0.9)
         );
     }
 

@@ -1,6 +1,6 @@
 //! Eurocode 8, EN 1998-1:2004, with its recommended values or those of a national annex.
 
-use super::{CodeSpectrumError, positive};
+use super::{CodeSpectrumError, NationalAnnex, positive};
 
 /// Type of spectrum, EN 1998-1, 3.2.2.2(2).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -149,6 +149,7 @@ pub struct Eurocode8 {
     importance_factor_ratio: f64,
     shape: SpectrumShape,
     is_recommended: bool,
+    annex: Option<NationalAnnex>,
 }
 
 impl Eurocode8 {
@@ -187,7 +188,30 @@ impl Eurocode8 {
             importance_factor_ratio: positive("the importance factor γ_I", importance_factor_ratio)?,
             shape: SpectrumShape::recommended(spectrum_type, ground),
             is_recommended: true,
+            annex: None,
         })
+    }
+
+    /// The spectrum of a national annex.
+    ///
+    /// # Errors
+    /// Those of [`Self::with_shape`].
+    pub fn of_annex(
+        annex: NationalAnnex,
+        spectrum_type: SpectrumType,
+        ground: GroundType,
+        reference_acceleration_g: f64,
+        importance_factor_ratio: f64,
+    ) -> Result<Self, CodeSpectrumError> {
+        let shape = annex.shape(spectrum_type, ground, importance_factor_ratio * reference_acceleration_g);
+        let ground = annex.has_ground_types().then_some(ground);
+        let code = Self::with_shape(spectrum_type, ground, reference_acceleration_g, importance_factor_ratio, shape)?;
+        Ok(Self { annex: Some(annex), ..code })
+    }
+
+    /// The national annex, where the spectrum is that of one.
+    pub fn annex(&self) -> Option<NationalAnnex> {
+        self.annex
     }
 
     /// The same spectrum with the shape of a national annex or of a site study. The type still
@@ -213,7 +237,7 @@ impl Eurocode8 {
             }
         }
         let is_recommended = ground.is_some_and(|ground| shape == SpectrumShape::recommended(spectrum_type, ground));
-        Ok(Self { ground, shape, is_recommended, ..base })
+        Ok(Self { ground, shape, is_recommended, annex: None, ..base })
     }
 
     /// Type 1 or 2.

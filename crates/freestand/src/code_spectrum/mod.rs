@@ -21,6 +21,7 @@
 //! # Ok::<(), freestand::code_spectrum::CodeSpectrumError>(())
 //! ```
 
+mod annexes;
 mod as1170_4;
 mod asce7;
 mod eurocode8;
@@ -32,6 +33,7 @@ mod table;
 
 use thiserror::Error;
 
+pub use annexes::NationalAnnex;
 pub use as1170_4::{As1170_4, Edition, SiteClass, minimum_kpz, probability_factor, probability_factors};
 pub use asce7::{Asce7, Asce7Edition, Asce7Site, SiteCoefficients, site_coefficients};
 pub use eurocode8::{Eurocode8, GroundType, SpectrumShape, SpectrumType, damping_correction_ratio};
@@ -150,6 +152,7 @@ impl CodeSpectrum {
         match self {
             Self::As1170_4(code) => Some(code.return_period_years()),
             Self::Nzs1170_5(code) => Some(code.return_period_years()),
+            Self::Eurocode8(code) => code.annex().map(NationalAnnex::return_period_years),
             _ => None,
         }
     }

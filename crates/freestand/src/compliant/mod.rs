@@ -32,6 +32,7 @@ pub(crate) mod pad;
 mod solve;
 pub(crate) mod step;
 pub(crate) mod stepper;
+pub(crate) mod tail;
 mod track;
 
 #[cfg(test)]
@@ -178,7 +179,8 @@ pub struct CompliantOptions {
     pub accuracy: CompliantAccuracy,
     /// Initial state.
     pub start: Start,
-    /// End time; `None`: the last sample. After the last sample the base comes to rest within one
+    /// End time; `None`: when the object has come to rest or fallen after the last sample, or
+    /// [`LONGEST_TAIL_S`](crate::rocking::LONGEST_TAIL_S) after that sample. After the last sample the base comes to rest within one
     /// time step \[s\].
     pub duration_s: Option<f64>,
     /// Points whose peak accelerations are requested: from the left edge, and above the base \[m\].
@@ -429,11 +431,24 @@ pub(crate) fn not_negative(name: &'static str, value: f64) -> Result<(), Complia
     Err(CompliantError::Value { name, requirement: "at least 0 and finite", value })
 }
 
+/// The stiffest cushion along its face, as a multiple of its stiffness across it. Real ones are from 2/3 to
+/// 1; the number of steps grows with the root of the ratio.
+pub const MAX_TANGENTIAL_RATIO: f64 = 1000.0;
+
+pub(crate) fn tangential_ratio(value: f64) -> Result<(), CompliantError> {
+    let name = "ratio of the tangential stiffness";
+    positive(name, value)?;
+    if value > MAX_TANGENTIAL_RATIO {
+        return Err(CompliantError::Value { name, requirement: "at most 1000", value });
+    }
+    Ok(())
+}
+
 /// Returns an error for input from which no history can be calculated.
 fn check(base: &CompliantBase, motion: Base<'_>, options: &CompliantOptions) -> Result<(), CompliantError> {
     positive("mass", base.mass_kg)?;
     positive("gravity", options.gravity_m_s2)?;
-    positive("ratio of the tangential stiffness", base.tangential_stiffness_ratio)?;
+    tangential_ratio(base.tangential_stiffness_ratio)?;
     not_negative("tangential damping", base.tangential_damping_n_s_m)?;
     if let Some(friction) = base.friction_ratio {
         not_negative("friction", friction)?;

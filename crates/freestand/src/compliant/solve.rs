@@ -9,14 +9,14 @@ use super::equation::{
 use super::equilibrium::body;
 use super::step::{Scales, Step};
 use super::stepper::{accurate, first_event, shortened};
+use super::tail::Tail;
 use super::track::{Seen, Track};
 use super::{
     CompliantBase, CompliantEffort, CompliantError, CompliantOptions, CompliantRocking, MAX_STEPS, PointPeaks, Start,
     check,
 };
 use crate::block::Block;
-use crate::motion::Motion;
-use crate::rocking::{Base, Outcome};
+use crate::rocking::{Base, LONGEST_TAIL_S, Outcome};
 
 /// How far past an event a step may end, as a margin: rounding.
 const CLOSE: f64 = 1e-13;
@@ -139,7 +139,8 @@ fn follow(
 ) -> Result<CompliantRocking, CompliantError> {
     check(base, motion, options)?;
     let given = motion.horizontal.or(motion.vertical);
-    let end_s = options.duration_s.or(given.map(Motion::duration_s)).unwrap_or(0.0);
+    let settled_s = || given.map(|motion| motion.duration_s() + LONGEST_TAIL_S);
+    let end_s = options.duration_s.or_else(settled_s).unwrap_or(0.0);
     if !(end_s > 0.0 && end_s.is_finite()) {
         return Err(CompliantError::Duration { duration_s: end_s });
     }
@@ -149,10 +150,19 @@ fn follow(
     let mut result = nothing_yet(options, balanced.map(|y| body.equilibrium_of(&y)));
     let mut solver = Solver::new(block, &body, options, given.is_none(), &start, observe);
     solver.begin(&mut result);
+    solver.tail = tail(block, &body, balanced.as_ref(), options);
+    let samples = given.map_or(0, |motion| motion.accel_m_s2().len());
     let mut index = 0;
-    while solver.time_s < end_s && result.overturn_time_s.is_none() {
+    while solver.time_s < end_s && result.overturn_time_s.is_none() && !solver.tail.is_over {
         let (line, until_s) = Line::of([motion.horizontal, motion.vertical], index, end_s);
+        if index >= samples {
+            solver.tail.begin();
+        }
         if line.is_still() && solver.is_resting && options.start == Start::Rest {
+            // Nothing has moved it, and nothing will.
+            if index >= samples && options.duration_s.is_none() {
+                break;
+            }
             solver.time_s = until_s;
         } else {
             solver.is_resting = false;
@@ -161,6 +171,18 @@ fn follow(
         index += 1;
     }
     Ok(solver.finish(block, result))
+}
+
+/// The end of a history after the motion; `balanced`: the state of rest.
+fn tail(block: &Block, body: &Body<'_>, balanced: Option<&State>, options: &CompliantOptions) -> Tail {
+    let weight_n = body.mass * body.gravity;
+    let rest_j = weight_n * body.pad.cushion.static_compression_m(0.5 * weight_n);
+    let stands_j = balanced.map_or(0.0, |y| {
+        let energies = body.energies(&vec![Grip::Stick; body.contacts.len()], y);
+        energies.potential_j + energies.stored_j
+    });
+    let balance_m = block.pivot().balance_rise_m().min(block.right_pivot().balance_rise_m());
+    Tail::new(rest_j, stands_j, weight_n * balance_m, options.duration_s.is_none())
 }
 
 fn nothing_yet(options: &CompliantOptions, equilibrium: Option<super::Equilibrium>) -> CompliantRocking {
@@ -214,6 +236,7 @@ pub(super) struct Solver<'a, 'b, F> {
     pub(super) is_resting: bool,
     pub(super) track: Track,
     pub(super) ledger: Ledger,
+    pub(super) tail: Tail,
     pub(super) effort: CompliantEffort,
     pub(super) observe: F,
 }
@@ -254,6 +277,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             is_resting: true,
             track: Track::new(block, body, &options.points_m, is_free, start),
             ledger: Ledger::default(),
+            tail: Tail::default(),
             effort: CompliantEffort::default(),
             grips,
             observe,
@@ -278,7 +302,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
     /// Calculates one straight segment of the motion.
     fn pass(&mut self, line: Line, until_s: f64, result: &mut CompliantRocking) -> Result<(), CompliantError> {
         self.rates = self.body.rates(&self.grips, &line, self.time_s, &self.y);
-        while self.time_s < until_s && result.overturn_time_s.is_none() {
+        while self.time_s < until_s && result.overturn_time_s.is_none() && !self.tail.is_over {
             let rest_s = until_s - self.time_s;
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
@@ -294,7 +318,9 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
                 return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MAX_STEPS });
             }
         }
-        self.time_s = self.time_s.max(if result.overturn_time_s.is_some() { 0.0 } else { until_s });
+        if result.overturn_time_s.is_none() && !self.tail.is_over {
+            self.time_s = until_s;
+        }
         Ok(())
     }
 
@@ -347,6 +373,12 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             result.overturn_time_s = Some(self.time_s);
         }
         self.ledger.enter(&self.body.energies(&self.grips, &self.y));
+        self.tail.step(self.time_s, &self.ledger, self.is_held());
+    }
+
+    /// Whether all its feet carry it.
+    fn is_held(&self) -> bool {
+        self.grips.iter().all(|grip| grip.carries())
     }
 
     fn finish(mut self, block: &Block, mut result: CompliantRocking) -> CompliantRocking {
@@ -360,7 +392,8 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         (result.final_rotation_rad, result.final_omega_rad_s) = (self.y[THETA], self.y[OMEGA]);
         result.energy = self.ledger.close();
         if result.uplift_m > 0.0 {
-            result.outcome = Outcome::Rocked;
+            let is_open = self.tail.is_open(&self.ledger);
+            result.outcome = if is_open { Outcome::Unresolved } else { Outcome::Rocked };
         }
         if result.overturn_time_s.is_some() {
             result.outcome = Outcome::Overturned;

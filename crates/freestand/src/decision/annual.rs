@@ -2,8 +2,9 @@
 
 use super::{DecisionError, within};
 
-/// P at the lowest level above which a lower one is added.
-const NEGLIGIBLE: f64 = 0.02;
+/// The share of a rate in the lowest strip above which a lower level is added: weak earthquakes are so
+/// frequent that a small probability may be most of a rate.
+const NEGLIGIBLE: f64 = 0.1;
 /// The lowest level that is added: 1/64 of the intensity.
 const LOWEST_RATIO: f64 = 1.0 / 64.0;
 
@@ -23,7 +24,8 @@ pub struct AnnualRate {
     pub rate_per_year: f64,
     /// Probability of one or more within a year, 1 − e^−ν.
     pub probability_per_year: f64,
-    /// Whether intensities below the lowest level might add to it: P there is above 0.02.
+    /// Whether intensities below the lowest level might add to it: more than a tenth of the rate is in the
+    /// strip of the lowest level.
     pub is_at_least: bool,
 }
 
@@ -36,12 +38,15 @@ pub fn hazard_per_year(intensity_ratio: f64, exponent: f64, return_period_years:
     intensity_ratio.powf(-exponent) / return_period_years
 }
 
-/// The level to calculate next, below the lowest: 1/√2 of it where the probability there is above
-/// 0.02, and not below 1/64 of the intensity of the study; otherwise `None`.
-pub fn level_below(levels: &[Level]) -> Option<f64> {
-    let lowest = levels.iter().min_by(|a, b| a.intensity_ratio.total_cmp(&b.intensity_ratio))?;
-    let next = lowest.intensity_ratio * std::f64::consts::FRAC_1_SQRT_2;
-    (lowest.probability > NEGLIGIBLE && next >= LOWEST_RATIO).then_some(next)
+/// The level to calculate next, below the lowest: 1/√2 of it where more than a tenth of the rate is in its
+/// strip, and not below 1/64 of the intensity of the study; otherwise `None`. The levels may be in any
+/// order.
+pub fn level_below(levels: &[Level], hazard_per_year: impl Fn(f64) -> f64) -> Option<f64> {
+    let mut sorted = levels.to_vec();
+    sorted.sort_by(|a, b| a.intensity_ratio.total_cmp(&b.intensity_ratio));
+    let next = sorted.first()?.intensity_ratio * std::f64::consts::FRAC_1_SQRT_2;
+    let rate = annual_rate(&sorted, hazard_per_year).ok()?;
+    (rate.is_at_least && next >= LOWEST_RATIO).then_some(next)
 }
 
 /// Yearly rate of an event from its probability at rising levels s₁ < s₂ < … of intensity,
@@ -84,9 +89,11 @@ pub fn annual_rate(levels: &[Level], hazard_per_year: impl Fn(f64) -> f64) -> Re
     }
     let ratios: Vec<f64> = levels.iter().map(|level| level.intensity_ratio).collect();
     let strips = strip_rates(&ratios, hazard_per_year)?;
-    let rate_per_year = levels.iter().zip(strips).map(|(level, strip)| level.probability * strip).sum::<f64>();
+    let parts: Vec<f64> = levels.iter().zip(strips).map(|(level, strip)| level.probability * strip).collect();
+    let rate_per_year = parts.iter().sum::<f64>();
     let probability_per_year = -(-rate_per_year).exp_m1();
-    Ok(AnnualRate { rate_per_year, probability_per_year, is_at_least: levels[0].probability > NEGLIGIBLE })
+    let is_at_least = parts.first().is_some_and(|lowest| *lowest > NEGLIGIBLE * rate_per_year);
+    Ok(AnnualRate { rate_per_year, probability_per_year, is_at_least })
 }
 
 /// Yearly rate of the motions that each of the rising levels s₁ < s₂ < … stands for,

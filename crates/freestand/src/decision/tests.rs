@@ -42,7 +42,7 @@ fn records_are_looked_at_in_whole_passes() {
     assert_eq!(looks.worlds_in_passes(0.1, 2000).unwrap(), [2000], "one pass at least");
     assert_eq!(looks.worlds_in_passes(0.02, 500).unwrap(), [500, 1000], "1280 at most");
     assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 12).unwrap(), [24]);
-    assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 8).unwrap(), [16], "32 would be above 30");
+    assert_eq!(Looks::new(20, 30, 0.98).unwrap().worlds_in_passes(0.1, 8).unwrap(), [24], "32 would be above 30");
     assert!(looks.worlds_in_passes(0.1, 0).is_err());
 }
 
@@ -121,22 +121,25 @@ fn the_yearly_rate_is_that_of_the_integral() {
         let at =
             |s: f64| Level { intensity_ratio: s, probability: crate::fragility::lognormal_probability(s, median, 0.4) };
         let mut levels: Vec<Level> = [0.5, 0.71, 1.0, 1.41, 2.0].map(at).to_vec();
-        while let Some(lower) = level_below(&levels) {
+        while let Some(lower) = level_below(&levels, hazard) {
             levels.insert(0, at(lower));
         }
         let rate = annual_rate(&levels, hazard).unwrap();
-        assert!(!rate.is_at_least && levels[0].probability <= 0.02);
+        assert!(!rate.is_at_least && levels[0].probability <= 0.02, "{median}: {levels:?}");
         assert!((rate.rate_per_year / exact - 1.0).abs() < 0.07, "{median}: {} {exact}", rate.rate_per_year);
         assert!((rate.probability_per_year - (1.0 - (-rate.rate_per_year).exp())).abs() < 1e-12);
     }
     let level = |intensity_ratio, probability| Level { intensity_ratio, probability };
     // What falls at any intensity has no end of lower levels.
     let mut levels = vec![level(1.0, 1.0), level(2.0, 1.0)];
-    while let Some(lower) = level_below(&levels) {
+    while let Some(lower) = level_below(&levels, hazard) {
         levels.insert(0, level(lower, 1.0));
     }
     assert!(levels.len() == 14 && annual_rate(&levels, hazard).unwrap().is_at_least, "{}", levels.len());
-    assert_eq!(level_below(&[]), None);
+    assert_eq!(level_below(&[], hazard), None);
+    // One in a hundred at half the intensity is eight times as frequent as at all of it: most of the rate.
+    let rare = [level(0.5, 0.01), level(1.0, 0.02), level(2.0, 0.03)];
+    assert!(level_below(&rare, hazard).is_some() && annual_rate(&rare, hazard).unwrap().is_at_least);
     for bad in [vec![level(1.0, 0.1)], vec![level(2.0, 0.1), level(1.0, 0.2)], vec![level(1.0, 0.1), level(2.0, 1.1)]] {
         assert!(annual_rate(&bad, hazard).is_err(), "{bad:?}");
     }
@@ -230,18 +233,21 @@ fn coverage_after_stopping_and_flips_among_24_seeds() {
         let most = endings.iter().map(all).fold(0.0, f64::max);
         let mean_flips = endings.iter().map(flips).sum::<f64>() / many.len() as f64;
         let at = |times: f64| table.ending(times * accepted);
-        // A probability a hair above the accepted one, or a hair below.
-        let wrong = at(1.0).below.max(at(1.0).above);
+        // At the accepted probability itself both answers are wrong.
+        let wrong = [at(1.0).below, at(1.0).above, at(1.0).below + at(1.0).above];
         let clear = [at(0.5).below, at(1.6).above];
         let worlds = [0.1, 0.5, 1.0, 4.0].map(|times| at(times).worlds);
         let cap = table.looks.last().unwrap().0;
         println!(
-            "| {} % | {cap} | {:.1}–{:.1} % | {:.1} % | {:.2} % | {:.0}, {:.0}, {:.0}, {:.0} |  clear {clear:.2?}, \
+            "| {} % | {cap} | {:.1}–{:.1} % | {:.1}, {:.1}, {:.1} % | {:.2} % | {:.0}, {:.0}, {:.0}, \
+             {:.0} |  clear {clear:.2?}, \
              largest flips of one {:.2}; least coverage at P = {worst:.4}, mean {mean:.4}, below 95.6 %: {low:.4}",
             100.0 * accepted,
             100.0 * least,
             100.0 * most,
-            100.0 * wrong,
+            100.0 * wrong[0],
+            100.0 * wrong[1],
+            100.0 * wrong[2],
             100.0 * mean_flips,
             worlds[0],
             worlds[1],
@@ -251,7 +257,7 @@ fn coverage_after_stopping_and_flips_among_24_seeds() {
         );
         // 98 % at each look is for 95 % after stopping, which one P in a hundred may miss by a quarter
         // of a per cent; 2 % of flips is what may remain.
-        assert!(least >= 0.945 && wrong <= 0.033 && mean_flips <= 0.02, "{accepted}");
+        assert!(least >= 0.945 && wrong[2] <= 0.046 && mean_flips <= 0.02, "{accepted}");
         assert!(clear.iter().all(|chance| *chance > 0.65), "{clear:?}");
     }
 }

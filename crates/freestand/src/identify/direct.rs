@@ -29,38 +29,48 @@ pub(super) struct Touch {
     pub(super) at: f64,
     /// Standard deviation.
     pub(super) error: f64,
+    /// Which of the [`BEGINNINGS`].
+    pub(super) beginning: usize,
 }
 
+/// How a force may begin, as powers of the time since the touch: of a linear pad that hardens or softens by a square
+/// or a cube, of Hertz's, of a quadratic one, and after a jump.
+const BEGINNINGS: [&[f64]; 5] = [&[1.0, 2.0], &[1.0, 3.0], &[1.5, 2.5], &[2.0, 3.0], &[0.0, 1.0, 2.0]];
+
 impl Flank<'_> {
-    /// The touch after which a parabola through zero, or one after a jump, fits the samples of the flank best.
-    pub(super) fn touch(&self) -> Option<Touch> {
+    /// The touch after which one of the [`BEGINNINGS`], or `only` one of them, fits the samples of the flank best. Its
+    /// error includes the touches of the others, as far as the samples allow them.
+    pub(super) fn touch(&self, only: Option<usize>) -> Option<Touch> {
         let from = self.before.saturating_sub((LEAD * self.contact).ceil() as usize + 3);
-        let top = self.before + self.accel[self.before..].iter().position(|a| *a > FLANK_SHARE * self.peak)?;
+        let top = self.before + self.accel.get(self.before..)?.iter().position(|a| *a > FLANK_SHARE * self.peak)?;
         let to = top.max(self.before + 4).min(self.accel.len());
         let samples = self.accel.get(from..to)?;
         let place = |i: usize| i as f64 * self.contact / PLACES;
         let count = ((samples.len() as f64 - 3.0) * PLACES / self.contact).max(0.0) as usize;
-        let costs = |has_jump: bool| -> Vec<f64> {
-            (0..count).map(|i| cost(samples, place(i), has_jump).unwrap_or(f64::INFINITY)).collect()
-        };
-        let least = |costs: &[f64]| costs.iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
-        let (smooth, jump) = (costs(false), costs(true));
-        let ((_, cost), (_, cost_jump)) = (least(&smooth)?, least(&jump)?);
         let noise2 = self.noise.powi(2).max((1e-4 * self.peak).powi(2));
-        let costs = if cost - cost_jump > WORTH * noise2.max(cost_jump / samples.len() as f64) { jump } else { smooth };
-        let (index, cost) = least(&costs)?;
+        let beginnings = BEGINNINGS.iter().enumerate().filter(|(i, _)| only.is_none_or(|only| only == *i));
+        let costs: Vec<(f64, usize)> = (0..count)
+            .map(|i| {
+                let of = |(beginning, powers): (usize, &&[f64])| {
+                    let price = WORTH * noise2 * (powers.len() - 2) as f64;
+                    Some((cost(samples, place(i), powers)? + price, beginning))
+                };
+                let least = beginnings.clone().filter_map(of).min_by(|a, b| a.0.total_cmp(&b.0));
+                least.unwrap_or((f64::INFINITY, 0))
+            })
+            .collect();
+        let (index, (cost, beginning)) = costs.iter().copied().enumerate().min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
         // A standard deviation away, the sum of squares has risen by one variance.
         let variance = noise2.max(cost / (samples.len() as f64 - 3.0).max(1.0));
-        let inside = costs.iter().filter(|other| **other < cost + variance).count();
+        let inside = costs.iter().filter(|(other, _)| *other < cost + variance).count();
         let error = 0.5 * place(inside) + 0.5 * place(1);
-        cost.is_finite().then(|| Touch { at: from as f64 + place(index), error })
+        cost.is_finite().then_some(Touch { at: from as f64 + place(index), error, beginning })
     }
 }
 
-/// Sum of squares about zero before `touch` and about (j +) sτ + qτ² after it.
-fn cost(samples: &[f64], touch: f64, has_jump: bool) -> Option<f64> {
-    let first = if has_jump { 0 } else { 1 };
-    let size = 3 - first;
+/// Sum of squares about zero before `touch` and about Σ cτ^p after it; `None` where the force would not rise.
+fn cost(samples: &[f64], touch: f64, powers: &[f64]) -> Option<f64> {
+    let size = powers.len();
     let (mut normal, mut right, mut squares) = (vec![vec![0.0; size]; size], vec![0.0; size], 0.0);
     for (i, a) in samples.iter().enumerate() {
         squares += a * a;
@@ -69,15 +79,14 @@ fn cost(samples: &[f64], touch: f64, has_jump: bool) -> Option<f64> {
         if tau <= 0.0 {
             continue;
         }
-        let terms = [1.0, tau, tau * tau];
-        for (row, x) in terms[first..].iter().enumerate() {
+        let terms: Vec<f64> = powers.iter().map(|p| tau.powf(*p)).collect();
+        for (row, x) in terms.iter().enumerate() {
             right[row] += x * a;
-            normal[row].iter_mut().zip(&terms[first..]).for_each(|(sum, y)| *sum += x * y);
+            normal[row].iter_mut().zip(&terms).for_each(|(sum, y)| *sum += x * y);
         }
     }
     let found = solve(normal, right.clone())?;
-    // A pad pushes from the first moment on.
-    let rises =
-        found.iter().rev().nth(1).is_some_and(|slope| *slope >= 0.0) && found.first().is_some_and(|f| *f >= 0.0);
+    // A pad pushes from the first moment on, and a jump is followed by a rise.
+    let rises = found.iter().take(size - 1).all(|term| *term >= 0.0);
     rises.then(|| squares - found.iter().zip(&right).map(|(x, y)| x * y).sum::<f64>())
 }

@@ -38,8 +38,6 @@ const HOPELESS_SHIFT: f64 = 0.05;
 const POOR_RESIDUAL: f64 = 0.01;
 /// Standard deviation of ln v in the prior of an unknown velocity.
 const UNKNOWN_SPEED: f64 = 0.5;
-/// Price of a parameter where laws are averaged (Akaike).
-const AKAIKE: f64 = 2.0;
 /// Residuals are more than noise above this sum of squares per sample, if they are also above this share of the peak:
 /// twice the noise, and more than the ringing of a good sensor.
 const POOR_CHI: f64 = 4.0;
@@ -67,7 +65,7 @@ const ROUNDING: f64 = 0.05;
 /// of a curve without a formula are fitted to the samples by least squares over first contact, impact
 /// velocity, zero line and the parameters of the law, each behind the filter of the instrument. The
 /// simplest law that no other improves on clearly is chosen; the differences to the others, weighted
-/// after Akaike, are part of the error. Known values of impact velocity and zero line are priors, so
+/// after Schwarz, are part of the error. Known values of impact velocity and zero line are priors, so
 /// the pulse can correct a wrong height. The compression is the double integral over the contact alone.
 /// F/d of the samples integrated from the touch that their own flank shows is a check without a law.
 ///
@@ -81,7 +79,7 @@ const ROUNDING: f64 = 0.05;
 /// the secant is recovered to 1e-3.
 ///
 /// # Reference
-/// Burnham and Anderson (2002) for the average over laws.
+/// Schwarz (1978) for the weights of the laws.
 ///
 /// # Errors
 /// A mass, time step or velocity that is not positive, fewer than 20 samples, or a sample that is
@@ -264,6 +262,14 @@ struct Choice {
     gravity_error: f64,
 }
 
+/// Where an integration begins.
+struct Start {
+    touch_s: f64,
+    speed_m_s: f64,
+    /// The force over mass at the touch, which jumps on a damped pad.
+    jump_m_s2: f64,
+}
+
 /// A stiffness without a law.
 struct Integrated {
     secant_n_m: f64,
@@ -417,7 +423,8 @@ impl<'a> Contact<'a> {
             .min_by(|a, b| score(a.1).total_cmp(&score(b.1)))
             .map(|(index, _)| index)?;
         let mut chosen = fits.remove(best);
-        let worth = |fit: &Fit| fit.chi_squared / least + AKAIKE * fit.numbers();
+        // After Schwarz: ln of the number of samples for each parameter.
+        let worth = |fit: &Fit| fit.chi_squared / least + fit.degrees.max(2.0).ln() * fit.numbers();
         let all = || std::iter::once(&chosen).chain(fits.iter().filter(|fit| fit.is_law()));
         let lowest = all().map(worth).fold(f64::INFINITY, f64::min);
         let (mut sum, mut total) = (0.0, 0.0);
@@ -429,6 +436,13 @@ impl<'a> Contact<'a> {
         }
         // A law that the others outweigh is no more certain for that.
         chosen.secant_error_ratio = chosen.secant_error_ratio.max((sum / total).sqrt());
+        if chosen.fitted_corner_hz().is_some() {
+            // Nobody stated this filter: without it, the samples give this.
+            let plain = fits.iter().filter(|fit| fit.fitted_corner_hz().is_none() && is_wanted(fit));
+            let plain = plain.min_by(|a, b| score(a).total_cmp(&score(b)));
+            let apart = plain.map_or(0.0, |fit| (fit.secant_n_m / chosen.secant_n_m).ln());
+            chosen.secant_error_ratio = chosen.secant_error_ratio.hypot(apart);
+        }
         Some((chosen, fits))
     }
 
@@ -441,7 +455,8 @@ impl<'a> Contact<'a> {
         // A filter shows everything later.
         let delay_s = best.model.filter.map_or(0.0, |filter| filter.delay_s());
         let touch_s = best.touch_s + delay_s + (self.pulse.before as f64 + 0.5 - data.touch) * self.dt_s;
-        let points = self.integrate(touch_s, contact_s, speed, gravity, best.predicted.at(0.0));
+        let start = Start { touch_s, speed_m_s: speed, jump_m_s2: best.predicted.at(0.0) };
+        let points = self.integrate(self.accel, &start, contact_s, gravity);
         let Some(deepest) = deepest(&points) else { return };
         let m = self.setup.mass_kg;
         let a = self.peak_m_s2;
@@ -483,8 +498,12 @@ impl<'a> Contact<'a> {
             let apart = (secant_n_m / best.secant_n_m).ln().abs();
             if apart > APART + APART_ERRORS * own.hypot(fit_error) {
                 test.flags.push(Flag::Integration);
-                error_ratio = fit_error.hypot(apart);
             }
+            // What the error of the integration does not explain is that of the law. A curved law hides where it
+            // begins, so that less of the difference is credited to the integration.
+            let is_straight = matches!(best.law, FittedLaw::Linear | FittedLaw::KelvinVoigt);
+            let explained = if is_straight { own } else { 0.5 * own };
+            error_ratio = fit_error.hypot((apart * apart - explained * explained).max(0.0).sqrt());
         }
         if let ImpactVelocity::Known { speed_m_s, error_ratio } = self.setup.impact_velocity
             && (best.model.speed_m_s / speed_m_s).ln().abs() > 3.0 * error_ratio
@@ -523,26 +542,39 @@ impl<'a> Contact<'a> {
         std::iter::once(best).chain(others).any(|fit| data.cut(fit).is_some_and(|cost| cost + price(fit) < limit))
     }
 
-    /// F/d at the largest compression, from the samples integrated twice after the touch that they show; `None`
-    /// behind a filter.
+    /// F/d at the largest compression, from the samples integrated twice after the touch that their flank shows. Behind
+    /// a filter, what the same steps make of the pulse of the fit, whose stiffness is known, removes its effect; without
+    /// one this would remove what the flank says about the touch.
     fn integrated(&self, best: &Fit, speed: f64, gravity: f64) -> Option<Integrated> {
-        if best.model.filter.is_some() {
-            return None;
+        let (known, beginning) = self.twice(self.accel, speed, gravity, None)?;
+        if best.model.filter.is_none() {
+            return Some(known).filter(|known| known.secant_n_m > 0.0 && known.secant_n_m.is_finite());
         }
+        let data = self.data(gravity);
+        let touch = best.touch_s / self.dt_s + self.pulse.before as f64 + 0.5 - data.touch;
+        let offset = best.offset_m_s2(self.peak_m_s2);
+        let law = |i: usize| best.predicted.at((i as f64 - touch) * self.dt_s) + offset;
+        let predicted: Vec<f64> = (0..self.accel.len()).map(law).collect();
+        let (of_law, _) = self.twice(&predicted, best.model.speed_m_s, gravity, Some(beginning))?;
+        let secant_n_m = best.secant_n_m * known.secant_n_m / of_law.secant_n_m;
+        (secant_n_m > 0.0 && secant_n_m.is_finite()).then_some(Integrated { secant_n_m, ..known })
+    }
+
+    /// The stiffness of a pulse from two integrations, and how its flank begins.
+    fn twice(&self, accel: &[f64], speed: f64, gravity: f64, beginning: Option<usize>) -> Option<(Integrated, usize)> {
         let flank = Flank {
-            accel: self.accel,
+            accel,
             before: self.pulse.before,
             contact: self.rough_s / self.dt_s,
             peak: self.peak_m_s2,
             noise: self.pulse.noise_m_s2,
         };
-        let Touch { at, error } = flank.touch()?;
-        let touch_s = at * self.dt_s;
-        let points = self.integrate(touch_s, 1.2 * best.predicted.contact_s, speed, gravity, 0.0);
+        let Touch { at, error, beginning } = flank.touch(beginning)?;
+        let start = Start { touch_s: at * self.dt_s, speed_m_s: speed, jump_m_s2: 0.0 };
+        let points = self.integrate(accel, &start, 1.2 * self.rough_s, gravity);
         let deepest = deepest(&points)?;
-        let middle = (touch_s + deepest.time_s) / self.dt_s;
-        let reach = 0.1 * flank.contact;
-        let force_n = self.setup.mass_kg * contact::smooth_at(self.accel, middle, reach)?;
+        let middle = at + deepest.time_s / self.dt_s;
+        let force_n = self.setup.mass_kg * contact::smooth_at(accel, middle, 0.1 * flank.contact)?;
         let speed_error = match self.setup.impact_velocity {
             ImpactVelocity::Known { error_ratio, .. } => error_ratio,
             ImpactVelocity::FromImpulse => UNKNOWN_SPEED,
@@ -550,7 +582,7 @@ impl<'a> Contact<'a> {
         let d = deepest.compression_m;
         // d = ∫ḋ dt: a later touch takes v₀ for that time away, a higher velocity adds to all of the time.
         let error_ratio = (speed / d * error * self.dt_s).hypot(speed / d * deepest.time_s * speed_error);
-        (force_n > 0.0).then_some(Integrated { secant_n_m: force_n / d, error_ratio })
+        Some((Integrated { secant_n_m: force_n / d, error_ratio }, beginning))
     }
 
     /// The fit that determines the exponent: another than the best one if its law has a fixed
@@ -571,7 +603,8 @@ impl<'a> Contact<'a> {
     /// ḋ = v₀ + gt − ∫a dt and d, from the first contact to its end: the trapezoidal rule with ends
     /// between two samples, where the acceleration is zero (or, if it jumps, that of the first
     /// sample).
-    fn integrate(&self, touch_s: f64, contact_s: f64, speed: f64, gravity: f64, jump: f64) -> Vec<LoopPoint> {
+    fn integrate(&self, accel: &[f64], start: &Start, contact_s: f64, gravity: f64) -> Vec<LoopPoint> {
+        let Start { touch_s, speed_m_s: speed, jump_m_s2: jump } = *start;
         let point = |time_s: f64, accel: f64, d: f64, v: f64| LoopPoint {
             time_s,
             acceleration_m_s2: accel,
@@ -591,13 +624,13 @@ impl<'a> Contact<'a> {
             (*t, *a) = (next_s, next_a);
             points.push(point(next_s, next_a, d, v));
         };
-        for i in usize::try_from(first).unwrap_or(0)..self.accel.len() {
+        for (i, sample) in accel.iter().enumerate().skip(usize::try_from(first).unwrap_or(0)) {
             let time_s = i as f64 * self.dt_s - touch_s;
             if time_s >= contact_s {
                 break;
             }
             if time_s > 0.0 {
-                step(time_s, self.accel[i], &mut t, &mut a);
+                step(time_s, *sample, &mut t, &mut a);
             }
         }
         step(contact_s, 0.0, &mut t, &mut a);

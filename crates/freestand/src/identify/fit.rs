@@ -7,6 +7,8 @@ use super::model::{Model, Predicted, SHAPES};
 
 /// Accuracy of the predicted pulse and of printed samples, as a share of the peak.
 const FLOOR_SHARE: f64 = 2e-4;
+/// A smaller gain in χ² moves no parameter by more than a thirtieth of its error.
+const ENOUGH: f64 = 1e-3;
 /// Iterations of Levenberg–Marquardt.
 const ROUNDS: usize = 60;
 /// Number of parameters.
@@ -298,7 +300,7 @@ impl Data<'_> {
                 }
                 damping *= 5.0;
             }
-            if gained < 1e-4 + 1e-9 * cost {
+            if gained < ENOUGH + 1e-7 * cost {
                 converged = true;
                 break;
             }
@@ -383,6 +385,11 @@ impl Fit {
     /// Number of parameters besides first contact, velocity, stiffness and zero line.
     pub(super) fn numbers(&self) -> f64 {
         self.free.len() as f64 - 4.0
+    }
+
+    /// The zero line of the fit, above that of the samples.
+    pub(super) fn offset_m_s2(&self, peak_m_s2: f64) -> f64 {
+        self.parameters[OFFSET] * peak_m_s2
     }
 
     /// The corner of the filter, where it was fitted \[Hz\].

@@ -23,7 +23,7 @@ mod virtual_laboratory;
 
 pub use drop::{DropOfRecord, drop_test, drop_tests};
 pub use pool::{NORMAL_975, Pooled, PooledDrop, pool_drops};
-pub use static_curve::{StaticError, StaticOptions, StaticTest, static_test};
+pub use static_curve::{StaticError, StaticOptions, StaticTest, Toe, static_test};
 pub use virtual_laboratory::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions, virtual_drop, virtual_static};
 
 use thiserror::Error;
@@ -227,8 +227,8 @@ pub struct StiffnessEstimates {
     pub acceleration_over_compression_n_m: f64,
     /// 2E/d², E = ∫F dd during compression.
     pub energy_n_m: f64,
-    /// F/d at the largest compression without any law: the samples integrated twice from the first touch that they
-    /// show themselves. `None` where a filter hides the touch.
+    /// F/d at the largest compression from the samples integrated twice, from the first touch that their own flank
+    /// shows; `None` where the flank shows none.
     pub integrated_n_m: Option<f64>,
 }
 

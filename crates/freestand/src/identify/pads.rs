@@ -127,6 +127,9 @@ fn score(pad: &Cushion, recorder: &Recorder, drops: u64, states_corner: bool) ->
     score
 }
 
+/// Drops of each pad on each recorder.
+const CAMPAIGN_DROPS: u64 = 100;
+
 fn campaign(drops: u64, states_corner: bool) {
     for (name, pad) in pads() {
         for recorder in RECORDERS.iter().filter(|recorder| states_corner || recorder.corner.is_some()) {
@@ -146,11 +149,49 @@ fn campaign(drops: u64, states_corner: bool) {
     }
 }
 
+/// A part of the campaign below: the intervals hold the truth, and are no excuse. Of 24 drops with intervals of 95 %, 20
+/// or fewer are held with a probability of 1 in 170; the half-width is twice the largest of the campaign. Behind a filter,
+/// a kink does not show, so that a pad with one is not among them there.
+#[test]
+fn pads_that_follow_no_law_are_inside_their_intervals() {
+    for (recorder, last) in [(&RECORDERS[0], "table, kink up"), (&RECORDERS[4], "hardening weakly")] {
+        let wanted = ["hardening", "softening", "tangent", last];
+        let (mut held, mut given) = (0, 0);
+        for (name, pad) in pads().into_iter().filter(|(name, _)| wanted.contains(name)) {
+            let s = score(&pad, recorder, 6, true);
+            (held, given) = (held + s.held, given + s.given);
+            assert!(median(&s.halves) < 0.2, "{name} {recorder:?}: {s:?}");
+        }
+        assert!(held > 20 && given > 21, "{recorder:?}: {held} of {given}");
+    }
+}
+
+/// A linear pad behind a filter of two poles at 2.4/t_c that nobody stated: the pulse has the shape of a pad that
+/// hardens, which would be 26 % too soft. The filter is found and flagged, and the interval holds the truth.
+#[test]
+fn a_slow_filter_is_noticed() {
+    let pad = Cushion::linear(7.6e5).unwrap();
+    let slow = Recorder { per_contact: 100.0, noise_ratio: 0.003, corner: Some(2.4) };
+    let s = score(&pad, &slow, 4, false);
+    assert!(s.flagged == 4 && s.held == s.given && s.given > 2, "{s:?}");
+    let stated = score(&pad, &slow, 4, true);
+    // Behind the stated filter the pad is as well known as without one: noise and the velocity.
+    assert!(stated.held > 2 && median(&stated.halves) < 0.05, "{stated:?}");
+}
+
+/// The pad of a finding: 1187 N/mm at first, 3175 N/mm at the largest compression. A power law gave 2309 N/mm.
+#[test]
+fn a_hardening_pad_is_no_power_law() {
+    let pad = dense(|d| 1.19e6 * d + 6e12 * d.powi(3), 2e-3);
+    let s = score(&pad, &RECORDERS[1], 3, true);
+    // Noise of 0.1 % and the velocity, of 1 %, decide: 1 % is three times the half-width of the campaign.
+    assert!(s.held == 3 && s.errors.iter().all(|off| off.abs() < 0.01) && s.flagged == 0, "{s:?}");
+}
+
 #[test]
 #[ignore = "some minutes: prints the figures of docs/cushion-laboratory.md"]
 fn every_pad_on_every_recorder() {
-    let drops = std::env::var("DROPS").ok().and_then(|n| n.parse().ok()).unwrap_or(100);
-    campaign(drops, true);
+    campaign(CAMPAIGN_DROPS, true);
     println!("the corner is not stated:");
-    campaign(drops, false);
+    campaign(CAMPAIGN_DROPS, false);
 }

@@ -27,6 +27,7 @@
 //! wide margin against histories that were solved in 160-bit arithmetic (`validation/sliding`).
 
 mod friction;
+mod plane;
 mod solve;
 #[cfg(test)]
 mod tests;
@@ -37,6 +38,7 @@ use crate::G0_M_S2;
 use crate::rocking::{RockingError, Until};
 
 pub use friction::{Friction, FrictionalImpact, Mode, frictional_impact, mode_from_rest, trip_speed_m_s};
+pub use plane::{PlaneMotion, PlaneSliding, slide_in_plane};
 pub use solve::{SlidingPiece, slide, slide_many, slide_observed};
 
 /// The room beside a block: how far it may slide to each side \[m\]; `None` where nothing is in the

@@ -51,7 +51,7 @@ use self::track::{Seen, tilts, yaw};
 use crate::compliant::pad::Pad;
 use crate::compliant::{
     ASSUMED_TANGENTIAL_RATIO, CompliantAccuracy, CompliantEffort, CompliantError, EdgeSide, EnergyAudit, not_negative,
-    positive,
+    positive, tangential_ratio,
 };
 use crate::cushion::Cushion;
 use crate::motion::Motion;
@@ -154,7 +154,7 @@ impl Support {
     }
 
     fn check(&self) -> Result<(), CompliantError> {
-        positive("ratio of the tangential stiffness", self.tangential_stiffness_ratio)?;
+        tangential_ratio(self.tangential_stiffness_ratio)?;
         self.friction_ratio.map_or(Ok(()), |friction| not_negative("friction", friction))
     }
 
@@ -251,8 +251,9 @@ pub struct SpatialOptions {
     pub accuracy: CompliantAccuracy,
     /// Initial state.
     pub start: SpatialStart,
-    /// End time; `None`: the last sample. After the last sample the base comes to rest within one
-    /// time step \[s\].
+    /// End time; `None`: when everything has come to rest or something has fallen after the last
+    /// sample, or [`LONGEST_TAIL_S`](crate::rocking::LONGEST_TAIL_S) after that sample. After the last
+    /// sample the base comes to rest within one time step \[s\].
     pub duration_s: Option<f64>,
 }
 
@@ -448,7 +449,7 @@ pub fn rock_spatial_observed(
         return Err(CompliantError::BeyondWall);
     }
     let ended = follow(&world, [motion.x, motion.y, motion.vertical], options, (&start, is_at_rest), &mut observe)?;
-    let Ended { end_time_s, bodies, track, energy, effort, .. } = ended;
+    let Ended { end_time_s, bodies, track, is_open, energy, effort, .. } = ended;
     let Some(&body) = bodies.first() else { return Err(CompliantError::NotFinite { time_s: end_time_s }) };
     // Past its balance point and not fallen, it is held by a wall.
     let balance_rad = object.shape.uplift_thresholds()[0].atan();
@@ -458,7 +459,12 @@ pub fn rock_spatial_observed(
             let tilt_rad = body.final_tilt_x_rad;
             balance_rad <= if wall.side == EdgeSide::Left { -tilt_rad } else { tilt_rad }
         });
-    let body = BodyMotion { outcome: if leans { Outcome::Leaned } else { body.outcome }, ..body };
+    let outcome = match body.outcome {
+        Outcome::Rocked if leans => Outcome::Leaned,
+        Outcome::Rocked if is_open => Outcome::Unresolved,
+        outcome => outcome,
+    };
+    let body = BodyMotion { outcome, ..body };
     Ok(SpatialRocking {
         body,
         end_time_s,
@@ -574,7 +580,7 @@ impl World<'_> {
     }
 
     /// At rest: each body as far down as the cushions under it are compressed.
-    fn at_rest(&self) -> State {
+    pub(super) fn at_rest(&self) -> State {
         let mut y = self.upright();
         let mut down_m = 0.0;
         for (body, role) in (0..self.bodies.len()).zip([Role::Base, Role::Interface]) {

@@ -8,8 +8,10 @@ use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;
 use crate::compliant::step::{Scales, Step};
 use crate::compliant::stepper::{accurate, first_event, nearer, shortened};
+use crate::compliant::tail::Tail;
 use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, Ledger, MAX_STEPS, TOUCHING};
 use crate::motion::Motion;
+use crate::rocking::LONGEST_TAIL_S;
 
 /// The error of a step is a mean over the entries of the state; many of them hardly move. With this
 /// share of the tolerance the energy balance closes as in the plane.
@@ -27,6 +29,8 @@ pub(super) struct Ended {
     pub(super) bodies: Vec<BodyMotion>,
     pub(super) track: Track,
     pub(super) fallen: Option<Fallen>,
+    /// Whether it ended before it was certain that nothing falls.
+    pub(super) is_open: bool,
     pub(super) energy: EnergyAudit,
     pub(super) effort: CompliantEffort,
 }
@@ -49,6 +53,7 @@ struct Solver<'a, 'b, F> {
     fallen: Option<Fallen>,
     track: Track,
     ledger: Ledger,
+    tail: Tail,
     effort: CompliantEffort,
     observe: F,
 }
@@ -66,15 +71,24 @@ pub(super) fn follow(
         return Err(CompliantError::VerticalMismatch);
     }
     let given = motions.into_iter().flatten().next();
-    let end_s = options.duration_s.or(given.map(Motion::duration_s)).unwrap_or(0.0);
+    let settled_s = || given.map(|motion| motion.duration_s() + LONGEST_TAIL_S);
+    let end_s = options.duration_s.or_else(settled_s).unwrap_or(0.0);
     if !(end_s > 0.0 && end_s.is_finite()) {
         return Err(CompliantError::Duration { duration_s: end_s });
     }
     let mut solver = Solver::new(world, options, start, observe);
+    let samples = given.map_or(0, |motion| motion.accel_m_s2().len());
     let mut index = 0;
-    while solver.time_s < end_s && solver.fallen.is_none() {
+    while solver.time_s < end_s && solver.fallen.is_none() && !solver.tail.is_over {
         let (line, until_s) = Line::of(motions, index, end_s);
+        if index >= samples {
+            solver.tail.begin();
+        }
         if line.is_still() && solver.is_resting && is_at_rest {
+            // Nothing has moved it, and nothing will.
+            if index >= samples && options.duration_s.is_none() {
+                break;
+            }
             solver.time_s = until_s;
         } else {
             solver.is_resting = false;
@@ -88,15 +102,8 @@ pub(super) fn follow(
 impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn new(world: &'a World<'b>, options: &SpatialOptions, start: &State, observe: F) -> Self {
         let unit_s = world.unit_s;
-        let mut grips = vec![Grip::UNTOUCHED; world.elements.len()];
         let poses = world.poses(start);
-        for (grip, element) in grips.iter_mut().zip(&world.elements) {
-            let foot = world.foot(element, &poses);
-            // Contacts at the start carry load without stretch.
-            if foot.compression > 0.0 {
-                *grip = Grip::Stick { anchor: foot.on_face };
-            }
-        }
+        let grips = grips_at(world, &poses);
         let rest_j = world.elements.iter().filter(|element| element.role != Role::Wall);
         let rest_j = rest_j.map(|element| 0.5 * element.weight_n * element.unit_m).fold(0.0, f64::max);
         let mut solver = Self {
@@ -115,6 +122,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             fallen: None,
             track: Track::new(world, start),
             ledger: Ledger::open(2.0 * rest_j, &world.energies(&grips, start, &poses)),
+            tail: tail(world, 2.0 * rest_j, options.duration_s.is_none()),
             effort: CompliantEffort::default(),
             grips: Grips::new(world, grips),
             observe,
@@ -126,7 +134,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     /// Calculates one straight segment of the motion.
     fn pass(&mut self, line: &Line, until_s: f64) -> Result<(), CompliantError> {
         self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
-        while self.time_s < until_s && self.fallen.is_none() {
+        while self.time_s < until_s && self.fallen.is_none() && !self.tail.is_over {
             let rest_s = until_s - self.time_s;
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
@@ -142,7 +150,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
                 return Err(CompliantError::TooManySteps { time_s: self.time_s, limit: MAX_STEPS });
             }
         }
-        if self.fallen.is_none() {
+        if self.fallen.is_none() && !self.tail.is_over {
             self.time_s = until_s;
         }
         Ok(())
@@ -211,7 +219,16 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             }
         }
         self.ledger.enter(&self.world.energies(self.grips.each(), &self.y, &poses));
+        self.tail.step(self.time_s, &self.ledger, self.is_held());
         Ok(())
+    }
+
+    /// Whether every foot carries its body, or a wall holds one.
+    fn is_held(&self) -> bool {
+        let mut both = self.world.elements.iter().zip(self.grips.each());
+        let is_at_wall = both.any(|(element, grip)| element.role == Role::Wall && grip.carries());
+        let mut both = self.world.elements.iter().zip(self.grips.each());
+        is_at_wall || both.all(|(element, grip)| element.role == Role::Wall || grip.carries())
     }
 
     /// How far an element is from its next event, of the order of 1; negative past it.
@@ -353,15 +370,41 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     }
 
     fn finish(self) -> Ended {
+        let is_open = self.tail.is_open(&self.ledger);
         Ended {
             end_time_s: self.time_s,
             bodies: self.track.finish(self.world, &self.y, self.fallen),
             track: self.track,
             fallen: self.fallen,
+            is_open,
             energy: self.ledger.close(),
             effort: self.effort,
         }
     }
+}
+
+/// The elements of bodies that start in a place: contacts carry load without stretch.
+fn grips_at(world: &World<'_>, poses: &Poses) -> Vec<Grip> {
+    let grip = |element| {
+        let foot = world.foot(element, poses);
+        if foot.compression > 0.0 { Grip::Stick { anchor: foot.on_face } } else { Grip::UNTOUCHED }
+    };
+    world.elements.iter().map(grip).collect()
+}
+
+/// The end of a history after the motion. The balance point of a body is that about the nearest edge of
+/// its base.
+fn tail(world: &World<'_>, rest_j: f64, ends: bool) -> Tail {
+    let rest = world.at_rest();
+    let poses = world.poses(&rest);
+    let stands = world.energies(&grips_at(world, &poses), &rest, &poses);
+    let balance_j = world.bodies.iter().enumerate().map(|(index, body)| {
+        let own = world.elements.iter().filter(|one| one.role != Role::Wall && one.point_of == Some(index));
+        let reach = |axis: usize| own.clone().map(|one| one.point[axis].abs()).fold(0.0, f64::max);
+        let nearest = [0, 1].map(reach).into_iter().filter(|reach| *reach > 0.0).fold(f64::INFINITY, f64::min);
+        body.mass * world.gravity * (nearest.hypot(body.cg_height) - body.cg_height)
+    });
+    Tail::new(rest_j, stands.potential_j + stands.stored_j, balance_j.fold(f64::INFINITY, f64::min), ends)
 }
 
 fn length([a, b]: [f64; 2]) -> f64 {

@@ -210,7 +210,7 @@ pub fn rock_stack_observed(
     stack.stands(&world)?;
     let motions = [motion.horizontal, None, motion.vertical];
     let ended = follow(&world, motions, options, (&world.at_rest(), true), &mut observe)?;
-    let Ended { end_time_s, bodies, track, fallen, energy, effort } = ended;
+    let Ended { end_time_s, bodies, track, fallen, is_open, energy, effort } = ended;
     let (Some(&lower), Some(&upper)) = (bodies.first(), bodies.get(1)) else {
         return Err(CompliantError::NotFinite { time_s: end_time_s });
     };
@@ -219,6 +219,7 @@ pub fn rock_stack_observed(
     Ok(StackRocking {
         outcome: match overturned_body {
             Some(_) => Outcome::Overturned,
+            None if has_rocked && is_open => Outcome::Unresolved,
             None if has_rocked => Outcome::Rocked,
             None => Outcome::NoUplift,
         },

@@ -112,7 +112,7 @@ fn rotations(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) ->
                 firsts.push((*x, TOP));
                 break;
             }
-            points.push((*x, of_run.rotation_ratio));
+            points.extend(of_run.rotation_ratio.map(|ratio| (*x, ratio)));
         }
         plots.push(line(&points, curve_style(0).colour, 0.8, None));
     }

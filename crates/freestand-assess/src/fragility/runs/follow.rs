@@ -1,7 +1,6 @@
 //! The runs of an object.
 
 use freestand::fragility::{LimitState, ScaleRun, mean_and_sd, missing_levels, scales_of_motion};
-use freestand::rocking::Base;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
@@ -35,10 +34,8 @@ pub(super) fn classes(runs: &[Followed]) -> Vec<ScaleRun> {
 
 fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ratio: f64) -> Followed {
     let beyond = || "the scaled motion is beyond all numbers".to_owned();
-    let found = shaking.scaled(scale_ratio).ok_or_else(beyond).and_then(|(horizontal, vertical)| {
-        let base = Base { horizontal: horizontal.as_ref(), vertical: vertical.as_ref() };
-        one.nominal.run(base, request.rotation_ratio).map_err(|error| error.to_string())
-    });
+    let floor = shaking.scaled(scale_ratio).ok_or_else(beyond);
+    let found = floor.and_then(|floor| one.nominal.run(shaking.number, &floor, request.rotation_ratio));
     Followed { scale_ratio, found }
 }
 
@@ -107,13 +104,7 @@ fn stripes(
     measures: &[(Measure, At)],
     levels: &[f64],
 ) -> Result<Vec<f64>, Problems> {
-    let first = measures.first().filter(|_| !levels.is_empty());
-    let Some((measure, at)) = first else {
-        let unit = measures.first().map_or("m/s", |(measure, _)| measure.unit());
-        let example = if unit == "1" { "0.5:4:8".to_owned() } else { format!("0.1 {unit}:2 {unit}:12") };
-        let hint = format!("give the intensities by the first measure as `scales = \"{example}\"`");
-        return Err(Problem::value("stripes need the intensities of their levels", hint).of(&["scales"]).into());
-    };
+    let Some((measure, at)) = measures.first() else { return Ok(Vec::new()) };
     let of_one = shaking.intensity(*measure, 0, *at, one.factors).ok_or_else(|| {
         let message = format!("the motion {} has no {}", shorten(&shaking.name), measure.name());
         Problem::value(message, "give a measure that every motion has").of(&["im"])

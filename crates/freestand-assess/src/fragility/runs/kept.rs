@@ -46,7 +46,7 @@ struct KeptObject {
 }
 
 /// The scale, and the class, the rotation and the shock, or why it could not be followed.
-type KeptRun = (f64, Result<(usize, f64, Option<f64>), String>);
+type KeptRun = (f64, Result<(usize, Option<f64>, Option<f64>), String>);
 
 /// Opens the store of finished runs; `None` if runs are not kept.
 ///

@@ -1,13 +1,14 @@
 //! Fragilities from runs: objects under motions at many scales.
 //!
 //! `changed` has objects that options change, `shaking` the motions and their measures, `follow` the
-//! runs, `kept` the finished runs on disk, `table` their outcomes in the form that the fit reads,
+//! runs, `levels` the intensities of stripes, `kept` the finished runs on disk, `table` their outcomes in the form that the fit reads,
 //! `quality` how well each measure predicts the outcome, `figures` the figures.
 
 mod changed;
 mod figures;
 mod follow;
 mod kept;
+mod levels;
 mod quality;
 mod shaking;
 mod table;
@@ -24,7 +25,7 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::words::{Choices, counted, name_of, number, shortest, significant};
-use freestand_output::facts::Facts;
+use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::cushion::EdgeCushion;
@@ -274,6 +275,8 @@ struct OfStudy {
     said: JobReport,
     hazard: Option<String>,
     building: String,
+    /// What nobody stated of the place and the building, and of the objects.
+    assumed: Vec<String>,
     toml: String,
 }
 
@@ -284,6 +287,7 @@ impl OfStudy {
             said: said(study, &head::head(study, inventory)),
             hazard: head::hazard(study),
             building: head::building(study),
+            assumed: head::silent(study, inventory),
             toml: study.toml.clone(),
         })
     }
@@ -305,6 +309,12 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     let Prepared { mut objects, floors, left_out } = prepare(request, &measures, go_on)?;
     check_ground(&measures, &floors)?;
     check_shocks(request.fit, &objects)?;
+    let chosen = match (request.method, &request.scales) {
+        (Method::Stripes, None) => Some(levels::chosen(request, &objects, &floors, &measures, &go_on)?),
+        _ => None,
+    };
+    let with_levels = chosen.map(|levels| RunsRequest { scales: Some(levels), ..request.clone() });
+    let request = with_levels.as_ref().unwrap_or(request);
     let motions: Vec<usize> = floors.iter().map(Vec::len).collect();
     let of = |one: &ObjectRuns| motions.get(one.floor).copied().unwrap_or(0);
     let total = objects.iter().map(of).sum();
@@ -333,6 +343,9 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     fit(request, measures, Prepared { objects, floors, left_out }, progress)
 }
 
+/// The runs of an object under one motion at several scales, and the scale at which it begins to lift.
+type Followings = (Vec<Followed>, Option<f64>);
+
 /// Runs some objects under all motions of their floors.
 fn run_part(
     request: &RunsRequest,
@@ -347,7 +360,7 @@ fn run_part(
         .enumerate()
         .flat_map(|(i, one)| (0..floors.get(one.floor).map_or(0, Vec::len)).map(move |motion| (i, motion)))
         .collect();
-    let followed: Vec<Result<(Vec<Followed>, Option<f64>), Problems>> = tasks
+    let followed: Vec<Result<Followings, Problems>> = tasks
         .par_iter()
         .map(|&(i, motion)| {
             let one = objects.get(i).ok_or_else(missing)?;
@@ -680,6 +693,16 @@ impl RunsReport {
         warnings
     }
 
+    /// `left_out.csv`: the objects that were not run, and why; `None` where all were.
+    ///
+    /// # Errors
+    /// None in practice: see [`of_rows`].
+    pub fn left_out_table(&self) -> Result<Option<Table>, Problem> {
+        let row = |(id, why): &'_ (String, String)| Facts::default().key("id", id.clone()).key("why", why.clone());
+        let rows: Vec<Facts> = self.left_out.iter().map(row).collect();
+        if rows.is_empty() { Ok(None) } else { of_rows(rows).map(Some) }
+    }
+
     /// The sentence that says whose building this is, where no study was given.
     pub fn no_study(&self) -> Option<&String> {
         self.study.as_ref()?.said.no_study.as_ref()
@@ -720,6 +743,7 @@ impl RunsReport {
             .key("tolerance_rotation_ratio", self.rotation_ratio)
             .key("inputs", inputs)
             .key("no_study", said.and_then(|said| said.no_study.clone()))
+            .key("assumptions", self.study.as_ref().map(|study| study.assumed.clone()))
             .key("place_is_assumed", said.map(|said| said.place_is_assumed))
             .key("building_is_assumed", said.map(|said| said.building_is_assumed))
             .key("place_name", said.and_then(|said| said.place_name.clone()))

@@ -121,8 +121,11 @@ fn demands(
         for (followed, weight) in of_motion.iter().zip(weights) {
             let upright =
                 followed.run().filter(|run| matches!(run.class, OutcomeClass::Rocked | OutcomeClass::Exceeded));
-            let Some(run) = upright.filter(|run| run.rotation_ratio >= LEAST_ROTATION_RATIO) else { continue };
-            let demand = if by_shock { run.edge_acceleration_g } else { Some(run.rotation_ratio) };
+            let Some((run, turned)) = upright.and_then(|run| Some((run, run.rotation_ratio?))) else { continue };
+            if turned < LEAST_ROTATION_RATIO {
+                continue;
+            }
+            let demand = if by_shock { run.edge_acceleration_g } else { Some(turned) };
             if let Some(demand) = demand.filter(|demand| *demand > 0.0) {
                 demands.push((motion, ((unit * followed.scale_ratio).ln(), demand.ln(), *weight)));
             }

@@ -7,7 +7,6 @@ use freestand::block::Block;
 use freestand::measures::{mean_period_s, measures, rocking_measures};
 use freestand::motion::Motion;
 use freestand::oscillator::{DAMPING_RATIO, response_spectrum};
-use freestand::rocking::Base;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_study::study::{Ground, Study};
@@ -27,7 +26,7 @@ const AVERAGED: usize = 10;
 pub struct FloorMotion {
     /// Its name in the outcomes.
     pub name: String,
-    /// Horizontal acceleration, in the plane of the thickness.
+    /// Horizontal acceleration, in the plane of the object.
     pub horizontal: Motion,
     /// Vertical acceleration, of the same step and length.
     pub vertical: Option<Motion>,
@@ -100,32 +99,19 @@ impl RatioFactors {
 #[derive(Debug, Clone)]
 pub(super) struct Shaking {
     pub(super) name: String,
-    floor: Arc<Moved>,
+    /// Its place among the motions of the floor.
+    pub(super) number: u32,
+    floor: Arc<FloorOfWorld>,
     pub(super) at_floor: Strength,
     /// `None`: only the floor motion is known.
     pub(super) at_ground: Option<Strength>,
 }
 
-/// Where a floor motion is kept.
-#[derive(Debug)]
-enum Moved {
-    Given(FloorMotion),
-    OfWorld(Arc<FloorOfWorld>),
-}
-
 impl Shaking {
-    fn base(&self) -> Base<'_> {
-        match &*self.floor {
-            Moved::Given(motion) => Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() },
-            Moved::OfWorld(floor) => floor.base(true),
-        }
-    }
-
-    /// The horizontal and the vertical motion at a scale; `None` where their numbers have no end.
-    pub(super) fn scaled(&self, scale_ratio: f64) -> Option<(Option<Motion>, Option<Motion>)> {
-        let Base { horizontal, vertical } = self.base();
-        let scaled = |motion: Option<&Motion>| motion.map(|motion| motion.scaled(scale_ratio)).transpose().ok();
-        Some((scaled(horizontal)?, scaled(vertical)?))
+    /// The motion of the floor at a scale, its own acceleration left out of demands; `None` where its
+    /// numbers have no end.
+    pub(super) fn scaled(&self, scale_ratio: f64) -> Option<FloorOfWorld> {
+        self.floor.scaled(scale_ratio).map(FloorOfWorld::without_peak)
     }
 
     /// The scale at which the acceleration ratio of an object is 1.
@@ -157,17 +143,18 @@ impl Shaking {
 
 /// Motions of one floor that the user gave; `is_ground`: the object is on the ground.
 pub(super) fn given(motions: &[FloorMotion], is_ground: bool, asked: &[Measure]) -> Result<Vec<Shaking>, Problems> {
-    let shaking = |motion: &FloorMotion| {
+    let shaking = |(number, motion): (usize, &FloorMotion)| {
         let strength = Strength::new(&motion.horizontal, asked).map_err(|problem| of_motion(problem, &motion.name))?;
         still(&strength, &motion.name)?;
         Ok(Shaking {
             name: motion.name.clone(),
-            floor: Arc::new(Moved::Given(motion.clone())),
+            number: number as u32,
+            floor: Arc::new(FloorOfWorld::given(&motion.horizontal, motion.vertical.as_ref())),
             at_ground: is_ground.then(|| strength.clone()),
             at_floor: strength,
         })
     };
-    motions.par_iter().map(shaking).collect::<Result<_, Problem>>().map_err(Problems::from)
+    motions.par_iter().enumerate().map(shaking).collect::<Result<_, Problem>>().map_err(Problems::from)
 }
 
 /// The motions of some floors of a study, `[floor][motion]`: its records once each, or worlds.
@@ -197,7 +184,7 @@ pub(super) fn of_study(
             let name = all.name(world as u32);
             let strength = Strength::new(floor.component(true), asked).map_err(|problem| of_motion(problem, &name))?;
             still(&strength, &name)?;
-            Ok(Shaking { name, floor: Arc::new(Moved::OfWorld(floor)), at_floor: strength, at_ground: ground.clone() })
+            Ok(Shaking { name, number: world as u32, floor, at_floor: strength, at_ground: ground.clone() })
         });
         made.collect::<Result<_, Problem>>().map_err(Problems::from)
     };

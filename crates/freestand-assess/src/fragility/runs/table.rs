@@ -87,7 +87,7 @@ pub(super) fn outcomes(
                     text(run.run().and_then(|run| run.edge_acceleration_g)),
                     if is_weighted { shortest(factor * weight) } else { "1".to_owned() },
                     shortest(run.scale_ratio),
-                    text(run.run().map(|run| run.rotation_ratio)),
+                    text(run.run().and_then(|run| run.rotation_ratio)),
                     text(uplift.map(|uplift| unit * uplift)),
                     run.found.as_ref().err().map(|why| guarded(why).into_owned()).unwrap_or_default(),
                 ];

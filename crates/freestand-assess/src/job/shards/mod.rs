@@ -16,7 +16,7 @@ use std::time::Instant;
 use serde::{Deserialize, Serialize};
 
 use super::key::resume_key;
-use super::portfolio::{Assessed, Assessor, assess};
+use super::portfolio::{Assessed, Assessor, assess, two_spectra};
 use super::store::{Part, Store, part_size};
 use super::{Job, JobReport, Run, inventory_of, staged, written};
 use crate::inventory::{Inventory, Item, items_from_lines};
@@ -113,7 +113,12 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
     let store = Store::of_shards(&out)?;
     let motions = dir.join(MOTIONS);
     let wants_to_stop = || progress(Step { stage: None, done: 0, total: 0 }).is_break();
-    let mut assessor = Assessor::new((&study, plan.rows()), (plan.outcomes(), Some(&motions)), &wants_to_stop);
+    let alternative = study.alternative();
+    if plan.outcomes() && alternative.is_some() {
+        return Err(two_spectra().into());
+    }
+    let mut assessor = Assessor::new((&study, plan.rows()), (plan.outcomes(), Some(&motions)), &wants_to_stop)
+        .beside(alternative.as_ref());
     let mut failed = 0;
     for part in &parts {
         let done = part.rows.start - rows.start;

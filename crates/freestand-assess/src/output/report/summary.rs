@@ -43,6 +43,7 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String 
         let _ = writeln!(html, "<a href=\"#{id}\">{heading}</a>");
     }
     html.push_str("</nav>\n");
+    html.push_str(&cards_choice(head, pages.min(overview.assessed)));
     for (id, heading, content) in &sections {
         html.push_str(&section(id, heading, content));
     }
@@ -60,10 +61,49 @@ fn one_page(head: &Head, overview: &Overview, pages: usize) -> String {
     html.push_str(&properties("", &place));
     html.push_str(&heading("The first ten"));
     html.push_str(&ten(overview, pages));
+    html.push_str(&paragraph(&brackets(head)));
     html.push_str(&heading("What was assumed"));
     html.push_str(&list(&head.most_important));
+    html.push_str(&title_block(head));
     html.push_str("</section>\n");
     html
+}
+
+/// What the numbers in brackets are.
+fn brackets(head: &Head) -> String {
+    format!(
+        "In brackets: the interval in which the probability lies with {} % confidence, given the earthquakes that were \
+         simulated; a verdict counts on its worse end.",
+        number(100.0 * head.confidence, 3)
+    )
+}
+
+/// Date, preparer, revision and signature; what is not stated is a line to fill in.
+fn title_block(head: &Head) -> String {
+    let field = |label: &str, value: Option<&String>| {
+        let value = value.map_or_else(String::new, |value| name(value));
+        format!("<div><b>{value}</b><span>{label}</span></div>")
+    };
+    let title = &head.title;
+    format!(
+        "<div class=\"title-block\">\n{}{}{}{}</div>\n",
+        field("Date", title.date.as_ref()),
+        field("Prepared by", title.preparer.as_ref()),
+        field("Revision", title.revision.as_ref()),
+        field("Signature", None)
+    )
+}
+
+/// The box by which a reader chooses whether the cards of the objects are printed.
+fn cards_choice(head: &Head, pages: usize) -> String {
+    if pages == 0 {
+        return String::new();
+    }
+    let checked = if head.cards { " checked=\"checked\"" } else { "" };
+    format!(
+        "<p class=\"choice\"><label><input type=\"checkbox\" id=\"print-cards\"{checked}/> Print the cards of the objects \
+         too</label></p>\n"
+    )
 }
 
 /// A box for each decision with its count.
@@ -180,7 +220,7 @@ fn first(overview: &Overview, pages: usize) -> String {
         all => format!("The {} most urgent of {}, by rank.", overview.urgent.len(), counted(all, "object")),
     };
     if pages < overview.assessed {
-        let _ = write!(note, " Objects up to rank {pages} have a page below.");
+        let _ = write!(note, " Objects up to rank {pages} have a card below.");
     }
     note.push_str(" All objects are in objects.csv and in the sheet Objects of assessment.xlsx, with every number. ");
     note.push_str(RULE);

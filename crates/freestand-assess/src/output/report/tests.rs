@@ -51,12 +51,41 @@ fn it_prints_like_every_report() {
     print_check::check_print(&html, TITLE, CSS);
 }
 
+/// Date, preparer, revision and a line to sign; what is not stated is empty. The cards are on the screen,
+/// and on paper where the box is ticked; what the brackets mean stands on the first sheet.
+#[test]
+fn it_is_signed_and_its_cards_are_printed_on_request() {
+    use crate::output::fixture::head;
+    use crate::output::overview::Overview;
+    let mut head = head(12);
+    let overview = Overview::new(12, 50);
+    let made = |head: &Head| summary::summary(head, &overview, 200);
+    let html = made(&head);
+    let labels = ["Date", "Prepared by", "Revision", "Signature"];
+    assert!(labels.iter().all(|label| html.contains(&format!("<div><b></b><span>{label}</span></div>"))), "{html}");
+    assert!(html.contains("98 % confidence"));
+    head.title.preparer = Some("A. <Person>".to_owned());
+    assert!(made(&head).contains("<b>A. &lt;Person&gt;</b><span>Prepared by</span>"));
+    let listed = |cards| {
+        let inventory = inventory((0..3).map(item).collect());
+        let mut overview = Overview::new(3, 50);
+        for one in &inventory.items {
+            let found = crate::output::fixture::assessment(one, 0);
+            overview.add(&Line { item: one, found: Some((1, &found)) });
+        }
+        let head = Head { cards, ..crate::output::fixture::head(3) };
+        summary::summary(&head, &overview, 200)
+    };
+    assert!(listed(true).contains("id=\"print-cards\" checked") && listed(false).contains("id=\"print-cards\"/>"));
+    assert!(CSS.contains("main:not(:has(#print-cards:checked)) .object { display: none; }"));
+}
+
 #[test]
 fn only_the_most_urgent_have_pages() {
     let html = html(&inventory((0..12).map(item).collect()), 12, 5);
     let document = parse(&html);
     assert_eq!(pages(&document), (1..=5).map(anchor).collect::<Vec<_>>());
-    assert!(html.contains("Objects up to rank 5 have a page below.") && html.contains("objects.csv"));
+    assert!(html.contains("Objects up to rank 5 have a card below.") && html.contains("objects.csv"));
     assert!(html.contains("O-0000") && !html.contains("href=\"#object-6\""));
 }
 
@@ -69,7 +98,7 @@ fn the_first_sheet_and_the_work_list_are_there() {
     let section = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id)).unwrap();
     let text = |node: roxmltree::Node| -> String { node.descendants().filter_map(|node| node.text()).collect() };
     let main = document.descendants().find(|node| node.has_tag_name("main")).unwrap();
-    assert!(text(main).trim_start().starts_with("No study given: this is a 30-storey tower in Melbourne, not your"));
+    assert!(text(main).trim_start().starts_with("Nobody stated the place and the building: this is a 30-storey tower"));
     let sheet = text(section("one-page"));
     for said in ["Main, 30 storeys, 90 m high", "ward.xlsx, sheet Objects, 24 objects", "Assessed: 12 of 12 objects."] {
         assert!(sheet.contains(said), "{said}: {sheet}");

@@ -3,6 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 
+use crate::assumed;
 use crate::inventory::{Item, Rating};
 use crate::result::{
     Answers, Assessment, Cause, InSpace, ModelAnswers, ObjectModel, Probability, Ranked, RestraintForce, Rolled,
@@ -95,6 +96,16 @@ pub(crate) const COLUMNS: &[Column] = &[
         of_count(l, |answers| (!answers.is_close()).then_some(answers.worlds))
     }),
     count("worlds_cap", "worlds after which no more are added", |l| of_count(l, |answers| Some(answers.worlds_cap))),
+    count("worlds_needed", "fewest worlds that could leave it as it is, where the study allows fewer", |l| {
+        of_count(l, |answers| answers.worlds_needed)
+    }),
+    text("assumed", "columns that the list leaves empty, so that something is assumed", |l| {
+        Cell::owned(Some(assumed::columns(l.item).collect::<Vec<_>>().join(", ")))
+    }),
+    count("assumed_count", "how many these are", |l| Cell::count(Some(assumed::columns(l.item).count()))),
+    flag("is_round", "whether it is round: not calculated in three dimensions, and never left as it is", |l| {
+        yes(Some(l.item.is_round))
+    }),
     count("worlds_compliant", "worlds on the compliant base, where they are fewer", |l| {
         of_count(l, |answers| answers.worlds_compliant)
     }),

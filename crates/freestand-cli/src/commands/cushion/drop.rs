@@ -61,7 +61,7 @@ pub(crate) struct DropArgs {
     /// Gravity during the contact; 0 m/s2 if the zero line is not that of free fall [default: 1 g]
     #[arg(long, non_negative = Dimension::Acceleration)]
     gravity: Option<Given>,
-    /// Corner frequency of the low-pass filter before the A/D converter, to check the record with
+    /// Corner frequency of the low-pass filter before the A/D converter, behind which the laws are fitted
     #[arg(long, positive = Dimension::Frequency)]
     corner: Option<Given>,
     /// Fit only this law [default: the simplest one that no other clearly improves on]
@@ -88,6 +88,9 @@ pub(crate) struct DropArgs {
     /// Time step of a file without a column of times
     #[arg(long, value_name = "TIME", read = parse_step)]
     dt: Option<Given>,
+    /// Step to which unevenly spaced samples are interpolated on straight lines [default: they are refused]
+    #[arg(long, value_name = "TIME", read = parse_step)]
+    resample: Option<Given>,
     /// Column of accelerations, by name or by number (from 1)
     #[arg(long, value_name = "NAME")]
     component: Option<String>,
@@ -144,7 +147,12 @@ impl Loop {
 
 fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure> {
     let mut values = Values::default();
-    let read = ReadOptions { unit: values.read(&args.unit), dt_s: values.read(&args.dt), ..ReadOptions::default() };
+    let read = ReadOptions {
+        unit: values.read(&args.unit),
+        dt_s: values.read(&args.dt),
+        uneven_dt_s: values.read(&args.resample),
+        ..ReadOptions::default()
+    };
     let request = DropRequest {
         files: args.files.clone(),
         mass_kg: values.read(&args.mass),
@@ -178,7 +186,7 @@ fn velocity_error(text: &str) -> Result<f64, Problem> {
 }
 
 /// The table of several tests.
-const COLUMNS: [Column; 13] = [
+const COLUMNS: [Column; 14] = [
     ("path", "file", 0),
     ("drop", "drop", 0),
     ("impact_velocity_m_s", "impact velocity [m/s]", 4),
@@ -187,6 +195,7 @@ const COLUMNS: [Column; 13] = [
     ("max_compression_m", "compression [mm]", 4),
     ("restitution_ratio", "restitution", 3),
     ("fit", "stiffness [N/mm]", 5),
+    ("integrated", "integrated [N/mm]", 4),
     ("spread_ratio", "spread [%]", 2),
     ("law", "law", 0),
     ("exponent", "exponent", 3),

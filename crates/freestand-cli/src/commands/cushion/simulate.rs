@@ -9,7 +9,7 @@ use freestand_output::facts::Facts;
 use freestand_study::laboratory::virtual_laboratory::{assume_damping, drop_file, static_file};
 use serde::Serialize;
 
-use crate::args::GlobalArgs;
+use crate::args::{GlobalArgs, refuse_idle};
 use crate::commands::Done;
 use crate::cushion::CushionArgs;
 use crate::failure::Failure;
@@ -96,6 +96,9 @@ struct Report {
 
 const SCHEMA: &str = "freestand.cushion-simulate/1";
 
+/// The highest drop towers for experiments are about 150 m; the sum of numbers far beyond is no number.
+const HIGHEST_M: f64 = 1000.0;
+
 /// The options that all tests share.
 enum Plan {
     Drop(VirtualDropOptions),
@@ -153,6 +156,23 @@ fn simulated(cushion: &Cushion, plan: &Plan, index: u64, files: &Files) -> Resul
     Ok((text, facts))
 }
 
+impl SimulateArgs {
+    /// The flags that only drops read, of those that were given.
+    fn of_drops(&self) -> impl Iterator<Item = &'static str> {
+        let flags = [
+            (self.height.is_some(), "height"),
+            (self.sample_rate.is_some(), "sample-rate"),
+            (self.bias.is_some(), "bias"),
+            (self.zero_shift.is_some(), "zero-shift"),
+            (self.filter_corner.is_some(), "filter-corner"),
+            (self.pre_trigger.is_some(), "pre-trigger"),
+            (self.bounces > 0, "bounces"),
+            (self.gravity.is_some(), "gravity"),
+        ];
+        flags.into_iter().filter_map(|(is_given, flag)| is_given.then_some(flag))
+    }
+}
+
 fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<String>), Failure> {
     let mut values = Values::default();
     let (mass, height) = (values.read(&args.mass), values.read(&args.height));
@@ -165,6 +185,7 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
     };
     let (cushion, notes) = (edge.cushion, [edge.notes, assumed].concat());
     if args.is_static {
+        refuse_idle(args.of_drops(), "--static simulates no drops")?;
         let usual = VirtualStaticOptions::default();
         let options = VirtualStaticOptions {
             max_force_n: values.read(&args.load).unwrap_or(usual.max_force_n),
@@ -178,6 +199,7 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
         values.finish()?;
         return Ok((cushion, Plan::Static(options), notes));
     }
+    refuse_idle(args.hysteresis.is_some().then_some("hysteresis"), "it is that of --static tests")?;
     let gravity = values.read(&args.gravity);
     let rate = values.read(&args.sample_rate);
     let bias = values.read(&args.bias);
@@ -188,6 +210,10 @@ fn plan(args: &SimulateArgs, global: &GlobalArgs) -> Result<(Cushion, Plan, Vec<
     let (Some(mass_kg), Some(height_m)) = (mass, height) else {
         return Err(Failure::usage("a drop needs a mass and a height", "give --mass and --height, or --static"));
     };
+    if height_m > HIGHEST_M {
+        let hint = "check the unit: the height of a drop test is millimeters to meters";
+        return Err(Failure::usage(format!("--height: a drop of {height_m} m is more than {HIGHEST_M} m"), hint));
+    }
     let usual = VirtualDropOptions::from_height(&cushion, mass_kg, height_m);
     let options = VirtualDropOptions {
         gravity_m_s2: gravity.unwrap_or(usual.gravity_m_s2),

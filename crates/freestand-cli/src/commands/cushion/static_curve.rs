@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use freestand::identify::Toe;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
 use freestand_study::laboratory::static_curve::{
@@ -27,9 +28,9 @@ Examples:
 
 A file has columns of displacement and force with their units (displacement [mm],force [N]), both
 positive in compression, in the order of the test. Of several cycles, the last complete one is
-evaluated. The toe of the curve is cut off along the tangent at the working load, except for a
-sphere, whose curve always begins with a toe. The ratio of dynamic to static stiffness is shown but
-not used.")]
+evaluated. Slack before the pad is touched is cut off; the slow beginning of a pad that hardens is
+kept. --toe tangent cuts along the tangent at the working load, for a linear pad on which the plate
+seats itself. The ratio of dynamic to static stiffness is shown but not used.")]
 pub(crate) struct StaticArgs {
     /// Files with tests of one pad
     #[arg(value_name = "FILE", required = true)]
@@ -40,9 +41,12 @@ pub(crate) struct StaticArgs {
     /// Stiffness of the frame of the machine, whose deformation is subtracted [default: rigid]
     #[arg(long, positive = Dimension::Stiffness)]
     machine_compliance: Option<Given>,
-    /// Whether to cut off the toe of the curve [default: cut, but keep for a sphere]
-    #[arg(long, value_name = "WHEN", value_parser = choice(TOES))]
-    toe: Option<bool>,
+    /// What to cut off the toe of the curve [default: cut, but keep for a sphere]
+    #[arg(long, value_name = "WHAT", value_parser = choice(TOES))]
+    toe: Option<Toe>,
+    /// Reverse the signs of force and displacement, for a press that writes compression as negative
+    #[arg(long)]
+    invert: bool,
     /// Shape of the impactor; replaces what the files state
     #[arg(long, value_name = "SHAPE", value_parser = IMPACTORS)]
     impactor: Option<String>,
@@ -56,7 +60,11 @@ pub(crate) struct StaticArgs {
     tables: TableArgs,
 }
 
-const TOES: Choices<bool> = &[(true, "cut", "The toe is cut off"), (false, "keep", "The toe is kept")];
+const TOES: Choices<Toe> = &[
+    (Toe::Slack, "cut", "The displacement before the pad is touched is cut off"),
+    (Toe::Tangent, "tangent", "All before the tangent at the working load meets zero force is cut off (ASTM D695)"),
+    (Toe::Keep, "keep", "The toe is kept"),
+];
 
 const SCHEMA: &str = "freestand.cushion-static/1";
 
@@ -66,7 +74,8 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
         files: args.files.clone(),
         load_n: values.read(&args.load),
         machine_stiffness_n_m: values.read(&args.machine_compliance),
-        compensates_toe: args.toe,
+        toe: args.toe,
+        inverted: args.invert,
         impactor: args.impactor.clone(),
         boundary: args.boundary.clone(),
         dynamic_stiffness_n_m: values.read(&args.dynamic),

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand::motion::Motion;
-use freestand::rocking::{RockingOptions, Until};
+use freestand::rocking::RockingOptions;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
@@ -18,7 +18,7 @@ use freestand_output::table::Table;
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::figures::rock_figure;
 use freestand_study::recorded::ReadMotion;
-use freestand_study::rock::{RockRequest, history_table, rock};
+use freestand_study::rock::{RockRequest, history_table, rock, until};
 use serde::Serialize;
 
 use self::compliant::CompliantArgs;
@@ -53,7 +53,7 @@ Examples:
     freestand rock --motion record.AT2 --height \"2.3 m\" --thickness \"600 mm\" \\
       --mass \"140 kg\" --wall-gap 50mm --wall-stiffness \"2000 N/mm\"
   Free rocking from a rotation of 5 degrees:
-    freestand rock --initial-rotation 5deg --duration 10s --height 1.5m --thickness 0.4m
+    freestand rock --initial-rotation 5deg --height 1.5m --thickness 0.4m
   A low chest that slides before it can rock, with 20 cm of room on its left:
     freestand rock --motion record.AT2 --sliding --friction 0.3 --friction-kinetic 0.25 \
       --height 0.8m --thickness 0.6m --clearance-left \"200 mm\"
@@ -127,8 +127,8 @@ pub(crate) struct RockArgs {
     /// Gravity [default: 1 g]
     #[arg(long, positive = Dimension::Acceleration, help_heading = "The rocking")]
     gravity: Option<Given>,
-    /// Time at which to stop; the floor does not move after the last sample [default: the last
-    /// sample]
+    /// Time at which to stop, whether or not the object has come to rest; the floor does not move after
+    /// the last sample [default: when the object rests or lies, at most 120 s after the last sample]
     #[arg(long, positive = Dimension::Time, help_heading = "The rocking")]
     duration: Option<Given>,
     /// File to write the history to: CSV, or Parquet if its name ends in .parquet
@@ -352,7 +352,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
         accuracy: args.rocking.accuracy,
         initial_rotation_rad: rotation.unwrap_or(0.0),
         initial_omega_rad_s: omega.unwrap_or(0.0),
-        until: duration.map_or(Until::EndOfMotion, Until::Time),
+        until: until(duration),
         walls,
     };
     values.finish()?;
@@ -367,13 +367,7 @@ fn request(args: &RockArgs) -> Result<(RockRequest, Reading), Failure> {
     if no_motion && options.initial_rotation_rad == 0.0 && options.initial_omega_rad_s == 0.0 {
         return Err(Failure::usage(
             "nothing moves the object",
-            "give --motion FILE, or --initial-rotation or --initial-velocity with --duration",
-        ));
-    }
-    if no_motion && duration.is_none() {
-        return Err(Failure::usage(
-            "free rocking needs a time at which to stop",
-            "give --duration, for example --duration 30s",
+            "give --motion FILE, or --initial-rotation or --initial-velocity",
         ));
     }
     let mut reading = Reading::of(args)?;

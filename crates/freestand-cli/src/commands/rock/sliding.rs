@@ -1,9 +1,9 @@
 //! `freestand rock --sliding` and `--casters`: one object that slides or rolls.
 
 use freestand::G0_M_S2;
-use freestand::rocking::Until;
 use freestand_output::facts::Facts;
 use freestand_study::figures::slide_figure;
+use freestand_study::rock::until;
 use freestand_study::sliding::{SlideReport, SlideRequest, StopShock, history_table, slide};
 
 use super::{Reading, RockArgs, SCHEMA, place};
@@ -107,7 +107,7 @@ fn request(args: &RockArgs) -> Result<Option<SlideRequest>, Failure> {
     if args.motion.is_empty() && args.vertical.is_none() {
         return Err(Failure::usage("nothing moves the object", "give --motion FILE"));
     }
-    let (gravity_m_s2, until) = (gravity.unwrap_or(G0_M_S2), duration.map_or(Until::EndOfMotion, Until::Time));
+    let (gravity_m_s2, until) = (gravity.unwrap_or(G0_M_S2), until(duration));
     let stop = stop.flatten();
     Ok(Some(SlideRequest { block, surface, horizontal: None, vertical: None, stop, gravity_m_s2, until }))
 }

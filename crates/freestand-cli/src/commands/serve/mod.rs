@@ -1,5 +1,6 @@
 //! `freestand serve`: the local page.
 
+mod fields;
 mod request;
 
 use std::path::PathBuf;

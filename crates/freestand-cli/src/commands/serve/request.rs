@@ -6,10 +6,10 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory, FromArgMatches};
-use freestand_assess::inventory::{Edit, ReadOptions, inspect_inventory};
-use freestand_assess::library::Libraries;
+use freestand_assess::inventory::{COLUMNS, Edit, ReadOptions, inspect_inventory, template_csv};
+use freestand_assess::library::{Libraries, ToleranceLibrary};
 use freestand_assess::one_object::{Follow, Memory};
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind};
@@ -24,6 +24,7 @@ use freestand_study::resolve::{Overrides, load};
 use serde_json::{Map, Value, json};
 use tempfile::TempDir;
 
+use super::fields;
 use crate::commands::Cli;
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
@@ -69,6 +70,9 @@ fn facts() -> Value {
         "commands": COMMANDS,
         "places": places().iter().map(place).collect::<Vec<_>>(),
         "sites": sites(),
+        "withstands": withstands(),
+        "columns": COLUMNS.iter().map(|column| column.name).collect::<Vec<_>>(),
+        "template": template_csv().map(|text| String::from_utf8_lossy(&text).into_owned()).unwrap_or_default(),
         "pictures": PICTURES.iter().map(Picture::value).collect::<Vec<_>>(),
         "limits": {
             "file_bytes": MAX_FILE_BYTES, "files_bytes": MAX_TOTAL_BYTES, "request_bytes": MAX_BODY_BYTES,
@@ -76,10 +80,34 @@ fn facts() -> Value {
         },
         "examples": [
             {"command": "object", "options": {
-                "place": "Melbourne", "floor": "roof", "storeys": 30, "height": "1.8 m", "thickness": "400 mm",
-                "mass": "150 kg", "on": "4380 N/mm"}},
+                "place": "Melbourne", "floor": "roof", "storeys": 30, "height": "1.8 m", "thickness": "400 mm"}},
         ],
     })
+}
+
+/// Entries of the tolerance library that say to everybody what a shock of so many g is.
+const KNOWN: [&str; 8] = [
+    "rack-server-operating",
+    "network-ups-tape-operating",
+    "expansion-card-operating",
+    "museum-fragile",
+    "accelerator-module-operating",
+    "hdd-35-operating",
+    "rack-server-non-operating",
+    "hdd-35-non-operating",
+];
+
+/// What some objects withstand.
+fn withstands() -> Value {
+    let library = ToleranceLibrary::builtin();
+    let known = KNOWN.iter().filter_map(|id| library.find(id));
+    let facts = known.map(|entry| {
+        json!({
+            "class": entry.class, "state": entry.state.name(), "peak_g": entry.peak_g,
+            "confidence": entry.confidence.name(),
+        })
+    });
+    facts.collect()
 }
 
 /// The site classes of each code, as its option --site takes them.
@@ -304,7 +332,7 @@ fn parsed(request: &Request) -> Result<Cli, Wrong> {
     let matches = whole.clone().try_get_matches_from(arguments);
     matches
         .and_then(|matches| Cli::from_arg_matches(&matches))
-        .map_err(|error| Wrong { key: blamed(command, &error), failure: failure::usage(&error) })
+        .map_err(|error| Wrong { key: blamed(command, &error), failure: refused_by_parser(&error) })
 }
 
 /// Why a request fails, with the option of the request that is wrong, if it is one.
@@ -322,6 +350,32 @@ impl Wrong {
 impl<T: Into<Failure>> From<T> for Wrong {
     fn from(failure: T) -> Self {
         Self { key: None, failure: failure.into() }
+    }
+}
+
+/// What the parser refuses, for who has filled in a field: no usage line, and no words of a programmer.
+fn refused_by_parser(error: &clap::Error) -> Failure {
+    let text = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.as_str()),
+        Some(ContextValue::Strings(several)) => several.first().map(String::as_str),
+        _ => None,
+    };
+    let Some(shown) = text(ContextKind::InvalidArg) else { return failure::usage(error) };
+    let name = shown.split([' ', '=']).next().unwrap_or(shown);
+    match (error.kind(), text(ContextKind::InvalidValue)) {
+        (ErrorKind::MissingRequiredArgument, _) => Failure::usage(format!("{name} is missing"), "enter it"),
+        (ErrorKind::ValueValidation, Some(value)) => {
+            let why = std::error::Error::source(error).map(ToString::to_string).unwrap_or_default();
+            let bounds = why.split_once(" is not in ").and_then(|(_, range)| range.split_once("..="));
+            let (message, hint) = match bounds {
+                Some((low, high)) => {
+                    (format!("{name}: {value:?} is not from {low} to {high}"), format!("enter {low} to {high}"))
+                }
+                None => (format!("{name}: {value:?} is not a whole number"), "enter a whole number".to_owned()),
+            };
+            Failure::usage(message, hint)
+        }
+        _ => failure::usage(error),
     }
 }
 
@@ -439,12 +493,13 @@ impl Seen {
         let message = shown(&problem.message);
         // A flag is named at the beginning of what is said about its value.
         let flag = message.strip_prefix("--").and_then(|rest| rest.split([':', ' ']).next()).map(str::to_owned);
+        let (message, hint) = (fields::named(&message), fields::hint(&shown(hint_of(problem))));
         let key = problem.keys.first().map(|key| KeyStyle::Flag.name(key).trim_start_matches('-').to_owned());
         Refusal {
             key: key.or(flag).map(String::into_boxed_str),
             file: problem.path.as_ref().map(|path| self.named(&path.to_string_lossy()).into_boxed_str()),
             line: problem.line.and_then(|line| u32::try_from(line).ok()),
-            ..Refusal::new(Status::BadInput, kind, message, shown(hint_of(problem)))
+            ..Refusal::new(Status::BadInput, kind, message, hint)
         }
     }
 }

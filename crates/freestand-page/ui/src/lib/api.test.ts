@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { follow, Refused } from './api';
+import { follow, Refused, run } from './api';
 import { t } from './words';
 
 const event = (id: number, name: string) => `id: ${id}\nevent: ${name}\ndata: {"id":${id}}\n\n`;
@@ -64,4 +64,33 @@ it('does not try again what is refused, or what the page itself does wrong', asy
   expect([(refused.error as Refused).status, refused.asked.length]).toEqual([404, 1]);
   vi.stubGlobal('fetch', async () => new Response(event(1, 'object')));
   await expect(follow('job-1', () => { throw new RangeError('defect'); })).rejects.toBeInstanceOf(RangeError);
+});
+
+/** Answers of the program one after the other. */
+function answers(...all: { status: number; body: unknown }[]) {
+  const asked: Record<string, unknown>[] = [];
+  vi.stubGlobal('fetch', async (_: string, init: RequestInit) => {
+    asked.push(JSON.parse(String(init.body)) as Record<string, unknown>);
+    const { status, body } = all[asked.length - 1]!;
+    return new Response(JSON.stringify(body), { status });
+  });
+  return asked;
+}
+const superseded = { status: 409, body: { error: { kind: 'superseded', message: '', hint: '' } } };
+
+it('asks again where none of this tab has stopped it, and names its tab', async () => {
+  const asked = answers(superseded, { status: 200, body: { n: 1 } });
+  expect(await run({ command: 'object', options: {}, slot: 'again' })).toEqual({ n: 1 });
+  expect(asked.length).toBe(2);
+  expect(asked[0]!['tab']).toMatch(/^[0-9a-f]+$/);
+  expect(asked[1]).toEqual(asked[0]);
+});
+
+it('does not ask again what a newer question of this tab has replaced', async () => {
+  const asked = answers(superseded, { status: 200, body: { n: 2 } });
+  const older = run({ command: 'object', options: { n: 1 }, slot: 'newer' }).catch((error: unknown) => error);
+  const newer = run({ command: 'object', options: { n: 2 }, slot: 'newer' });
+  expect(await older).toBeInstanceOf(Refused);
+  expect(await newer).toEqual({ n: 2 });
+  expect(asked.length).toBe(2);
 });

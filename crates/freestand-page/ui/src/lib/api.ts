@@ -62,8 +62,28 @@ export async function facts<T>(): Promise<T> {
   return (await answered('facts')).json() as Promise<T>;
 }
 
+/** This tab, for as long as it shows the page: what another tab asks stops nothing here. A copy of a tab has a name of its own. */
+const TAB = Array.from(crypto.getRandomValues(new Uint32Array(4)), (one) => one.toString(16)).join('');
+/** The number of the newest request of each slot. */
+const newest = new Map<string, number>();
+/** How often a request is sent again that was stopped by none of this tab. */
+const MOST_TRIES = 5;
+const SUPERSEDED = 409;
+
 export async function run<T>(ask: Ask, signal?: AbortSignal): Promise<T> {
-  return (await answered('run', { ...json(ask), ...(signal ? { signal } : {}) })).json() as Promise<T>;
+  const slot = ask.slot ?? '';
+  const mine = (newest.get(slot) ?? 0) + 1;
+  newest.set(slot, mine);
+  const body = ask.slot ? { ...ask, tab: TAB } : ask;
+  for (let tries = 1; ; tries += 1) {
+    try {
+      return await ((await answered('run', { ...json(body), ...(signal ? { signal } : {}) })).json() as Promise<T>);
+    } catch (error) {
+      // A newer request of this tab counts; without one, the question still stands and is asked again.
+      const isOwn = newest.get(slot) !== mine;
+      if (!(error instanceof Refused) || error.status !== SUPERSEDED || isOwn || tries >= MOST_TRIES) throw error;
+    }
+  }
 }
 
 export async function upload(files: Iterable<File>): Promise<Uploaded[]> {

@@ -12,6 +12,7 @@ export interface Earthquake { name: string; outcome: string; uplift_m: number | 
 export interface ObjectDocument {
   answer: string;
   answer_kind: string;
+  model: string | null;
   motions: number;
   motions_lifted: number;
   motions_overturned: number;
@@ -20,11 +21,15 @@ export interface ObjectDocument {
   p_overturn_high: number | null;
   confidence: number | null;
   lift_acceleration_g: number;
+  level_ratio: number | null;
   uplift_m_max: number | null;
   landing_acceleration_g_max: number | null;
   floor_acceleration_g: { median: number | null; max: number | null };
   assumptions: string[];
   warnings: string[];
+  /** Whether nobody has said where the object stands. */
+  place_is_assumed?: boolean;
+  building_is_assumed?: boolean;
   /** Present only for an object that rocks in a plane. */
   earthquakes?: Earthquake[];
   followed?: string;

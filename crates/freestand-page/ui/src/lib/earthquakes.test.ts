@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import type { Earthquake } from './documents';
-import { effect, titleOf } from './earthquakes';
+import { effect, gentlestFirst, titleOf } from './earthquakes';
 import type { History } from './history';
 
 it('never tells an uplift of 0 mm', () => {
@@ -10,4 +10,19 @@ it('never tells an uplift of 0 mm', () => {
     expect(effect(one(uplift), 'si')).toBe(shown);
     expect(titleOf([one(uplift)], 'a', history, 'si')).toMatch(new RegExp(`lifted by ${shown}$`));
   }
+});
+
+const landed = (name: string, outcome: string, landing: number | null): Earthquake => ({ name, outcome, uplift_m: 0.01, landing_acceleration_g: landing });
+
+it('goes from the gentlest to the hardest, and a fall is the hardest', () => {
+  const all = [landed('a', 'rocked', 0.4), landed('b', 'rocked', 14), landed('c', 'overturned', null), landed('d', 'rocked', 6.4), landed('e', 'no-uplift', null)];
+  expect(gentlestFirst(all).map((one) => one.name)).toEqual(['e', 'a', 'd', 'b', 'c']);
+});
+
+it('does not say that no edge lifts where one lands', () => {
+  const history = {
+    outcome: 'no-uplift', time_s: [0, 1], theta_rad: [0, 1e-4], base_time_s: [0, 1], base_accel_m_s2: [0, 0], base_width_m: 0.4,
+    impacts: [{ time_s: 1, edge_acceleration_g: 0.1, edge: 'left' }],
+  } as unknown as History;
+  expect(titleOf([landed('a', 'no-uplift', null)], 'a', history, 'si')).toMatch(/lifted by < 1 mm$/);
 });

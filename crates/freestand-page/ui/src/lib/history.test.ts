@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { at, flashes, stills, telling, type History, type Impact } from './history';
+import { at, busy, flashes, floorMoves, stills, telling, type History, type Impact } from './history';
 
 const impact = (time_s: number, g: number): Impact => ({ time_s, edge_acceleration_g: g, edge: 'left' });
 const history = (time_s: number[], theta_rad: number[]): History => ({
@@ -37,4 +37,26 @@ describe('a history', () => {
     expect(found.map((one) => one.moment)).toContain('largest');
     expect(stills(history([0, 1], [0, 0])).length).toBe(5);
   });
+});
+
+it('names its stills by what they show', () => {
+  const moments = (one: History) => stills(one).map(({ moment }) => moment);
+  // Nothing lifts: all of them show an object at rest.
+  expect(moments(history([0, 5, 10], [0, 0, 0]))).toEqual(['rest', 'rest', 'rest', 'rest', 'end']);
+  expect(moments(history([0, 4, 5, 6], [0, 0, 0.3, 1.57])).at(-1)).toBe('lies');
+});
+
+it('plays where something is to be seen', () => {
+  expect(busy(history([0, 20, 21, 22, 60], [0, 0, 0.1, 0, 0]))).toEqual({ from: 19, to: 22.5 });
+  expect(busy(history([0, 60], [0, 0]))).toEqual({ from: 0, to: 60 });
+});
+
+it('moves its floor about its place', () => {
+  const time = Array.from({ length: 2001 }, (_, i) => i * 0.01);
+  const wave = { ...history([0, 20], [0, 0]), base_time_s: time, base_accel_m_s2: time.map((one) => Math.sin(2 * Math.PI * 2 * one)) };
+  // A wave of 1 m/s² and 2 Hz moves 1/(2π·2)² = 6.3 mm to each side; what is left out below 1/3 Hz takes a few percent of it.
+  const late = floorMoves(wave).slice(1000);
+  const most = late.reduce((all, one) => Math.max(all, Math.abs(one)), 0);
+  expect(most).toBeGreaterThan(0.9 * 6.33e-3);
+  expect(most).toBeLessThan(1.1 * 6.33e-3);
 });

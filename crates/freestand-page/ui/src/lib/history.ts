@@ -79,9 +79,12 @@ export function telling(history: History): number {
   return time_s[most] ?? 0;
 }
 
-export type Moment = 'lift' | 'swing' | 'past' | 'largest' | 'end';
+export type Moment = 'lift' | 'swing' | 'past' | 'largest' | 'end' | 'lies' | 'rest' | 'between';
 
-/** Five moments that tell the story: lift, two swings, the moment past balance or the largest tilt, the end. */
+/** Below this nothing is seen to turn [rad]. */
+const STILL_RAD = 1e-6;
+
+/** Five moments that tell the story: lift, two swings, the moment past balance or the largest tilt, the end. Each has the name of what is seen. */
 export function stills(history: History): { time: number; moment: Moment }[] {
   const { time_s, theta_rad, balance_rad } = history;
   const last = end(history);
@@ -95,7 +98,8 @@ export function stills(history: History): { time: number; moment: Moment }[] {
       size >= Math.abs(theta_rad[i - 1] ?? 0) && size >= Math.abs(theta_rad[i + 1] ?? 0))
     .sort((a, b) => b.size - a.size);
   const [largest, ...others] = peaks;
-  const found: { time: number; moment: Moment }[] = [{ time: lift, moment: 'lift' }, { time: last, moment: 'end' }];
+  const hasLifted = theta_rad.some((theta) => Math.abs(theta) > STILL_RAD);
+  const found: { time: number; moment: Moment }[] = [{ time: lift, moment: hasLifted ? 'lift' : 'rest' }, { time: last, moment: past >= 0 ? 'lies' : 'end' }];
   if (past >= 0) found.push({ time: until, moment: 'past' });
   else if (largest) found.push({ time: largest.time, moment: 'largest' });
   const swings = past >= 0 ? peaks : others;
@@ -105,8 +109,51 @@ export function stills(history: History): { time: number; moment: Moment }[] {
     if (found.length >= 5) break;
     if (found.every((other) => Math.abs(other.time - time) >= gap)) found.push({ time, moment: 'swing' });
   }
-  for (let i = 1; found.length < 5 && i < 5; i += 1) found.push({ time: lift + ((last - lift) * i) / 5, moment: 'swing' });
+  // Where there are fewer swings, moments between are shown as what they are.
+  for (let i = 1; found.length < 5 && i < 5; i += 1) {
+    const time = lift + ((last - lift) * i) / 5;
+    found.push({ time, moment: Math.abs(tilt(history, time)) > STILL_RAD ? 'between' : 'rest' });
+  }
   return found.sort((a, b) => a.time - b.time);
 }
+
+/** The times between which something is to be seen: a little before the first uplift to a little after the last; all of it where nothing lifts. */
+export function busy(history: History): { from: number; to: number } {
+  const { time_s, theta_rad } = history;
+  const last = end(history);
+  const first = theta_rad.findIndex((theta) => Math.abs(theta) > STILL_RAD);
+  if (first < 0) return { from: 0, to: last };
+  const after = theta_rad.findLastIndex((theta) => Math.abs(theta) > STILL_RAD);
+  return { from: Math.max(0, (time_s[Math.max(0, first - 1)] ?? 0) - BEFORE_S), to: Math.min(last, (time_s[Math.min(after + 1, time_s.length - 1)] ?? last) + AFTER_S) };
+}
+
+/** How long the floor is seen to shake before the object lifts, and after it rests [s]. */
+const [BEFORE_S, AFTER_S] = [1, 0.5] as const;
+
+/**
+ * Where the floor is at each of its samples [m], for the drawing: its acceleration integrated twice, without what is slower
+ * than a few seconds, so that it moves about its place.
+ */
+export function floorMoves({ base_time_s: time, base_accel_m_s2: accel }: History): number[] {
+  const velocity = leaked(time, accel);
+  return leaked(time, velocity);
+}
+
+/** Slower motions than this are not drawn [s]. */
+const SLOW_S = 3;
+
+/** The integral of a signal that forgets what is older than a few seconds. */
+function leaked(time: number[], values: number[]): number[] {
+  let sum = 0;
+  return values.map((value, i) => {
+    if (i === 0) return 0;
+    const step = time[i]! - time[i - 1]!;
+    sum = (sum + 0.5 * (value + values[i - 1]!) * step) * Math.exp((-2 * Math.PI * step) / SLOW_S);
+    return sum;
+  });
+}
+
+/** The largest uplift of an edge that a history shows, before it falls [m]. */
+export const liftShown = ({ theta_rad, base_width_m }: History) => base_width_m * Math.sin(theta_rad.reduce((all, theta) => Math.max(all, Math.abs(theta)), 0));
 
 export const degrees = (rad: number) => (rad * 180) / Math.PI;

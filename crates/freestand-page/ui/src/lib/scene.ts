@@ -1,6 +1,6 @@
 /** Draws the object on its floor, and its rotation against time. */
 
-import { degrees, end, floor, tilt, type History, type Impact } from './history';
+import { at, degrees, end, floor, tilt, type History, type Impact } from './history';
 import type { Units } from './units';
 import { t } from './words';
 
@@ -14,12 +14,12 @@ const G0_M_S2 = 9.80665;
 const MARKS = [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 1000] as const;
 const MARK_PX = 80;
 
-export interface Look { ink: string; mu: string; ln: string; ac: string; re: string; obj: string; fl: string; pa: string; reb: string }
+export interface Look { ink: string; mu: string; ln: string; ac: string; re: string; obj: string; fl: string; pa: string; reb: string; ed: string }
 
 export function look(): Look {
   const style = getComputedStyle(document.documentElement);
   const of = (name: string) => style.getPropertyValue(`--${name}`).trim();
-  return { ink: of('ink'), mu: of('mu'), ln: of('ln'), ac: of('ac'), re: of('re'), obj: of('obj'), fl: of('fl'), pa: of('pa'), reb: of('reb') };
+  return { ink: of('ink'), mu: of('mu'), ln: of('ln'), ac: of('ac'), re: of('re'), obj: of('obj'), fl: of('fl'), pa: of('pa'), reb: of('reb'), ed: of('ed') };
 }
 
 /** The canvas in CSS pixels, sharp on every screen. */
@@ -45,43 +45,83 @@ export function enlarged(history: History): number {
   return most > 0 && most < SMALL_RAD ? 5 : 1;
 }
 
-function body(context: CanvasRenderingContext2D, history: History, scale: number, x: number, y: number, theta: number, colours: Look, isGhost: boolean) {
+/** Shapes whose outline is not a box; the box is what is calculated. */
+const VASE = [[0.36, 0], [0.64, 0], [0.62, 0.1], [0.66, 0.2], [1, 0.48], [0.92, 0.66], [0.66, 0.88], [0.7, 0.93], [1, 1], [0, 1], [0.3, 0.93], [0.34, 0.88], [0.08, 0.66], [0, 0.48], [0.34, 0.2], [0.38, 0.1]] as const;
+/** From here down a vase is its foot: it ends at the edges about which it turns. */
+const FOOT = 0.9;
+const BOTTLE = [[0.4, 0], [0.6, 0], [0.6, 0.08], [0.92, 0.16], [1, 0.22], [1, 1], [0, 1], [0, 0.22], [0.08, 0.16], [0.4, 0.08]] as const;
+const STATUE = [[0.42, 0], [0.58, 0], [0.62, 0.08], [0.56, 0.13], [0.76, 0.22], [0.8, 0.7], [1, 0.7], [1, 1], [0, 1], [0, 0.7], [0.2, 0.7], [0.24, 0.22], [0.44, 0.13], [0.38, 0.08]] as const;
+const OUTLINES: Record<string, readonly (readonly [number, number])[]> = { vase: VASE, 'gas-bottle': BOTTLE, statue: STATUE };
+
+/** The outline of an object in its box. */
+function outline(context: CanvasRenderingContext2D, shape: string | undefined, w: number, h: number) {
+  const points = shape === undefined ? undefined : OUTLINES[shape];
+  context.beginPath();
+  if (!points) {
+    context.roundRect(0, 0, w, h, 3);
+    return;
+  }
+  const [first] = points;
+  context.moveTo(first![0] * w, first![1] * h);
+  points.forEach(([x, y], i) => {
+    if (shape !== 'vase' || y > FOOT) return context.lineTo(x * w, y * h);
+    const [nx, ny] = points[(i + 1) % points.length]!;
+    context.quadraticCurveTo(x * w, y * h, ((x + nx) / 2) * w, ((y + ny) / 2) * h);
+  });
+  context.closePath();
+}
+
+/** What is on the front of a box: shelves and handles. */
+function front(context: CanvasRenderingContext2D, w: number, h: number) {
+  context.lineWidth = 1;
+  context.globalAlpha = 0.6;
+  for (const part of [0.3, 0.55, 0.78]) {
+    context.beginPath();
+    context.moveTo(5, h * part);
+    context.lineTo(w - 5, h * part);
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+  context.lineWidth = 2;
+  for (const part of [0.15, 0.42, 0.66, 0.88]) {
+    context.beginPath();
+    context.moveTo(w * 0.38, h * part);
+    context.lineTo(w * 0.62, h * part);
+    context.stroke();
+  }
+}
+
+/** Height of the pads under an object, as they are drawn [px]. */
+const PAD_PX = 7;
+
+function body(context: CanvasRenderingContext2D, history: History, scale: number, x: number, y: number, theta: number, colours: Look, isGhost: boolean, shape?: string) {
   const [w, h, base] = [history.thickness_m * scale, history.height_m * scale, history.base_width_m * scale];
   context.save();
   // It turns about the edge that carries it: the right one where θ > 0.
   const edge = theta >= 0 ? base / 2 : -base / 2;
   context.translate(x + edge, y);
   context.rotate(theta);
+  if (history.base === 'compliant' && !isGhost) {
+    context.fillStyle = colours.mu;
+    const wide = Math.max(6, Math.min(18, base * 0.22));
+    for (const at of [-edge - base / 2, -edge + base / 2 - wide]) context.fillRect(at, -PAD_PX, wide, PAD_PX);
+  }
+  if (history.base === 'compliant') context.translate(0, -PAD_PX);
   context.translate(-edge - w / 2, -h);
   if (isGhost) {
     context.setLineDash([4, 4]);
     context.strokeStyle = colours.mu;
     context.globalAlpha = 0.55;
-    context.strokeRect(0, 0, w, h);
+    outline(context, shape, w, h);
+    context.stroke();
   } else {
     context.fillStyle = colours.obj;
     context.strokeStyle = colours.ink;
     context.lineWidth = 2;
-    context.beginPath();
-    context.roundRect(0, 0, w, h, 3);
+    outline(context, shape, w, h);
     context.fill();
     context.stroke();
-    context.lineWidth = 1;
-    context.globalAlpha = 0.6;
-    for (const part of [0.3, 0.55, 0.78]) {
-      context.beginPath();
-      context.moveTo(5, h * part);
-      context.lineTo(w - 5, h * part);
-      context.stroke();
-    }
-    context.globalAlpha = 1;
-    context.lineWidth = 2;
-    for (const part of [0.15, 0.42, 0.66, 0.88]) {
-      context.beginPath();
-      context.moveTo(w * 0.38, h * part);
-      context.lineTo(w * 0.62, h * part);
-      context.stroke();
-    }
+    if (shape === undefined || !(shape in OUTLINES)) front(context, w, h);
     context.fillStyle = colours.ac;
     context.beginPath();
     context.arc(w / 2, h - history.cg_height_m * scale, 4, 0, 7);
@@ -91,14 +131,17 @@ function body(context: CanvasRenderingContext2D, history: History, scale: number
 }
 
 /** The object at a time; `shown` are the impacts that may flash at this speed. */
-export function stage(canvas: HTMLCanvasElement, history: History, time: number, shown: Impact[], speed: number, units: Units, colours: Look, isSmall = false) {
+export function stage(canvas: HTMLCanvasElement, history: History, time: number, shown: Impact[], speed: number, units: Units, colours: Look, isSmall = false, shape?: string, moves: number[] = []) {
   const wide = canvas.clientWidth;
   const ready = prepared(canvas, isSmall ? 150 : Math.min(330, wide * 0.56 + 50));
   if (!ready) return;
   const [context, w, h] = ready;
   const diagonal = Math.hypot(history.height_m, history.thickness_m);
   const scale = Math.min((w - 16) / (2 * diagonal + history.base_width_m), (h - 50) / ((isSmall ? 1.02 : 1.13) * diagonal));
-  const [x, y] = [w / 2, h - 40];
+  // The floor carries the object along; it is drawn where the picture has room for it.
+  const room = Math.max(0, w / 2 - (0.5 * history.base_width_m + 1.02 * diagonal) * scale);
+  const shift = Math.max(-room, Math.min(room, (moves.length > 0 ? at(history.base_time_s, moves, time) : 0) * scale));
+  const [x, y] = [w / 2 + shift, h - 40];
   const theta = tilt(history, time) * enlarged(history);
   const minus = (text: string) => text.replace('-', '−');
   if (!isSmall) {
@@ -109,12 +152,12 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
     const [unit, name] = units === 'si' ? [1, 'm'] : [0.3048, 'ft'];
     const step = MARKS.find((one) => one * unit * scale >= MARK_PX) ?? MARKS[MARKS.length - 1]!;
     for (let mark = 0; mark * unit * scale < y - 6; mark += step) {
-      const at = y - mark * unit * scale;
+      const line = y - mark * unit * scale;
       context.beginPath();
-      context.moveTo(0, at);
-      context.lineTo(w, at);
+      context.moveTo(0, line);
+      context.lineTo(w, line);
       context.stroke();
-      if (mark > 0 && at > 14) context.fillText(`${Number(mark.toPrecision(6))} ${name}`, 8, at - 4);
+      if (mark > 0 && line > 14) context.fillText(`${Number(mark.toPrecision(6))} ${name}`, 8, line - 4);
     }
     if (theta !== 0) {
       const side = Math.sign(theta);
@@ -140,8 +183,13 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
     context.fillRect(side > 0 ? face : face - 10, y - tall, 10, tall);
   }
   context.fillRect(0, y, w, isSmall ? 4 : 10);
-  if (Math.abs(theta) > 0.004) body(context, history, scale, x, y, 0, colours, true);
-  body(context, history, scale, x, y, theta, colours, false);
+  if (!isSmall) {
+    // Marks on the floor show that it moves.
+    context.fillStyle = colours.ed;
+    for (let mark = ((shift % 40) + 40) % 40; mark < w; mark += 40) context.fillRect(mark, y, 2, 10);
+  }
+  if (Math.abs(theta) > 0.004) body(context, history, scale, x, y, 0, colours, true, shape);
+  body(context, history, scale, x, y, theta, colours, false, shape);
   if (isSmall) return;
   const g = floor(history, time) / G0_M_S2;
   const arrow = Math.max(-0.45 * w, Math.min(0.45 * w, g * 180));
@@ -177,7 +225,7 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
     const since = time - time_s;
     const left = 1 - since / lasts;
     const side = edge === 'right' ? 1 : -1;
-    const at = x + (side * history.base_width_m * scale) / 2;
+    const corner = x + (side * history.base_width_m * scale) / 2;
     const strength = edge_acceleration_g ?? 0;
     const radius = 6 + Math.min(strength, 12) * 7 * (1.3 - left * 0.6);
     context.globalAlpha = left;
@@ -187,16 +235,31 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
     for (let ray = 0; ray < 5; ray += 1) {
       const angle = (-Math.PI * (ray + 0.5)) / 5;
       context.beginPath();
-      context.moveTo(at + Math.cos(angle) * radius * 0.6, y + Math.sin(angle) * radius * 0.6);
-      context.lineTo(at + Math.cos(angle) * radius * 1.25, y + Math.sin(angle) * radius * 1.25);
+      context.moveTo(corner + Math.cos(angle) * radius * 0.6, y + Math.sin(angle) * radius * 0.6);
+      context.lineTo(corner + Math.cos(angle) * radius * 1.25, y + Math.sin(angle) * radius * 1.25);
       context.stroke();
     }
     context.font = `700 15px ${FONT}`;
     context.textAlign = side > 0 ? 'left' : 'right';
-    context.fillText(`${strength.toFixed(1)} g`, at + side * (radius * 1.3 + 6), y - 8);
+    context.fillText(`${strength.toFixed(1)} g`, corner + side * (radius * 1.3 + 6), y - 8);
     context.textAlign = 'left';
     context.globalAlpha = 1;
   }
+}
+
+/** The colours of a picture on paper, whatever those of the screen are. */
+const PAPER: Look = { ink: '#000', mu: '#444', ln: '#ccc', ac: '#00558c', re: '#a84300', obj: '#eee', fl: '#bbb', pa: '#fff', reb: '#fff', ed: '#666' };
+const PAPER_PX = 800;
+
+/** The object at a time as a picture for a sheet of paper; null where the browser draws nothing. */
+export function onPaper(history: History, time: number, units: Units, shape?: string): string | null {
+  const canvas = document.createElement('canvas');
+  Object.assign(canvas.style, { position: 'absolute', left: `${-2 * PAPER_PX}px`, width: `${PAPER_PX}px` });
+  document.body.append(canvas);
+  stage(canvas, history, time, [], 1, units, PAPER, false, shape);
+  const url = canvas.width > 0 ? canvas.toDataURL('image/png') : null;
+  canvas.remove();
+  return url;
 }
 
 /** Rotation over the balance angle, the acceleration of the floor behind it, impacts as ticks. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { gShown, lengthM, lengthShown, lengthText, massKg, massShown, percent, stiffnessNM, stiffnessShown } from './units';
+import { enteredIn, gShown, inUnits, lengthEntered, lengthM, lengthShown, lengthText, massKg, massShown, percent, stiffnessNM, stiffnessShown } from './units';
 
 describe('lengths', () => {
   it('are read as the program reads them', () => {
@@ -46,4 +46,25 @@ describe('shares and accelerations', () => {
     expect([0, 0.125, 0.135, 0.35, 1, 0.0013, 0.5875, 0.095].map(percent)).toEqual(['0', '12', '14', '35', '100', '0.13', '59', '9.5']);
     expect([0, 0.0001, 0.1, 3, 12.34, 321].map((g) => gShown(g))).toEqual(['0 g', '< 0.001 g', '0.10 g', '3.0 g', '12 g', '321 g']);
   });
+});
+
+it('a text that is shown in other units is still the text that was typed', () => {
+  // What is asked is the typed text; what is shown is made of it, however often the units change.
+  for (const typed of ['400 mm', '1.8 m', '5\'11"', '15.75 in']) {
+    expect(lengthM(inUnits(typed, 'length', 'us'))).toBeCloseTo(lengthM(typed)!, 3);
+  }
+  expect(inUnits('400 mm', 'length', 'us')).toBe('1\'3.75"');
+  expect(inUnits('150 kg', 'mass', 'us')).toBe('330.7 lb');
+  expect(inUnits('4380 N/mm', 'stiffness', 'us')).toBe('25010 lb/in');
+  expect(inUnits('rubber-foot', 'stiffness', 'us')).toBe('rubber-foot');
+});
+
+it('sizes as people write them', () => {
+  expect(lengthEntered('1,8 m', 'si')).toBe('1.8 m');
+  expect(lengthEntered('1800', 'si')).toBe('1800 mm');
+  expect(lengthEntered('1.8', 'si')).toBe('1.8 m');
+  expect(lengthEntered('0', 'si')).toBe('0 mm');
+  expect(lengthEntered('36', 'us')).toBe('36 in');
+  expect(lengthEntered('3 apples', 'si')).toBe('3 apples');
+  expect([enteredIn('0,3', 'g'), enteredIn('0.3 g', 'g'), enteredIn('0,2-0,8', '')]).toEqual(['0.3 g', '0.3 g', '0.2-0.8']);
 });

@@ -35,6 +35,52 @@ export function lengthText(metres: number, units: Units): string {
   return feet > 0 ? `${feet}'${rest}"` : `${rest}"`;
 }
 
+/** Above this, a bare number is in millimetres: nothing here is taller in metres. */
+const TALLEST_M = 12;
+
+/** A number without a unit, perhaps with a decimal comma. */
+const bare = (text: string) => (/^\s*\d+(?:[.,]\d+)?\s*$/.test(text) ? Number(text.trim().replace(',', '.')) : null);
+
+/**
+ * A length as it was entered, with its unit, as a list would be read: 1,8 m is 1.8 m, 1800 is 1800 mm, 1.8 is 1.8 m, and
+ * in US units a bare number is in inches. What is no length stays as it is: the program says what is wrong with it.
+ */
+export function lengthEntered(text: string, units: Units): string {
+  const plain = text.trim().replace(/(\d),(\d)/g, '$1.$2');
+  const number = bare(plain);
+  if (number === null) return plain;
+  return `${plain} ${units === 'us' ? 'in' : number > TALLEST_M || number === 0 ? 'mm' : 'm'}`;
+}
+
+/** Another quantity as it was entered; a bare number is in the unit in which masses and stiffnesses are shown. */
+export function enteredIn(text: string, unit: string): string {
+  const plain = text.trim().replace(/(\d),(\d)/g, '$1.$2');
+  return unit && bare(plain) !== null ? `${plain} ${unit}` : plain;
+}
+
+/** What a field holds. */
+export type Quantity = 'length' | 'mass' | 'stiffness' | 'other';
+
+/**
+ * A text that was typed in one system of units, in the other. Only what is shown changes: what is asked is the text as it was
+ * typed, so that changing the units never changes the object.
+ */
+export function inUnits(text: string, quantity: Quantity, units: Units): string {
+  if (quantity === 'length') {
+    const metres = lengthM(text);
+    return metres === null ? text : lengthText(metres, units);
+  }
+  if (quantity === 'mass') {
+    const kg = massKg(text);
+    return kg === null ? text : units === 'si' ? `${Number(kg.toPrecision(4))} kg` : `${Number((kg / POUND_KG).toPrecision(4))} lb`;
+  }
+  if (quantity === 'stiffness') {
+    const n_m = stiffnessNM(text);
+    return n_m === null ? text : units === 'si' ? `${Number((n_m / 1000).toPrecision(4))} N/mm` : `${Number((n_m / POUND_PER_INCH_N_M).toPrecision(4))} lb/in`;
+  }
+  return text;
+}
+
 /** A length for people: 1.80 m, 3.6 mm, 5′ 11″, 0.14″. */
 export function lengthShown(metres: number, units: Units): string {
   if (units === 'si') {

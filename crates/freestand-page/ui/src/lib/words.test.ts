@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { ordinal, sentence, t } from './words';
+import { ordinal, plain, sentence, t } from './words';
 
 it('fills names in, and counts in English', () => {
   expect(t('spectra.of', { count: 4, all: 10 })).toBe('4 of 10');
@@ -10,8 +10,15 @@ it('makes sentences of remarks', () => {
   expect(sentence('write a unit')).toBe('Write a unit.');
   expect(sentence('--thickness is larger than --height')).toBe(`“${t('thickness')}” is larger than “${t('height')}”.`);
   expect(sentence("a wrong '--storeys <N>'")).toBe(`A wrong “${t('storeys')}”.`);
-  expect(sentence('give --pga, or a study')).toBe('Give --pga, or a study.');
+  expect(sentence('give --pga, or a study')).toBe(`Give “${t('pga')}”, or a study.`);
   expect(sentence('--help shows what is accepted')).toBe('');
   expect(sentence('Is it there?')).toBe('Is it there?');
   expect(sentence('')).toBe('');
+});
+
+it('names no flag, known or not', () => {
+  expect(plain('give --out-of-the-blue or --height')).toBe(`give “Out of the blue” or “${t('height')}”`);
+  expect(sentence('freestand place list shows all places; give --place')).toBe(`Give “${t('place')}”.`);
+  expect(plain('`cg_height` is odd')).toBe(`“${t('cg-height')}” is odd`);
+  expect(plain('sheet--old.csv, 3 -- 4')).toBe('sheet--old.csv, 3 -- 4');
 });

@@ -15,15 +15,22 @@ export function ordinal(n: number): string {
   return t(rule === 'one' || rule === 'two' || rule === 'few' ? `ordinal.${rule}` : 'ordinal.other', { n });
 }
 
-/** A message of the program as a sentence, with names of fields in place of flags. */
+/** A message of the program with names of fields in place of flags and keys: who fills in a form has no command line. */
+export function plain(text: string): string {
+  return text.replace(/'--([a-z-]+) <\w+>'|(?<![\w-])--([a-z][a-z-]*)|`([a-z][a-z_]*)`/g, (_, whole?: string, bare?: string, key?: string) => {
+    const name = whole ?? bare ?? key?.replaceAll('_', '-') ?? '';
+    const word = name === 'floor' ? 'level' : name;
+    const label = word in en ? t(word as Word).replace(/:.*/, '') : name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
+    return `“${label}”`;
+  });
+}
+
+/** A message of the program as a sentence. */
 export function sentence(text: string): string {
   // The page cannot show the help of a command.
-  if (!text || /\B--help\b/.test(text)) return '';
-  const named = text.replace(/'--([a-z-]+) <\w+>'|\B--([a-z][a-z-]*)/g, (flag, whole?: string, bare?: string) => {
-    const name = whole ?? bare ?? '';
-    const word = name === 'floor' ? 'level' : name;
-    return word in en ? `“${t(word as Word).replace(/:.*/, '')}”` : flag;
-  });
+  const parts = text.split('; ').filter((part) => !/(?<![\w-])--help\b|\bfreestand [a-z]/.test(part));
+  const named = plain(parts.join('; '));
+  if (!named) return '';
   const first = /^[a-z]+[ ,]/.test(named) ? named.charAt(0).toUpperCase() + named.slice(1) : named;
   return /[.!?…]$/.test(first) ? first : `${first}.`;
 }

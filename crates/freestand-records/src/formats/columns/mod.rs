@@ -3,9 +3,9 @@
 use crate::motion_file::{Component, Direction, ReadOptions, Reading, Start, motion};
 use crate::text::dialect::Separator;
 use crate::text::even_grid::{Uneven, on_even_grid};
-use crate::text::fortran::is_missing_value;
+use crate::text::fortran::is_gap_mark;
 use crate::text::gaps::{gap, ordinary_note};
-use crate::text::headings::{Heading, headings_of, is_time_name, other_quantity, says_unit};
+use crate::text::headings::{Heading, headings_of, is_counter_name, is_time_name, other_quantity, says_unit};
 use crate::text::sampling::{even_step, time_step};
 use crate::text::stated_step::{count_in_words, dt_in_comment, step_in_prose};
 use crate::text::table::{self, Table};
@@ -51,7 +51,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     };
     let first = usize::from(counts_rows(&table, &stating, options));
     if first > 0 {
-        notes.push("column 1 counts the rows and was ignored".to_owned());
+        notes.push("column 1 counts the rows or samples and was ignored".to_owned());
     }
     let time = time_source(&table, first, &stating, options)?;
     let (spacing, skip) = match time {
@@ -92,10 +92,10 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         })?;
         notes.extend(column.digit_style.note());
         let mut values = column.values;
-        if let Some(row) = gap(&values, is_missing_value) {
+        if let Some(row) = gap(&values, is_gap_mark) {
             return Err(missing(&values[row].to_string(), table.line_of_row(bytes, row)));
         }
-        if let Some(row) = values.iter().position(|&value| is_missing_value(value)) {
+        if let Some(row) = values.iter().position(|&value| is_gap_mark(value)) {
             notes.push(ordinary_note(values[row], table.line_of_row(bytes, row)));
         }
         for value in &mut values {
@@ -220,9 +220,13 @@ fn time_source(table: &Table, at: usize, stating: &Stating, options: &ReadOption
     match step {
         Some(dt_s) if counts_time(dt_s) => Ok(Time::Column),
         Some(dt_s) if !named => Ok(Time::Step(dt_s)),
-        _ if table.columns.len() == 1 => Err(Problem::new(ProblemKind::Value, "there is one column and no time step")
-            .at_line(table.line_of_first_value)
-            .hint("give the time step, such as `dt = \"0.01 s\"`")),
+        _ if table.columns.len() == at + 1 => {
+            let what =
+                if at == 0 { "there is one column" } else { "there is one column besides the number of the sample" };
+            Err(Problem::new(ProblemKind::Value, format!("{what} and no time step"))
+                .at_line(table.line_of_first_value)
+                .hint("give the time step, such as `dt = \"0.01 s\"`"))
+        }
         _ if first.and_then(|heading| heading.unit).is_some_and(|unit| unit.dimension != Dimension::Time) => {
             Err(Problem::new(ProblemKind::Format, "the first column is not the time")
                 .at_line(stating.line)
@@ -267,11 +271,18 @@ fn is_time(table: &Table, at: usize, dt_s: Option<f64>) -> bool {
     column.values.first().is_some_and(|first| *first == 0.0 || is_step(*first)) && dt_s.is_none_or(is_step)
 }
 
-/// Whether the first column is 1, 2, 3 … and the second the time: read as a time, the first would
+/// Whether the first column is 1, 2, 3 … and named as a number of samples, or the second is the time: read as a time, the first would
 /// give a step of one second.
 fn counts_rows(table: &Table, stating: &Stating, options: &ReadOptions) -> bool {
-    let [numbers, _, _, ..] = table.columns.as_slice() else { return false };
+    let [numbers, _, ..] = table.columns.as_slice() else { return false };
     let counts = numbers.last_digit_exponent == 0 && numbers.values.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
+    let first = stating.headings.as_ref().and_then(|headings| headings.first());
+    if counts && first.is_some_and(|heading| heading.unit.is_none() && is_counter_name(&heading.name)) {
+        return true;
+    }
+    if table.columns.len() < 3 {
+        return false;
+    }
     let is_named = names_time(stating, 1);
     counts && !names_time(stating, 0) && (is_named || options.dt_s.is_none() && is_time(table, 1, None))
 }

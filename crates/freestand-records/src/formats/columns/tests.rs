@@ -303,3 +303,56 @@ fn minus_999_is_missing_where_it_stands_out() {
     let problem = parse(&format!("{head}{rows}"), &ReadOptions::default()).unwrap_err();
     assert_eq!((problem.message.as_str(), problem.line), ("\"-999\" marks a missing value", Some(3)));
 }
+
+/// A pulse of 0.3 g in 200 samples, with what a row makes of its number and its value.
+fn rows(heading: &str, row: impl Fn(usize, f64) -> String) -> String {
+    let pulse = |i: usize| 0.3 * (-((i as f64 - 100.0) / 20.0).powi(2)).exp() * (0.9 * i as f64).sin();
+    std::iter::once(format!("{heading}\n")).chain((0..200).map(|i| row(i, pulse(i)))).collect()
+}
+
+/// The number of a sample is not its time: without a step the file is refused, with one it is read.
+#[test]
+fn numbers_of_samples_are_no_seconds() {
+    for name in ["sample", "Index", "No.", "Nr", "Sample number"] {
+        for start in [0, 1] {
+            let text = rows(&format!("{name},a [g]"), |i, a| format!("{},{a:.6}\n", i + start));
+            let problem = parse(&text, &ReadOptions::default()).unwrap_err();
+            assert!(problem.hint.is_some_and(|hint| hint.contains("`dt")), "{name}");
+            let file = parse(&text, &options("", 0.01)).unwrap();
+            assert_eq!((file.components.len(), file.components[0].motion.dt_s()), (1, 0.01), "{name}");
+        }
+    }
+    let timed = rows("t,a [g]", |i, a| format!("{},{a:.6}\n", i));
+    assert_eq!(parse(&timed, &ReadOptions::default()).unwrap().components[0].motion.dt_s(), 1.0);
+}
+
+#[test]
+fn nines_in_a_gap_are_no_values() {
+    let text = rows("t [s],a [gal]", |i, a| {
+        let value = if (50..53).contains(&i) { 9999.99 } else { 981.0 * a };
+        format!("{:.2},{value:.2}\n", 0.01 * i as f64)
+    });
+    assert_eq!(parse(&text, &ReadOptions::default()).unwrap_err().line, Some(52));
+}
+
+/// An offset of 1 g and one of 0.1 g are said, a record about zero and a pulse to one side are not.
+#[test]
+fn an_offset_is_said() {
+    let of = |offset: f64, share: f64| {
+        let text = rows("t [s],a [g]", |i, a| format!("{:.2},{:.6}\n", 0.01 * i as f64, offset + a.max(share * a)));
+        parse(&text, &ReadOptions::default()).unwrap().notes
+    };
+    assert_eq!((of(0.0, 1.0).len(), of(0.0, 0.0).len(), of(0.005, 1.0).len()), (0, 0, 0));
+    for offset in [1.0, -1.0, 0.1] {
+        let notes = of(offset, 1.0);
+        assert!(notes.iter().any(|note| note.contains("baseline")), "{offset}: {notes:?}");
+    }
+}
+
+/// A heading must not tell a terminal what to do.
+#[test]
+fn control_characters_stay_in_the_file() {
+    let file = parse("t [s],a\u{1b}[31m\u{7}b [g]\n0,0\n0.01,1\n", &ReadOptions::default()).unwrap();
+    let said = file.components.iter().map(|c| c.name.as_str()).chain(file.notes.iter().map(String::as_str));
+    assert!(said.flat_map(str::chars).all(|c| !c.is_control()));
+}

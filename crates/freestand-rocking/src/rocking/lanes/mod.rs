@@ -367,6 +367,8 @@ fn summary(
         State::Bouncing | State::Leaning { past_balance: true, .. } => (Outcome::Leaned, over),
         State::Untouched => (Outcome::NoUplift, over),
         State::Overturned => (Outcome::Overturned, StopReason::Overturned),
+        // It is followed no further than the last sample.
+        State::Moving if !settle => (Outcome::Unresolved, over),
         State::AtRest | State::Moving | State::GivenUp | State::Leaning { .. } => (Outcome::Rocked, over),
     };
     let sides = [0, 1].map(|side| SideExtremes {

@@ -13,6 +13,7 @@ use freestand::identify::{
 use freestand::impact::HALF_SPACE_SHARE;
 
 use super::Impactor;
+use super::virtual_laboratory::check_speed;
 use crate::recorded::Failed;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -41,6 +42,8 @@ pub const LAWS: Choices<FittedLaw> = &[
     (FittedLaw::Power, "power", "F = K dⁿ"),
     (FittedLaw::KelvinVoigt, "kelvin-voigt", "F = k d + c ḋ"),
     (FittedLaw::HuntCrossley, "hunt-crossley", "F = K dⁿ (1 + Λḋ)"),
+    (FittedLaw::Cubic, "cubic", "F = k d + k₃ d³"),
+    (FittedLaw::Tabulated, "tabulated", "a smooth curve without a formula"),
 ];
 
 /// A request to evaluate drop tests: values for all files; the comments of a file supply those that
@@ -190,6 +193,9 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     };
     let height_m = request.height_m.or(if request.impact_velocity_m_s.is_some() { None } else { said.height_m });
     let (impact_velocity, velocity_source) = impact_velocity(request, height_m, said.velocity_m_s);
+    if let ImpactVelocity::Known { speed_m_s, .. } = impact_velocity {
+        check_speed(speed_m_s).map_err(in_file)?;
+    }
     let setup = DropSetup {
         mass_kg,
         impact_velocity,
@@ -328,6 +334,9 @@ impl DropReport {
             .key("stiffness_n_m", stiffness(found))
             .fact("stiffness_ci95_n_m", "  95 % interval of the fit", found.map(interval))
             .fact("law", "law", found.map(|f| f.chosen.name()))
+            .fact("initial_stiffness_n_m", "tangent at the origin", found.and_then(|f| f.initial_stiffness_n_m))
+            .key("cubic_n_m3", found.and_then(|f| f.cubic_n_m3))
+            .key("filter_corner_hz", found.and_then(|f| f.filter_corner_hz))
             .key("coefficient_n_mn", coefficient_n_mn)
             .fact("exponent", "exponent, fitted", found.map(|f| f.exponent))
             .key("exponent_error", found.and_then(|f| f.exponent_error))
@@ -345,11 +354,12 @@ impl DropReport {
     }
 }
 
-/// The six estimates; the keys are present even without a stiffness.
+/// The estimates; the keys are present even without a stiffness.
 fn stiffness(found: Option<&Identified>) -> Facts<'static> {
     let estimate = |of: fn(&StiffnessEstimates) -> f64| found.map(|f| of(&f.stiffness));
     Facts::default()
-        .fact("fit", "stiffness, fitted", estimate(|k| k.fit_n_m))
+        .fact("fit", "stiffness F/d, fitted", estimate(|k| k.fit_n_m))
+        .fact("integrated", "  F/d, integrated", found.and_then(|f| f.stiffness.integrated_n_m))
         .fact("peak_over_velocity", "  m (a/v)²", estimate(|k| k.peak_over_velocity_n_m))
         .fact("contact_time", "  m (π/tc)²", estimate(|k| k.contact_time_n_m))
         .fact("velocity_over_compression", "  m (v/d)²", estimate(|k| k.velocity_over_compression_n_m))
@@ -360,6 +370,10 @@ fn stiffness(found: Option<&Identified>) -> Facts<'static> {
 /// K, c and Λ of the law.
 pub(super) fn numbers(found: Option<&Identified>) -> (Option<f64>, Option<f64>, Option<f64>) {
     match found.map(|found| &found.law) {
+        // k of k d + k₃ d³.
+        Some(ContactLaw::Tabulated { .. }) => {
+            (found.filter(|f| f.chosen == FittedLaw::Cubic).and_then(|f| f.initial_stiffness_n_m), None, None)
+        }
         Some(ContactLaw::Linear { stiffness_n_m }) => (Some(*stiffness_n_m), None, None),
         Some(ContactLaw::Power { coefficient_n_mn, .. }) => (Some(*coefficient_n_mn), None, None),
         Some(ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }) => {
@@ -392,6 +406,20 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
             "the four estimates differ by {} %, although the pulse is that of a linear pad: check mass, height and \
              zero line",
             significant(100.0 * spread_ratio, 2)
+        ));
+    }
+    if let Some(corner_hz) = found.and_then(|found| found.filter_corner_hz) {
+        say(format!(
+            "the pulse looks like one behind a low-pass filter of about {} Hz, and the stiffness is the one behind it: \
+             give `corner` if the instrument has one; the interval includes the stiffness without a filter",
+            significant(corner_hz, 2)
+        ));
+    }
+    if found.is_some_and(|found| matches!(found.chosen, FittedLaw::Cubic | FittedLaw::Tabulated)) {
+        say(format!(
+            "the pad hardens or softens: its stiffness is F/d at {} mm, the largest compression of this drop, and \
+             holds for this compression alone; the law in the cushion file is a table up to it",
+            significant(1e3 * test.max_compression_m.unwrap_or(0.0), 3)
         ));
     }
     if found.is_some_and(|found| !found.has_gravity) && report.velocity_source != VelocitySource::Impulse {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use freestand::cushion::Cushion;
 use freestand::identify::{FittedLaw, Pooled, PooledDrop, pool_drops};
 
 use super::{DropReport, numbers};
@@ -14,6 +15,9 @@ const MASS_SHARE: f64 = 0.01;
 /// and a margin.
 const SPEED_SHARE: f64 = 0.03;
 
+/// A pad with less restitution than this is damped: the shock of one that is not differs by a tenth.
+const ELASTIC: f64 = 0.9;
+
 /// The pooled result of all drops.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PooledReport {
@@ -24,11 +28,14 @@ pub struct PooledReport {
 }
 
 /// A pad as several drops give it; damping and restitution are means.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PooledPad {
     pub law: FittedLaw,
     pub stiffness: Pooled,
-    pub coefficient_n_mn: f64,
+    /// K; `None` for a law without one.
+    pub coefficient_n_mn: Option<f64>,
+    /// Compressions \[m\] and forces \[N\] of a law without a formula of cushion files.
+    pub table: Option<(Vec<f64>, Vec<f64>)>,
     pub damping_ratio: Option<f64>,
     pub damping_n_s_m: Option<f64>,
     pub dissipation_s_m: Option<f64>,
@@ -60,6 +67,9 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
             given.len()
         ));
     }
+    if is_curve(law) && alike.iter().any(|test| test.test.restitution_ratio.is_some_and(|e| e < ELASTIC)) {
+        warnings.push("the pad is damped, and the table in its cushion file is not".to_owned());
+    }
     if !is_linear(law) && are_of_other_heights(&alike) {
         warnings.push(
             "the drops are from different heights and the stiffness of the pad depends on the compression: the \
@@ -79,6 +89,25 @@ fn is_linear(law: FittedLaw) -> bool {
     matches!(law, FittedLaw::Linear | FittedLaw::KelvinVoigt)
 }
 
+/// Whether a law is a table in cushion files.
+fn is_curve(law: FittedLaw) -> bool {
+    matches!(law, FittedLaw::Cubic | FittedLaw::Tabulated)
+}
+
+/// Points of a pooled table.
+const POINTS: u32 = 32;
+
+/// The mean force of the drops up to the compression that all of them reached, so that its secant there is the pooled
+/// stiffness.
+fn mean_curve(tests: &[&DropReport], pooled: &Pooled) -> (Vec<f64>, Vec<f64>) {
+    let laws: Vec<Cushion> = tests.iter().filter_map(|test| Cushion::new(test.found()?.law.clone()).ok()).collect();
+    let depths = tests.iter().filter_map(|test| test.test.max_compression_m);
+    let most_m = depths.fold(f64::INFINITY, f64::min);
+    let mean = |d: f64| laws.iter().map(|law| law.force_n(d, 0.0)).sum::<f64>() / laws.len().max(1) as f64;
+    let factor = pooled.stiffness_n_m * most_m / mean(most_m);
+    (0..=POINTS).map(|i| most_m * f64::from(i) / f64::from(POINTS)).map(|d| (d, factor * mean(d))).unzip()
+}
+
 fn of_repeats(tests: &[&DropReport], law: FittedLaw, seed: u64) -> Option<PooledPad> {
     let drops: Vec<PooledDrop> = tests
         .iter()
@@ -93,7 +122,8 @@ fn of_repeats(tests: &[&DropReport], law: FittedLaw, seed: u64) -> Option<Pooled
     Some(PooledPad {
         law,
         stiffness,
-        coefficient_n_mn: coefficient(tests, law, &stiffness),
+        coefficient_n_mn: (!is_curve(law)).then(|| coefficient(tests, law, &stiffness)),
+        table: is_curve(law).then(|| mean_curve(tests, &stiffness)),
         damping_ratio: mean(|test| test.found().map(|found| found.damping_ratio)),
         damping_n_s_m: mean(|test| numbers(test.found()).1),
         dissipation_s_m: mean(|test| numbers(test.found()).2),
@@ -113,7 +143,7 @@ impl PooledReport {
             .key("scatter_ratio", pad.and_then(|pad| pad.stiffness.scatter_ratio))
             .fact("count", "  drops", pad.map_or(0, |pad| pad.stiffness.count))
             .fact("law", "  law", pad.map(|pad| pad.law.name()))
-            .key("coefficient_n_mn", pad.map(|pad| pad.coefficient_n_mn))
+            .key("coefficient_n_mn", pad.and_then(|pad| pad.coefficient_n_mn))
             .key("damping_ratio", pad.and_then(|pad| pad.damping_ratio))
             .key("damping_n_s_m", pad.and_then(|pad| pad.damping_n_s_m))
             .key("dissipation_s_m", pad.and_then(|pad| pad.dissipation_s_m))
@@ -180,8 +210,11 @@ fn most_common(tests: &[&DropReport]) -> Option<FittedLaw> {
 
 /// The pooled law as a cushion file that later commands read; `None` without a pooled law.
 pub fn cushion_toml(pooled: &PooledReport) -> Option<String> {
-    let pad = pooled.pad?;
-    let (coefficient, n) = (pad.coefficient_n_mn, pad.stiffness.exponent);
+    let pad = pooled.pad.as_ref()?;
+    if let Some((compressions_m, forces_n)) = &pad.table {
+        return Some(table_toml(compressions_m, forces_n));
+    }
+    let (coefficient, n) = (pad.coefficient_n_mn?, pad.stiffness.exponent);
     let mut text = String::from("# One pad, from drop tests; pads_per_edge is the number of pads under one edge.\n");
     // Writing to a String cannot fail.
     let _ = writeln!(text, "law = \"{}\"", pad.law.name());
@@ -197,6 +230,20 @@ pub fn cushion_toml(pooled: &PooledReport) -> Option<String> {
         let _ = writeln!(text, "dissipation = \"{dissipation} s/m\"");
     }
     Some(text)
+}
+
+fn table_toml(compressions_m: &[f64], forces_n: &[f64]) -> String {
+    let list = |values: &[f64], scale: f64, unit: &str| {
+        let cells: Vec<String> = values.iter().map(|value| format!("\"{} {unit}\"", scale * value)).collect();
+        format!("[{}]", cells.join(", "))
+    };
+    format!(
+        "# One pad, from drop tests; pads_per_edge is the number of pads under one edge.\n# The pad hardens or softens: \
+         the table ends at the largest compression of the tests, and its last line goes on beyond it.\nlaw = \
+         \"tabulated\"\ncompressions = {}\nforces = {}\n",
+        list(compressions_m, 1e3, "mm"),
+        list(forces_n, 1.0, "N")
+    )
 }
 
 #[cfg(test)]
@@ -242,11 +289,11 @@ mod tests {
     }
 
     fn count(report: &DropsReport) -> usize {
-        report.pooled.pad.unwrap().stiffness.count
+        report.pooled.pad.as_ref().unwrap().stiffness.count
     }
 
     fn law(report: &DropsReport) -> FittedLaw {
-        report.pooled.pad.unwrap().law
+        report.pooled.pad.as_ref().unwrap().law
     }
 
     #[test]

@@ -117,8 +117,8 @@ impl CompliantSummary {
     }
 }
 
-/// Follows many worlds of objects on pads to the last sample of their motions, in the order given, on the current
-/// rayon pool.
+/// Follows many worlds of objects on pads through their motions, and on until both edges hold or the object has
+/// fallen, in the order given, on the current rayon pool.
 ///
 /// A result does not depend on the other worlds, their order, the number of threads or the
 /// processor's vector units. Start from rest on the pads; linear pads, no slip: for everything else

@@ -7,6 +7,7 @@ use super::pressed::Pressed;
 use super::{CompliantSummary, PadOutcome};
 use crate::compliant::CompliantError;
 use crate::motion::Motion;
+use crate::rocking::LONGEST_TAIL_S;
 
 /// Lanes beyond this rotation have no use for a result \[rad\].
 const LOST_RAD: f64 = 1e3;
@@ -60,7 +61,9 @@ impl<'a> World<'a> {
             horizontal,
             vertical,
             dt_s: motion.dt_s(),
-            intervals: motion.accel_m_s2().len().saturating_sub(1),
+            // To rest within one sample, and two half periods of rocking: the residual vibration is largest
+            // within its first period.
+            intervals: motion.accel_m_s2().len() + (2.0 * body.calm_s / motion.dt_s()).ceil() as usize,
             state: State::Pressed([0.0; STATES]),
             index: 0,
             gone_s: 0.0,
@@ -237,7 +240,10 @@ impl<'a> World<'a> {
             return None;
         }
         self.index += 1;
-        if self.index >= self.intervals {
+        // After the motion it goes on until both edges hold, or it falls.
+        let is_calm = lifted.calm[lane] >= self.body.calm_s;
+        let longest = self.intervals + (LONGEST_TAIL_S / self.dt_s) as usize;
+        if self.index >= longest || self.index >= self.intervals && is_calm {
             self.close(lifted, lane, end_s);
             return Some(Next::Done);
         }

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::search::golden_maximum_at;
+
 /// How a static test is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StaticOptions {
@@ -9,9 +11,22 @@ pub struct StaticOptions {
     pub load_n: Option<f64>,
     /// Stiffness of the machine, whose deformation is part of the displacement \[N/m\].
     pub machine_stiffness_n_m: Option<f64>,
-    /// Whether the toe of the curve (seating, slack) is removed along the tangent at the working
-    /// load. Not for a sphere, whose curve has a toe by nature.
-    pub compensates_toe: bool,
+    /// What of the toe of the curve is removed.
+    pub toe: Toe,
+}
+
+/// What is removed from the beginning of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Toe {
+    /// The slack before the pad is touched: d₀ of F = K (d − d₀)ⁿ through the points up to the working load. A pad that
+    /// hardens keeps its slow beginning.
+    #[default]
+    Slack,
+    /// Everything before the tangent at the working load meets zero force, for a plate that seats itself on a pad that
+    /// is linear: secant and tangent are then the same.
+    Tangent,
+    /// Nothing.
+    Keep,
 }
 
 /// The results of a static test.
@@ -29,11 +44,10 @@ pub struct StaticTest {
     pub secant_stiffness_n_m: f64,
     /// Energy lost in the cycle divided by the energy of loading; `None` without unloading.
     pub hysteresis_ratio: Option<f64>,
-    /// Displacement at which the straight part of the curve begins, from the start of the cycle;
-    /// negative where the tangent meets zero force before the start: a preload, or a pad that
-    /// softens \[m\].
+    /// What was removed from the beginning of the curve; negative where the tangent meets zero force
+    /// before the start: a preload, or a pad that softens \[m\].
     pub toe_m: f64,
-    /// Standard error of the toe, from the residuals of the tangent \[m\].
+    /// Standard error of the toe of a tangent, from its residuals; otherwise 0 \[m\].
     pub toe_error_m: f64,
     /// Number of cycles before and after the evaluated one.
     pub other_cycles: usize,
@@ -115,11 +129,11 @@ const PAUSE_SHARE: f64 = 0.05;
 ///
 /// Of several cycles, the last one that reaches 95 % of the largest force is evaluated: from the
 /// turn of the force before it to the turn after it. The machine's deformation F/k_m is subtracted
-/// from the displacement, then the toe. Tangent and secant are those of loading, at the working
+/// from the displacement, then the toe, see [`Toe`]. Tangent and secant are those of loading, at the working
 /// load; the hysteresis is that of the loop, ∮F dd divided by ∫F dd of loading.
 ///
 /// # Reference
-/// Toe compensation after ASTM D695 annex A1.
+/// [`Toe::Tangent`] is the toe compensation of ASTM D695 annex A1.
 ///
 /// # Errors
 /// Too few points, no rising force, a load that was not reached or below which the cycle does not
@@ -128,11 +142,11 @@ const PAUSE_SHARE: f64 = 0.05;
 /// # Example
 /// A straight line of 1000 N/mm in a machine of 4000 N/mm that shows 800 N/mm:
 /// ```
-/// use freestand::identify::{StaticOptions, static_test};
+/// use freestand::identify::{StaticOptions, Toe, static_test};
 /// let force: Vec<f64> = (0..=50).map(|i| f64::from(i) * 10.0).collect();
 /// let displacement: Vec<f64> = force.iter().map(|f| f / 0.8e6).collect();
 /// let machine_stiffness_n_m = Some(4e6);
-/// let options = StaticOptions { load_n: None, machine_stiffness_n_m, compensates_toe: true };
+/// let options = StaticOptions { load_n: None, machine_stiffness_n_m, toe: Toe::Slack };
 /// let test = static_test(&force, &displacement, &options)?;
 /// assert!((test.tangent_stiffness_n_m / 1e6 - 1.0).abs() < 1e-9);
 /// # Ok::<(), freestand::identify::StaticError>(())
@@ -194,7 +208,11 @@ pub fn static_test(
     let again = line(&stretch).filter(|line| stretch.len() >= 5 && line.slope > 0.0);
     let tangent_line = again.unwrap_or(first);
     let (at_m, tangent) = (tangent_line.at(load_n), tangent_line.slope);
-    let toe_m = if options.compensates_toe { tangent_line.at(0.0) } else { 0.0 };
+    let toe_m = match options.toe {
+        Toe::Slack => slack_m(loading, load_n),
+        Toe::Tangent => tangent_line.at(0.0),
+        Toe::Keep => 0.0,
+    };
     let secant = load_n / (at_m - toe_m);
     if !(tangent > 0.0 && secant > 0.0 && secant.is_finite()) {
         return Err(StaticError::NotRising { load_n });
@@ -214,7 +232,7 @@ pub fn static_test(
         secant_stiffness_n_m: secant,
         hysteresis_ratio,
         toe_m,
-        toe_error_m: if options.compensates_toe { tangent_line.error_at(0.0) } else { 0.0 },
+        toe_error_m: if options.toe == Toe::Tangent { tangent_line.error_at(0.0) } else { 0.0 },
         other_cycles: cycle.others,
         exponent,
         loading_count: top + 1,
@@ -323,6 +341,42 @@ fn line(points: &[(f64, f64)]) -> Option<Line> {
     let slope = xy / spread;
     let left = points.iter().map(|p| (p.1 - my - slope * (p.0 - mx)).powi(2)).sum();
     (slope > 0.0 && slope.is_finite()).then_some(Line { middle: (mx, my), slope, count, spread, left })
+}
+
+/// Exponents of pads, between which that of a curve with slack is searched.
+const EXPONENTS: (f64, f64) = (0.3, 5.0);
+/// The slack ends before the force has risen to this share of the working load.
+const SLACK_SHARE: f64 = 0.1;
+/// A slack below this share of the compression is noise, or the shape of a curve that is no power law.
+const NO_SLACK: f64 = 0.02;
+/// Points through which the curve with slack is fitted; more of them cost time and no accuracy that counts.
+const SLACK_POINTS: usize = 400;
+
+/// d₀ of F = K (d − d₀)ⁿ, by least squares through the points of loading up to the load, if the slack shows: the force
+/// stays near zero up to it.
+fn slack_m(loading: &[(f64, f64)], load_n: f64) -> f64 {
+    let Some(end) = loading.iter().position(|(_, f)| *f > (1.0 + TANGENT_SHARE) * load_n).or(Some(loading.len()))
+    else {
+        return 0.0;
+    };
+    let step = end.div_ceil(SLACK_POINTS).max(1);
+    let points: Vec<(f64, f64)> = loading[..end].iter().copied().step_by(step).collect();
+    let Some(most_m) = points.iter().find(|(_, f)| *f > SLACK_SHARE * load_n).map(|(d, _)| *d) else { return 0.0 };
+    let misfit = |slack_m: f64, n: f64| -> f64 {
+        let (mut ff, mut fm, mut mm) = (0.0, 0.0, 0.0);
+        for (d, f) in &points {
+            let m = (d - slack_m).max(0.0).powf(n);
+            (ff, fm, mm) = (ff + f * f, fm + f * m, mm + m * m);
+        }
+        if mm > 0.0 { ff - fm * fm / mm } else { ff }
+    };
+    let best = |slack_m: f64| {
+        let n = golden_maximum_at(|n| -misfit(slack_m, n), EXPONENTS.0, EXPONENTS.1);
+        misfit(slack_m, n)
+    };
+    let found_m = golden_maximum_at(|slack_m| -best(slack_m), 0.0, most_m);
+    let deep_m = points.last().map_or(0.0, |(d, _)| *d);
+    if found_m > NO_SLACK * deep_m && best(found_m) < 0.9 * best(0.0) { found_m } else { 0.0 }
 }
 
 fn exponent(loading: &[(f64, f64)], toe_m: f64, load_n: f64) -> Option<f64> {

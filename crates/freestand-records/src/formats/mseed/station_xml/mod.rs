@@ -73,6 +73,16 @@ pub(super) enum Sensed {
     Other(Problem),
 }
 
+/// Attributes of one element; those of a StationXML have some ten. The parser compares each with all before it.
+const MAX_ATTRIBUTES: usize = 1000;
+
+fn has_too_many_attributes(bytes: &[u8]) -> bool {
+    bytes.split(|b| *b == b'<').any(|element| {
+        let tag = element.split(|b| *b == b'>').next().unwrap_or_default();
+        tag.len() > 4 * MAX_ATTRIBUTES && tag.iter().filter(|b| **b == b'=').count() > MAX_ATTRIBUTES
+    })
+}
+
 impl<'a> Stations<'a> {
     pub(super) fn new(record: &'a Path, options: &'a ReadOptions) -> Self {
         Self { record, named: options.station_xml.as_deref(), read: Vec::new() }
@@ -132,6 +142,9 @@ impl Inventory {
             return Err(refused("is longer than 512 MiB".to_owned()));
         }
         let text = std::str::from_utf8(bytes).map_err(|_| refused("is not UTF-8 text".to_owned()))?;
+        if has_too_many_attributes(bytes) {
+            return Err(refused(format!("has an element with more than {MAX_ATTRIBUTES} attributes")));
+        }
         // A document type, with which entities could grow without bound, is refused by default.
         let options = ParsingOptions { nodes_limit: MAX_NODES, ..ParsingOptions::default() };
         let document = Document::parse_with_options(text, options).map_err(|error| {

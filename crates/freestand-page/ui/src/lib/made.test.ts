@@ -1,0 +1,25 @@
+import { expect, it } from 'vitest';
+import { columnsOf, EXAMPLE, listOf, studyOf, timeLeft } from './made';
+
+const nothing = { place: '', site: '', storeys: '', frame: '', period: '' };
+
+it('makes a study only of what no option says', () => {
+  expect(studyOf({ ...nothing, place: 'Wellington', storeys: '7' })).toBe(null);
+  expect(studyOf({ place: 'Wellington', site: 'C', storeys: '7', frame: 'steel-braced', period: '0,8' }))
+    .toBe('[ground]\nplace = "Wellington"\nsite = "C"\n[building]\nstoreys = 7\nframe = "steel-braced"\nperiod = "0.8 s"\n');
+});
+
+it('makes a list of the rows in which something was typed', () => {
+  expect(listOf([['', ' ', '', '', '', '']])).toBe(null);
+  expect(listOf([['cabinet, old', '1', '1,8 m', '400 mm', '', ''], ['', '', '', '', '', '']])).toBe('id,item,floor,height,thickness,mass,quantity\n1,"cabinet, old",1,"1,8 m",400 mm,,');
+  expect(listOf(EXAMPLE)!.split('\n').length).toBe(EXAMPLE.length + 1);
+});
+
+it('makes a mapping of the columns that were named', () => {
+  expect(columnsOf({})).toBe(null);
+  expect(columnsOf({ 'Hgt "all"': 'height' })).toBe('[columns]\n"Hgt \\"all\\"" = "height"\n');
+});
+
+it('tells the time that is left once something is done', () => {
+  expect([timeLeft(0, 21, 60), timeLeft(7, 21, 60), timeLeft(21, 21, 60)]).toEqual([null, 120, null]);
+});

@@ -1,0 +1,89 @@
+//! What nobody stated about the shaking, in words.
+
+use super::Overrides;
+use crate::building::BuildingInput;
+use crate::options::{BuildingOptions, GroundOptions};
+use crate::study::{Assumed, Ground};
+use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::{counted, number, percent};
+
+/// What was written, and by whom.
+pub(super) struct Stated<'s> {
+    pub(super) ground: &'s GroundOptions,
+    pub(super) building: &'s BuildingOptions,
+    pub(super) overrides: &'s Overrides,
+    /// Nobody chose what the built-in study states.
+    pub(super) is_builtin: bool,
+    pub(super) place_is_assumed: bool,
+    pub(super) building_is_assumed: bool,
+}
+
+impl Stated<'_> {
+    fn of_ground(&self, key: &str) -> bool {
+        self.overrides.hazard.get(key).is_some() || !self.is_builtin && self.ground.target.get(key).is_some()
+    }
+
+    fn of_building(&self, key: &str) -> bool {
+        let is_over = match key {
+            "storeys" => self.overrides.storeys.is_some(),
+            "storey_height" => self.overrides.storey_height_m.is_some(),
+            _ => false,
+        };
+        is_over || !self.is_builtin && self.building.words.get(key).is_some()
+    }
+}
+
+/// What was assumed about the ground and the building.
+pub(super) fn assumed(ground: Option<&Ground>, building: Option<&BuildingInput>, stated: &Stated) -> Vec<Assumed> {
+    let of_ground = ground.into_iter().flat_map(|ground| on_ground(ground, stated));
+    let of_building = building.into_iter().flat_map(|building| above(building, stated));
+    let one = |of_building: bool| move |words: String| Assumed { of_building, words };
+    of_ground.map(one(false)).chain(of_building.map(one(true))).collect()
+}
+
+fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
+    let mut said = Vec::new();
+    if let Some(target) = ground.code_spectrum() {
+        if stated.place_is_assumed {
+            let place = target.place_name().unwrap_or_else(|| "the built-in study".to_owned());
+            said.push(format!("the hazard of {place}, because no place was given"));
+        }
+        if target.spectrum.site_name().is_some() && !stated.of_ground("site") {
+            said.push(format!("{}, because no site was given", target.site_words()));
+        }
+        if let Some(years) = target.spectrum.return_period_years().filter(|_| !stated.of_ground("return_period_years"))
+        {
+            said.push(format!("a return period of {years} years, because none was given"));
+        }
+    }
+    if !matches!(ground, Ground::OnFloors) && !ground.has_vertical() {
+        said.push("no vertical motion".to_owned());
+    }
+    said
+}
+
+fn above(building: &BuildingInput, stated: &Stated) -> Vec<String> {
+    let mut said = Vec::new();
+    if stated.building_is_assumed {
+        said.push(format!("a building of {}, because none was given", counted(building.storeys, "storey")));
+    }
+    let has_table = !building.tables.is_empty();
+    if let Some(height_m) = building.storey_height_m
+        && !["storey_height", "height"].into_iter().any(|key| stated.of_building(key))
+    {
+        said.push(format!("storeys of {}", format_si(height_m, Dimension::Length)));
+    }
+    if !has_table && !stated.of_building("period") {
+        let period_s = number(building.along.period_s(), 3);
+        said.push(format!("a first period of {period_s} s, by {}", building.period_note));
+    }
+    let states_damping = building.tables.iter().any(|(_, table)| table.states_damping);
+    if !states_damping && !stated.of_building("damping") {
+        let ratio = building.along.modes().first().map_or(0.0, |mode| mode.damping_ratio());
+        said.push(format!("{} damping of the building, which stays elastic", percent(ratio, 0)));
+    }
+    if !has_table && !stated.of_building("shear_flexure") {
+        said.push("a building of walls and frames (shear_flexure)".to_owned());
+    }
+    said
+}
