@@ -464,7 +464,7 @@ mod tests {
     /// The hazard curve of a folder can be read again, AvgSA with its periods.
     #[test]
     fn an_exported_hazard_is_read_again() {
-        let exported = for_openquake("id\na\nb\nc\n");
+        let exported = for_openquake("id,quantity\na,1\nb,1\nc,1\n");
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("hazard.csv");
         std::fs::write(&path, text_of(&exported, "hazard.csv")).unwrap();

@@ -12,7 +12,16 @@ pub(super) fn is_missing(text: &str) -> bool {
     }
     let words = canonical(text);
     // Only dashes, question marks and the like; letters of other scripts are words.
-    words.is_empty() || MISSING.contains(&words.as_str())
+    (words.is_empty() && marked(text).is_none()) || MISSING.contains(&words.as_str())
+}
+
+/// What a mark in a cell says, as in a form; `None`: it is no such mark.
+fn marked(text: &str) -> Option<Answer> {
+    match text.trim() {
+        "✓" | "✔" | "☑" | "○" | "◯" | "〇" | "●" => Some(Answer::Yes),
+        "×" | "✗" | "✘" | "☐" => Some(Answer::No),
+        _ => None,
+    }
 }
 
 /// Whether a text says that there is nothing, or that it is not known.
@@ -279,10 +288,8 @@ pub(super) fn yes_or_no(text: &str) -> Answer {
         "いいえ",
         "没有",
     ];
-    match text.trim() {
-        "✓" | "✔" | "☑" | "○" | "◯" | "〇" | "●" => return Answer::Yes,
-        "×" | "✗" | "✘" | "☐" => return Answer::No,
-        _ => {}
+    if let Some(answer) = marked(text) {
+        return answer;
     }
     let words = canonical(text);
     if text.contains(['?', '？']) {

@@ -602,8 +602,8 @@ mod tests {
             (
                 one,
                 "does-not-rock",
-                "In Melbourne (AS 1170.4, 500 years, site De) on the ground, this object does not rock: the floor \
-                 reaches 0.13 g at most and it takes 0.21 g to lift an edge.",
+                "In Melbourne (AS 1170.4, 500 years, site De) on the ground, this object rocks in none of 20 simulated \
+                 earthquakes: the floor reaches 0.13 g at most and it takes 0.21 g to lift an edge.",
             ),
             (
                 two,
@@ -660,7 +660,7 @@ mod tests {
             (Told::Motions, "Under these 40 motions", ""),
         ];
         let of_kind = [
-            (counts(40, 0, 0), "does not rock: none"),
+            (counts(40, 0, 0), "rocks in none of "),
             (Counts { rolled: Some(ROLLED), ..counts(40, 0, 0) }, "rolls and stays standing: by up to 310 mm"),
             (
                 Counts { rolled: Some(ROLLED), slides: true, ..counts(40, 0, 0) },

@@ -360,7 +360,7 @@ fn missing_data_is_no_verdict() {
     .map(str::to_owned);
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("out");
-    let text = "[ground]\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 40\nmost = 80\nshares = false\n";
+    let text = "[ground]\nplace = \"Melbourne\"\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 40\nmost = 80\nshares = false\n";
     run(&resolve(text, None, Path::new("")).unwrap(), &rows, &out, &Job::default(), &no_progress);
     let (decision, why) = (column(&out, "decision"), column(&out, "why"));
     let mut text = String::new();

@@ -129,7 +129,7 @@ fn what_is_round_is_never_left_as_it_is() {
     let text = "[ground]\nplace = \"Melbourne\"\n[building]\nstoreys = 3\n";
     let header = "id,level_ratio,height [mm],thickness [mm],width [mm],shape,casters,stiffness [N/mm],mass [kg]\n";
     let rows = "square,0,1000,400,400,box,,,\ncan,0,1000,400,400,cylinder,,,\ncart,0,1000,400,400,cylinder,free,,\n\
-                pads,0,1000,400,400,cylinder,,500,80\nneedle,0,2000,20,20,cylinder,,,\n";
+                pads,0,1000,400,400,cylinder,,500,80\nneedle,0,2000,60,60,cylinder,,,\n";
     let found = assess(&study(text), &format!("{header}{rows}"));
     assert_eq!((found.of("square", "decision"), found.of("square", "is_round")), ("leave", "false"));
     for id in ["can", "cart", "pads"] {

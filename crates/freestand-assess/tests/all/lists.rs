@@ -142,7 +142,10 @@ fn what_is_wrong_in_the_lists_is_said_once() {
     assert_eq!(problems("francais.csv", Some(5)), Vec::<String>::new());
     assert_eq!(problems("espanol.tsv", Some(3)), Vec::<String>::new());
     assert_eq!(problems("deutsch.csv", Some(4)), ["approximate C5"]);
-    assert_eq!(problems("english_si.csv", Some(4)), ["approximate I9", "duplicate-id A11"]);
+    assert_eq!(
+        problems("english_si.csv", Some(4)),
+        ["anchored-unclear J9", "approximate I9", "duplicate-id A11", "round B8"]
+    );
     assert_eq!(problems("lwh_kn.csv", None), ["out-of-range H4"]);
     assert_eq!(
         problems("mixed.csv", Some(4)),
