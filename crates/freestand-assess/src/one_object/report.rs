@@ -78,8 +78,7 @@ pub(super) fn report(
         .key("p_overturn_locked", found.braked.map(|braked| braked.overturn.value))
         .key("place_is_assumed", shaken.study.place_is_assumed)
         .key("building_is_assumed", shaken.study.building_is_assumed && is_above)
-        .key("assumptions", assumptions.clone())
-        .line("assumed", Some(assumptions.join("; ")));
+        .fact("assumptions", "assumed", assumptions);
     ObjectReport { answer: sentence, kind: answer.kind, facts, scales, warnings }
 }
 

@@ -125,7 +125,7 @@ fn a_suite_that_cannot_be_used_is_refused_before_anything_is_written() {
     }
     fs::write(folder.path().join("list.csv"), "id,level_ratio,height [mm],thickness [mm]\na,0,900,700\n").unwrap();
     let commands = |study: &str| -> Vec<(Option<i32>, String)> {
-        fs::write(folder.path().join("s.toml"), format!("[ground]\nplace = \"Wellington\"\n{study}\n{OBJECTS}"))
+        fs::write(folder.path().join("s.toml"), format!("[ground]\nplace = \"Christchurch\"\n{study}\n{OBJECTS}"))
             .unwrap();
         let with = |args: &[&str]| {
             let output = execute(folder.path(), &[args, &["--quiet", "--out", "out"]].concat());

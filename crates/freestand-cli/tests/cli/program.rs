@@ -93,3 +93,11 @@ pub(crate) fn shared() -> PathBuf {
 pub(crate) fn record(name: &str) -> PathBuf {
     root().join("validation/rocking/records").join(format!("{name}.csv"))
 }
+
+/// `--duration` up to the last sample of a record: the known answers end there, and the program goes on.
+pub(crate) fn to_its_end(record: &Path) -> String {
+    let text = std::fs::read_to_string(record).unwrap();
+    let dt_s: f64 = text.split_whitespace().find_map(|word| word.strip_prefix("dt=")).unwrap().parse().unwrap();
+    let samples = text.lines().filter(|line| !line.starts_with('#')).count();
+    format!("--duration={} s", (samples - 1) as f64 * dt_s)
+}

@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-use crate::program::{PROGRAM, json, record, shared};
+use crate::program::{PROGRAM, json, record, shared, to_its_end};
 
 fn solve(case: &Value) -> Result<Value, String> {
     let path = record(case["record"].as_str().unwrap());
@@ -22,6 +22,7 @@ fn solve(case: &Value) -> Result<Value, String> {
     if text.lines().last().unwrap().contains(',') {
         command.args(["--component", "1", "--vertical-component", "2"]);
     }
+    command.arg(to_its_end(&path));
     let output = command.args(["--json", "--quiet"]).output().unwrap();
     serde_json::from_slice(&output.stdout).map_err(|_| String::from_utf8_lossy(&output.stderr).into_owned())
 }

@@ -86,10 +86,14 @@ fn what_is_no_spectrum_is_refused_with_line_and_remedy() {
     }
 }
 
-/// A long record is not a spectrum, and an endless pipe is not read to its end.
+/// A device may have no end, and is not read.
 #[cfg(unix)]
 #[test]
 fn a_file_without_end_is_refused() {
-    let problem = load_spectrum("/dev/zero".as_ref()).unwrap_err();
+    let long = tempfile::NamedTempFile::new().unwrap();
+    long.as_file().set_len((16 << 20) + 1).unwrap();
+    let problem = load_spectrum(long.path()).unwrap_err();
     assert!(problem.message.contains("longer than 16 MiB") && problem.hint.is_some(), "{problem:?}");
+    let problem = load_spectrum("/dev/zero".as_ref()).unwrap_err();
+    assert!(problem.message.contains("is a device") && problem.hint.is_some(), "{problem:?}");
 }
