@@ -78,7 +78,9 @@ pub(super) fn report(
         .key("p_overturn_locked", found.braked.map(|braked| braked.overturn.value))
         .key("place_is_assumed", shaken.study.place_is_assumed)
         .key("building_is_assumed", shaken.study.building_is_assumed && is_above)
-        .fact("assumptions", "assumed", assumptions);
+        .key("assumptions", assumptions.clone())
+        // One line, however many there are.
+        .line("assumed", Some(assumptions.join("; ")));
     ObjectReport { answer: sentence, kind: answer.kind, facts, scales, warnings }
 }
 

@@ -161,5 +161,5 @@ fn what_is_wrong_in_the_lists_is_said_once() {
     );
     // Floors of a list, and nothing that says how many storeys there are: one error.
     let all = problems("nihongo.csv", None);
-    assert_eq!(all.iter().filter(|line| line.starts_with("floor-unknown")).count(), 1, "{all:?}");
+    assert_eq!(all.iter().filter(|line| line.starts_with("storeys-missing")).count(), 1, "{all:?}");
 }

@@ -382,6 +382,15 @@ class ObjectResult(Result):
     answer_kind: str
     earthquake: str
     building: Any
+    place_is_assumed: bool
+    building_is_assumed: bool
+    decision: str
+    why: str
+    close_call: bool
+    worlds_needed: int | None
+    is_round: bool
+    clearance_needed_m: float | None
+    p_overturn_locked: float | None
     falls: str
     shock: str
     motions: int
