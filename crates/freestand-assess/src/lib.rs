@@ -19,6 +19,7 @@ pub mod result;
 pub mod risk;
 pub mod validate;
 
+mod accepted;
 mod assumed;
 mod kept_motions;
 mod verdict;

@@ -3,9 +3,9 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
+use crate::accepted::accepted;
 use crate::assumed;
 use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
-use crate::verdict::accepted;
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;

@@ -2,44 +2,9 @@
 
 use freestand::decision::Side;
 
-use crate::inventory::{Consequences, Rating};
 use crate::output::words::listed;
-use crate::result::{
-    AcceptedFor, Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer,
-};
+use crate::result::{Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer};
 use freestand_input::words::{counted, percent_significant};
-use freestand_study::study::assessment::{Accepted, SMALL_ITEM_J};
-
-/// The accepted probability of an object, and what sets it: its own, else the strictest of its
-/// ratings. `fall_j` is m g z of its centre of gravity, where the mass is known \[J\].
-pub(crate) fn accepted(
-    all: &Accepted,
-    own: Option<f64>,
-    consequences: &Consequences,
-    fall_j: Option<f64>,
-) -> (f64, AcceptedFor) {
-    if let Some(own) = own {
-        return (own, AcceptedFor::ThisObject);
-    }
-    let classes = [
-        (consequences.life_safety, all.life_safety_ratio, AcceptedFor::LifeSafety),
-        (consequences.property, all.property_ratio, AcceptedFor::Property),
-        (consequences.function, all.function_ratio, AcceptedFor::Function),
-    ];
-    let rated = classes.into_iter().filter_map(|(rating, [high, medium, low], class)| {
-        let ratio = match rating? {
-            Rating::High => high,
-            Rating::Medium => medium,
-            Rating::Low => low,
-        };
-        Some((ratio, class))
-    });
-    let strictest = rated.reduce(|least, next| if next.0 < least.0 { next } else { least });
-    strictest.unwrap_or(match fall_j {
-        Some(fall_j) if fall_j < SMALL_ITEM_J => (all.small_item_ratio, AcceptedFor::SmallItem),
-        _ => (all.other_ratio, AcceptedFor::Default),
-    })
-}
 
 impl FallsAnswer {
     /// From where the probability lies.
@@ -352,19 +317,5 @@ mod tests {
         let expected = "exceeds the peak that it withstands in 31 % (25 to 37 %) of the worlds, more than the accepted \
                         10 %. On a rigid base it is 4 %, on its pads 31 %: the models disagree, and the worse counts.";
         assert!(why.contains(expected), "{why}");
-    }
-
-    #[test]
-    fn the_strictest_rating_counts() {
-        let all = freestand_study::study::assessment::Settings::default().accepted;
-        let rated = |ls, pl, fl| Consequences { life_safety: ls, property: pl, function: fl };
-        let [high, medium, low] = [Rating::High, Rating::Medium, Rating::Low].map(Some);
-        assert_eq!(accepted(&all, None, &rated(None, None, None), None), (0.1, AcceptedFor::Default));
-        assert_eq!(accepted(&all, None, &rated(None, None, None), Some(99.0)), (0.2, AcceptedFor::SmallItem));
-        assert_eq!(accepted(&all, None, &rated(None, None, None), Some(100.0)), (0.1, AcceptedFor::Default));
-        assert_eq!(accepted(&all, None, &rated(high, high, high), None), (0.02, AcceptedFor::LifeSafety));
-        assert_eq!(accepted(&all, None, &rated(low, medium, high), None), (0.05, AcceptedFor::Function));
-        assert_eq!(accepted(&all, None, &rated(medium, low, None), Some(1.0)), (0.05, AcceptedFor::LifeSafety));
-        assert_eq!(accepted(&all, Some(0.3), &rated(high, None, None), None), (0.3, AcceptedFor::ThisObject));
     }
 }

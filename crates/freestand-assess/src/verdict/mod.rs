@@ -34,11 +34,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
+use crate::accepted::accepted;
 use crate::inventory::{Casters, Consequences, Item, Rating};
 use crate::output::outcomes_rows;
-use crate::result::{AcceptedFor, Assessment, Decision};
+use crate::result::{Assessment, Decision};
 use crate::worlds::Worlds;
-use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::{Questions, Settings};
@@ -110,13 +110,6 @@ impl<'a> Member<'a> {
         let asks_shock = asks_shock(item, settings.questions);
         Self { item, subject, accepted_ratio, asks_shock, key: draw::key(&item.id) }
     }
-}
-
-/// The accepted probability of an object, and what sets it.
-pub(crate) fn accepted(item: &Item, settings: &Settings) -> (f64, AcceptedFor) {
-    let cg_height_m = item.cg_height_m.or(item.height_m.map(|height_m| 0.5 * height_m));
-    let fall_j = item.mass_kg.zip(cg_height_m).map(|(mass_kg, cg_m)| mass_kg * G0_M_S2 * cg_m);
-    decision::accepted(&settings.accepted, item.accepted_ratio, &item.consequences, fall_j)
 }
 
 /// Whether the verdict of a row rests on shocks too: as it says, as the study says, or where it has

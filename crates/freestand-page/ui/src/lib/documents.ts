@@ -28,8 +28,8 @@ export interface ObjectDocument {
   assumptions: string[];
   warnings: string[];
   /** Whether nobody has said where the object stands. */
-  place_is_assumed?: boolean;
-  building_is_assumed?: boolean;
+  place_is_assumed: boolean;
+  building_is_assumed: boolean;
   /** Present only for an object that rocks in a plane. */
   earthquakes?: Earthquake[];
   followed?: string;
