@@ -16,6 +16,7 @@ function differences(value, type, at) {
   if (type.isStringLiteral() || type.isNumberLiteral()) return value === type.value ? [] : wrong();
   if (type.flags & ts.TypeFlags.StringLike) return typeof value === 'string' ? [] : wrong();
   if (type.flags & ts.TypeFlags.NumberLike) return typeof value === 'number' ? [] : wrong();
+  if (type.flags & ts.TypeFlags.BooleanLike) return typeof value === 'boolean' && (!(type.flags & ts.TypeFlags.BooleanLiteral) || checker.typeToString(type) === String(value)) ? [] : wrong();
   if (checker.isTupleType(type) || checker.isArrayType(type)) {
     if (!Array.isArray(value)) return wrong();
     const parts = checker.getTypeArguments(type);
