@@ -406,7 +406,8 @@ impl SpatialPiece<'_, '_> {
 /// let object = SpatialObject { shape, mass_kg: 150.0, support, walls: Vec::new() };
 /// let push = Motion::new(0.005, (0..60).map(|i| 4.0 * (i as f64 * 0.1).sin()).collect())?;
 /// let motion = SpatialMotion { x: Some(&push), y: Some(&push), vertical: None };
-/// let rocking = rock_spatial(&object, motion, &SpatialOptions::default())?;
+/// let options = SpatialOptions { duration_s: Some(0.3), ..SpatialOptions::default() };
+/// let rocking = rock_spatial(&object, motion, &options)?;
 /// assert!((rocking.body.final_tilt_x_rad - rocking.body.final_tilt_y_rad).abs() < 1e-9);
 /// assert!(rocking.body.peak_tilt_rad > 0.01 && rocking.body.yaw_rad.abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

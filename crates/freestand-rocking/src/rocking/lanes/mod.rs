@@ -133,7 +133,8 @@ pub fn rock_each(
 /// Those of [`rock_many`].
 ///
 /// # Example
-/// A wall that it touches keeps the block from tilting towards it.
+/// A wall that it touches keeps the block from tilting towards it; without one, it still moves at the end
+/// of the push.
 /// ```
 /// use freestand_rocking::rocking::{Base, Outcome, Restitution, RockingOptions, rock_between};
 /// use freestand_rocking::{block::Block, motion::Motion, wall::{Wall, Walls}};
@@ -143,7 +144,7 @@ pub fn rock_each(
 /// let objects = [(block, Restitution::Housner, Walls::NONE), (block, Restitution::Housner, behind)];
 /// let base = Base { horizontal: Some(&push), vertical: None };
 /// let found = rock_between(&objects, base, &RockingOptions::default());
-/// assert_eq!(found[0].clone()?.outcome, Outcome::Rocked);
+/// assert_eq!(found[0].clone()?.outcome, Outcome::Unresolved);
 /// assert_eq!(found[1].clone()?.outcome, Outcome::NoUplift);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
