@@ -19,7 +19,7 @@ understood.counts
 # %%
 result = fs.assess(study, hospital / "inventory.csv")
 objects = result.objects.to_pandas()
-(objects["decision"] == "restrain").sum()       # → 13
+(objects["decision"] == "restrain").sum()       # → 14
 objects["decision"].value_counts()
 
 # %% [markdown]
@@ -40,7 +40,7 @@ cylinders["p_overturn"]                 # → 0.65
 
 # %%
 print(cylinders["why"])
-objects["close_call"].sum()             # → 4
+objects["close_call"].sum()             # → 5
 
 # %%
 import matplotlib.pyplot as plt
