@@ -523,7 +523,7 @@ mod tests {
         let mut rocked = 0;
         let seen = spectrum::<Problem>(
             &request,
-            &motions()[..1],
+            &motions(),
             |_| usize::MAX,
             |chunk| {
                 let is_up = |row: &Facts| row.text("outcome") == Some("rocked") && row.number("uplift_m") > Some(1e-3);
@@ -534,7 +534,7 @@ mod tests {
                 Ok(())
             },
         );
-        assert!(seen.is_ok() && rocked > 5, "{rocked}");
+        assert!(seen.is_ok() && rocked > 10, "{rocked}");
     }
 
     #[test]
