@@ -118,7 +118,7 @@ fn few_worlds(study: &Study, inventory: &Inventory) -> Option<String> {
     (objects > 0).then(|| {
         format!(
             "{} worlds at most cannot show that an object stays, even if it never falls: {} of {} cannot be left as they \
-             are; give `most = {most}` or more in [worlds]",
+             are; give most = {most} or more in [worlds] of the study",
             looks.most(),
             counted(objects, "object"),
             inventory.items.len()

@@ -383,7 +383,7 @@ fn unstated_words(unstated: Unstated) -> String {
 
 /// How far it rolls or slides, and what a stop does.
 fn roll_words(verb: &str, rolled: &Rolled, has_wall: bool) -> String {
-    let travel = format!("It {verb}: up to {} in 84 % of worlds", rolled.reach_words());
+    let travel = format!("It {verb}: up to {} in 84 % of worlds, farther in the rest", rolled.reach_words());
     let Some(clearance_m) = rolled.clearance_m else {
         if has_wall {
             return format!("{travel}; it may run into what stands beside it, which is not calculated.");

@@ -47,29 +47,26 @@ fn has_room(context: &Context, trial: &Trial) -> bool {
     way.glides().is_none() || way.room_m().is_some() && trial.room_side(context) == Side::Below
 }
 
-/// The verdict of an object that would be left as it is but for its travel, and what to do about it.
+/// The verdict of an object that would be left as it is but for its travel, and why.
 pub(super) fn decide(way: &Way, rolled: &Rolled, braked: &Braked, accepted_ratio: f64) -> (Decision, String) {
     let locked = match way {
         Way::Slides(_) => "Held in its place",
         _ => "Locked",
     };
     let needed_mm = number((1e3 * rolled.clearance_needed_m).ceil(), 6);
-    let room = match (way, rolled.clearance_m) {
-        (_, Some(clearance_m)) => format!("Its clearance of {} mm does not suffice", number(1e3 * clearance_m, 6)),
+    let has = match (way, rolled.clearance_m) {
+        (_, Some(clearance_m)) => format!("Its clearance is {} mm", number(1e3 * clearance_m, 6)),
         (Way::Slides(_), None) => {
             let room_mm = way.room_m().map_or_else(String::new, |room_m| number(1e3 * room_m, 3));
-            format!("It slides farther than {room_mm} mm, and the list gives no clearance")
+            format!("It slides farther than {room_mm} mm, the list gives no clearance")
         }
         (_, None) => "The list gives no clearance".to_owned(),
     };
+    let room = format!("{has}, and it needs at least {needed_mm} mm on every side");
     let worlds = counted(braked.worlds as usize, "world");
     if braked.stands {
         let high = percent(braked.overturn.high);
-        let why = format!(
-            "{room}: lock it, tether it, or give it at least {needed_mm} mm of room on every side. {locked}, at most \
-             {high} fall ({worlds})."
-        );
-        return (Decision::Lock, why);
+        return (Decision::Lock, format!("{room}. {locked}, at most {high} fall ({worlds})."));
     }
     let p = braked.overturn;
     let fate = if p.high < accepted_ratio {
@@ -78,10 +75,5 @@ pub(super) fn decide(way: &Way, rolled: &Rolled, braked: &Braked, accepted_ratio
         let [value, low, high] = [p.value, p.low, p.high].map(percent);
         format!("it falls in {value} ({} to {high}) of {worlds}", low.trim_end_matches(" %"))
     };
-    let why = format!(
-        "{room}, and locking it is no remedy: {}, {fate}. Tether it or restrain it, or give it at least {needed_mm} mm of \
-         room on every side.",
-        locked.to_lowercase(),
-    );
-    (Decision::Restrain, why)
+    (Decision::Restrain, format!("{room}. Locking it is no remedy: {}, {fate}.", locked.to_lowercase()))
 }

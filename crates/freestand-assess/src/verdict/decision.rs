@@ -67,8 +67,8 @@ pub(super) fn decide(case: &Case) -> (Decision, String) {
     if !case.decides {
         let source = case.tolerance_source;
         let why = format!(
-            "{falling} {shock_words} But this tolerance is recalled and cannot decide: confirm it. Its source: \
-             {source}."
+            "{falling} {shock_words} But this tolerance was not checked against its source and cannot decide: confirm it. Its \
+             source: {source}."
         );
         return (Decision::NoVerdict, why);
     }
@@ -149,7 +149,7 @@ fn round(case: &Case, p: Probability) -> String {
 /// How many worlds would do, where the study allows fewer.
 fn few_worlds(most: u32, needed: u32) -> String {
     format!(
-        " {} are too few to leave it as it is, even if it falls in none: at least {needed} would do (most, in [worlds]).",
+        " {} are too few to leave it as it is, even if it falls in none: at least {needed} would do: give most = {needed} in [worlds].",
         counted(most as usize, "world")
     )
 }

@@ -395,7 +395,8 @@ fn a_cancelled_assessment_keeps_what_is_finished() {
     let page = Page::open();
     let folder = tempfile::tempdir().unwrap();
     let list = folder.path().join("list.csv");
-    let rows = (0..400).map(|i| format!("O-{i},cabinet,1,{} mm,400 mm\n", 1200 + i)).collect::<String>();
+    // More than the fastest machine finishes while the request to cancel is under way.
+    let rows = (0..4000).map(|i| format!("O-{i},cabinet,1,{} mm,400 mm\n", 1200 + i % 800)).collect::<String>();
     std::fs::write(&list, format!("id,item,floor,height,thickness\n{rows}")).unwrap();
     let study = folder.path().join("study.toml");
     std::fs::write(&study, "[building]\nstoreys = 3\n[worlds]\nfirst = 4\nmost = 4\nshares = false\n").unwrap();
@@ -420,7 +421,7 @@ fn a_cancelled_assessment_keeps_what_is_finished() {
     // Half a second on a machine with nothing else to do and an optimised build; this one may have neither.
     assert!(took.as_secs() < 10, "{took:?}");
     println!("a job ended {} ms after it was cancelled", took.as_millis());
-    assert!(seen.contains("event: cancelled"), "it ended by itself: use more objects");
+    assert!(seen.contains("event: cancelled"), "it ended by itself");
     let table = String::from_utf8_lossy(&page.get(&format!("{at}/files/objects.csv"))).into_owned();
     assert!(table.contains("O-0,"), "{table}");
 }
