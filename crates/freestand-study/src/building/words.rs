@@ -111,7 +111,10 @@ fn building(reader: &mut WordReader, base_dir: &Path, code: Option<PeriodCode>) 
         ));
     }
     if code == PeriodCode::Nzs1170_5 && has_formula {
-        warnings.push(format!("the formula of {} for the period was not checked against its text: confirm it", code.clause()));
+        warnings.push(format!(
+            "the formula of {} for the period was not checked against its text: confirm it",
+            code.clause()
+        ));
     }
     if let Some(axis) = &second {
         // A table that the second axis inherits is listed once, with the first.
