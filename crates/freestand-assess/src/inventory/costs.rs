@@ -9,6 +9,7 @@ use freestand_output::rows::csv_writer;
 
 use super::columns::Column;
 use super::numbers::{Number, Piece, pieces, plain};
+use super::round::{ROUND, too_mild};
 use super::vocabulary::is_no_value;
 use super::{Edit, Inventory, Mapping, ReadOptions, inspect_inventory};
 use crate::library::Lookup;
@@ -134,6 +135,9 @@ pub fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<(Vec<u8>, Ve
     // A number of objects that cannot be read counts as one.
     let counts = reading.inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
     warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
+    let items = reading.inventory.items.iter();
+    let round: Vec<&str> = items.filter(|item| item.is_round).map(|item| &*item.id).collect();
+    warnings.extend(too_mild(ROUND, &round));
     warnings.extend(reading.inventory.warnings);
     Ok((bytes, warnings))
 }

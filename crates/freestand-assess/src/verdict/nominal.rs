@@ -19,7 +19,7 @@ use super::draw::{Change, Draw, draw, key, own_damping_ratio};
 use super::object::{AxisGeometry, Body, Model, Subject, Way};
 use super::respond::{Drawn, Outcome, on_rigid, whole};
 use super::response::{AxisMotion, Lost, PadMotion, terms};
-use crate::inventory::Item;
+use crate::inventory::{Item, ROUND};
 use crate::library::Tolerance;
 use crate::output::words::listed;
 use crate::result::Criterion;
@@ -32,12 +32,32 @@ pub(crate) struct Nominal {
     pub(crate) block: Block,
     /// Height of its floor over that of the building.
     pub(crate) level_ratio: f64,
+    /// Whether its base is round; what is followed is the square prism around it.
+    is_round: bool,
     subject: Subject,
     draw: Draw,
     body: Option<(f64, Cushion)>,
     /// Of the random numbers that say on which side its wall is: those of an assessment.
     seed: u64,
     key: u64,
+}
+
+/// Why the runs of an object are too mild: it may fall where they let it stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum TooMild {
+    Round,
+    FeetPassWall,
+}
+
+impl TooMild {
+    pub(crate) const ALL: [Self; 2] = [Self::Round, Self::FeetPassWall];
+
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Self::Round => ROUND,
+            Self::FeetPassWall => "beside a wall through which the feet pass in the calculation",
+        }
+    }
 }
 
 /// What it did under one motion.
@@ -70,7 +90,7 @@ impl Nominal {
         let axes = subject.axes.iter().enumerate();
         let first = axes.min_by(|a, b| threshold(a.1).total_cmp(&threshold(b.1)));
         match first.map(|(axis, geometry)| (axis, geometry.block)) {
-            Some(first) => Ok(Self::of(first, subject, key(&item.id), settings)),
+            Some(first) => Ok(Self { is_round: item.is_round, ..Self::of(first, subject, key(&item.id), settings) }),
             None => Err("it has no size".to_owned()),
         }
     }
@@ -111,7 +131,17 @@ impl Nominal {
         let mut draw = draw(&settings, &subject, 0, 0, Change::At(Group::Pad, 0.0)).without_factors();
         draw.is_thickness_along_x = first == 0;
         let body = draw.body(&subject);
-        Self { block, level_ratio: subject.level_ratio, subject, draw, body, seed: settings.seed, key }
+        let level_ratio = subject.level_ratio;
+        Self { block, level_ratio, is_round: false, subject, draw, body, seed: settings.seed, key }
+    }
+
+    /// Why its runs are too mild; `None`: they are not known to be.
+    pub(crate) fn too_mild(&self) -> Option<TooMild> {
+        match self.subject.way {
+            _ if self.is_round => Some(TooMild::Round),
+            Way::Spatial(Some(_)) => Some(TooMild::FeetPassWall),
+            _ => None,
+        }
     }
 
     /// Whether it has a tolerance that can be compared.

@@ -770,3 +770,21 @@ fn a_signal_stops_the_fits() {
     assert_eq!(crate::fragility_runs::stopped(folder.path(), &args), Some(130));
     assert_eq!(crate::fragility_runs::names(folder.path()), [""; 0]);
 }
+
+/// The square prism around a round object stands where it falls: its curves and its rates say so.
+#[test]
+fn round_objects_may_fail_more_often_than_their_curves() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = "id,level_ratio,shape,height [mm],thickness [mm]\ntank,0,cylinder,1500,400\nbox,0,box,1500,400\n";
+    write(folder.path(), "list.csv", list);
+    let place = ["--place", "Wellington", "--worlds", "4", "--bootstrap", "0"];
+    let runs = [&["fragility", "--inventory", "list.csv"], &place[..], &["--out", "runs"]].concat();
+    let hazard = ["--hazard-im", "pgv", "--hazard-power", "k0=1e-4 /yr, k=2.5, reference=100 cm/s"];
+    let rates = [&["risk", "--fragility", "runs/fragility.csv", "--inventory", "list.csv"], &hazard[..]].concat();
+    for call in [runs, rates] {
+        let found = json(folder.path(), &call);
+        let said: Vec<&str> = found["warnings"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+        let round: Vec<&&str> = said.iter().filter(|text| text.contains("square prism")).collect();
+        assert!(round.len() == 1 && round[0].ends_with("for example tank"), "{said:?}");
+    }
+}

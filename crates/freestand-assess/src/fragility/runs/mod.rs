@@ -36,11 +36,12 @@ use rayon::prelude::*;
 use super::measure::{At, MEASURES, Measure};
 use super::outcomes::OutcomeTable;
 use super::{FitMethod, FragilityReport, FragilityRequest, ShockLimits, TWO_STAGE, check_replicates, fitted};
+use crate::inventory::too_mild;
 use crate::inventory::{Inventory, Item};
 use crate::job::{JobReport, Part, said};
 use crate::library::{Confidence, Tolerance};
 use crate::output::head;
-use crate::verdict::Nominal;
+use crate::verdict::{Nominal, TooMild};
 use follow::{Followed, GoOn};
 use shaking::{RatioFactors, Shaking};
 
@@ -670,6 +671,11 @@ impl RunsReport {
                  add the mass and the cushion",
                 counted(lacking, "object")
             ));
+        }
+        for why in TooMild::ALL {
+            let ids: Vec<&str> =
+                self.objects.iter().filter(|one| one.nominal.too_mild() == Some(why)).map(|one| &*one.id).collect();
+            warnings.extend(too_mild(why.words(), &ids));
         }
         let runs: usize = self.objects.iter().flat_map(|one| &one.motions).map(Vec::len).sum();
         let marked: usize = self.objects.iter().map(ObjectRuns::marked).sum();
