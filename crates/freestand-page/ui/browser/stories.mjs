@@ -460,6 +460,19 @@ await story('a study that names its list, dropped in any order', {}, async (page
   await assessed(page, 4);
 });
 
+await story('an impossible size is mended or confirmed by a click', {}, async (page) => {
+  await page.click('#tab-inventory');
+  const rows = ['1700,600', '1500,500', '1800,650', '1600,550', '1.45,700', '150,550'].map((sizes, i) => `O-${i},unit,0,${sizes}\n`);
+  await page.setInputFiles('#drop-inventory', { name: 'sizes.csv', mimeType: 'text/csv', buffer: Buffer.from(`id,item,floor,height [mm],depth [mm]\n${rows.join('')}`) });
+  const cell = (name) => page.locator(`#problems li[data-cell="${name}"]`);
+  assert.ok(!(await cell('D6').textContent(PATIENT)).includes('Edit'));
+  await cell('D6').locator(`button:has-text("${said('inventory.mend', { value: '1.45 m' })}")`).click();
+  await cell('D6').waitFor({ ...PATIENT, state: 'detached' });
+  await cell('D7').locator(`button:has-text("${said('inventory.keep', { value: '150' })}")`).click();
+  await cell('D7').waitFor({ ...PATIENT, state: 'detached' });
+  assert.match(await page.textContent('#panel-inventory code'), /--edit "D6=1.45 m" --edit "D7=150"/);
+});
+
 await story('no list yet: an example, a template, a table to type in', {}, async (page) => {
   await page.click('#tab-inventory');
   await accessible(page, 'no list');

@@ -5,7 +5,7 @@ const row = (rank: number, id: string, more: Partial<Row> = {}): Row => ({
   rank, id, item: null, quantity: 1, floor: '1', decision: 'leave', why: '', row: rank, p_overturn: null, p_overturn_low: null,
   p_overturn_high: null, edge_acceleration_g_median: null, ...more,
 });
-const problem = (cells: string[]): Problem => ({ severity: 'error', kind: 'x', heading: null, count: cells.length, cells, message: '', hint: '' });
+const problem = (cells: string[]): Problem => ({ severity: 'error', kind: 'x', heading: null, count: cells.length, cells, message: '', hint: '', edits: [] });
 
 test('problems are visited in the order of the sheet, round the end', () => {
   const cells = problemCells([problem(['D7', 'AA3', 'D10']), problem(['B3', 'D7'])]);

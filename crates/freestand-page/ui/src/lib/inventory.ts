@@ -4,7 +4,7 @@ import { commandLine, type Ask } from './api';
 import { pythonLine } from './python';
 import { t } from './words';
 
-export interface Problem { severity: string; kind: string; heading: string | null; count: number; cells: string[]; message: string; hint: string }
+export interface Problem { severity: string; kind: string; heading: string | null; count: number; cells: string[]; message: string; hint: string; edits: string[] }
 export interface Column { column: string; heading: string; name: string; unit: string | null }
 export interface Item {
   row: number; id: string; item: string | null; quantity: number; floor: string | null; level_ratio: number | null;
@@ -57,6 +57,12 @@ function inSheet(a: string, b: string): number {
   const [one, other] = [parts(a), parts(b)];
   const columns = one.column.length - other.column.length || (one.column < other.column ? -1 : Number(one.column > other.column));
   return one.row - other.row || columns;
+}
+
+/** The text of a cell; empty where the sheet has none. */
+export function textOf(cells: Cells, cell: string): string {
+  const { column, row } = parts(cell);
+  return cells.texts[cells.rows.indexOf(row)]?.[cells.columns.indexOf(column)] ?? '';
 }
 
 /** Problems by cell, in the order in which one reads the sheet. */
