@@ -1,17 +1,16 @@
-//! What failures cost, of a list as people keep it: a table with the names and the units that `risk` reads.
+//! What failures cost, of a list as people keep it.
 
 use std::path::Path;
 
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::canonical;
-use freestand_output::rows::csv_writer;
 
 use super::columns::Column;
 use super::numbers::{Number, Piece, pieces, plain};
 use super::round::{ROUND, too_mild};
 use super::vocabulary::is_no_value;
-use super::{Edit, Inventory, Mapping, ReadOptions, inspect_inventory};
+use super::{Edit, Item, Mapping, ReadOptions, inspect_inventory};
 use crate::library::Lookup;
 
 /// How the cells of a list are read.
@@ -32,19 +31,71 @@ impl CellsRequest {
     }
 }
 
-/// A column of costs: its name, what follows its currency in the unit, and its other headings in the form
-/// of [`canonical`].
+/// A number of the costs of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Cost {
+    Repair,
+    Replacement,
+    Downtime,
+    DowntimeDay,
+    CasualtyProbability,
+    Casualty,
+    AcceptedRate,
+    AcceptedExceedRate,
+    Longitude,
+    Latitude,
+}
+
+impl Cost {
+    /// Whether a number can be such a one.
+    fn holds(self, value: f64) -> bool {
+        match self {
+            Self::CasualtyProbability => (0.0..=1.0).contains(&value),
+            Self::AcceptedRate | Self::AcceptedExceedRate => value > 0.0,
+            Self::Longitude => (-360.0..=360.0).contains(&value),
+            Self::Latitude => (-90.0..=90.0).contains(&value),
+            Self::Repair | Self::Replacement | Self::Downtime | Self::DowntimeDay | Self::Casualty => value >= 0.0,
+        }
+    }
+}
+
+/// The costs of an object; `None`: an empty cell, or one that cannot be read.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Amounts([Option<f64>; COST_COLUMNS.len()]);
+
+impl Amounts {
+    pub(crate) fn of(&self, cost: Cost) -> Option<f64> {
+        self.0.get(cost as usize).copied().flatten()
+    }
+}
+
+/// The unit of a column of costs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum CostUnit {
+    /// A currency, and this after it.
+    Money(&'static str),
+    /// One of these words, which may stand in the heading itself.
+    Named(&'static [&'static str]),
+    Bare,
+}
+
+/// A column of costs: its name, and its other headings in the form of [`canonical`].
 struct CostColumn {
+    cost: Cost,
     name: &'static str,
-    /// `None`: it is no amount of money, and this is its unit.
-    per: Result<&'static str, &'static str>,
+    unit: CostUnit,
     headings: &'static [&'static str],
 }
 
+const DAYS: CostUnit = CostUnit::Named(&["day", "days", "d", "tage", "jours", "dias"]);
+const PER_YEAR: CostUnit = CostUnit::Named(&["1/yr", "/yr", "1/year"]);
+
+/// In the order of [`Cost`].
 const COST_COLUMNS: [CostColumn; 10] = [
     CostColumn {
+        cost: Cost::Repair,
         name: "repair_cost",
-        per: Ok(""),
+        unit: CostUnit::Money(""),
         headings: &[
             "repair cost",
             "cost of repair",
@@ -55,8 +106,9 @@ const COST_COLUMNS: [CostColumn; 10] = [
         ],
     },
     CostColumn {
+        cost: Cost::Replacement,
         name: "replacement_cost",
-        per: Ok(""),
+        unit: CostUnit::Money(""),
         headings: &[
             "replacement cost",
             "replacement value",
@@ -75,54 +127,124 @@ const COST_COLUMNS: [CostColumn; 10] = [
             "重置价值",
         ],
     },
-    CostColumn { name: "downtime", per: Err("day"), headings: &["downtime", "downtime days", "ausfalltage"] },
     CostColumn {
+        cost: Cost::Downtime,
+        name: "downtime",
+        unit: DAYS,
+        headings: &["downtime", "downtime days", "ausfalltage"],
+    },
+    CostColumn {
+        cost: Cost::DowntimeDay,
         name: "downtime_cost",
-        per: Ok("/day"),
+        unit: CostUnit::Money("/day"),
         headings: &["downtime cost", "cost of downtime", "ausfallkosten"],
     },
-    CostColumn { name: "casualty_probability", per: Err(""), headings: &["casualty probability"] },
-    CostColumn { name: "casualty_cost", per: Ok(""), headings: &["casualty cost"] },
-    CostColumn { name: "accepted_annual_rate", per: Err("1/yr"), headings: &["accepted annual rate"] },
-    CostColumn { name: "accepted_exceed_annual_rate", per: Err("1/yr"), headings: &["accepted exceed annual rate"] },
-    CostColumn { name: "longitude", per: Err(""), headings: &["longitude", "lon"] },
-    CostColumn { name: "latitude", per: Err(""), headings: &["latitude", "lat"] },
+    CostColumn {
+        cost: Cost::CasualtyProbability,
+        name: "casualty_probability",
+        unit: CostUnit::Bare,
+        headings: &["casualty probability"],
+    },
+    CostColumn { cost: Cost::Casualty, name: "casualty_cost", unit: CostUnit::Money(""), headings: &["casualty cost"] },
+    CostColumn {
+        cost: Cost::AcceptedRate,
+        name: "accepted_annual_rate",
+        unit: PER_YEAR,
+        headings: &["accepted annual rate"],
+    },
+    CostColumn {
+        cost: Cost::AcceptedExceedRate,
+        name: "accepted_exceed_annual_rate",
+        unit: PER_YEAR,
+        headings: &["accepted exceed annual rate"],
+    },
+    CostColumn { cost: Cost::Longitude, name: "longitude", unit: CostUnit::Bare, headings: &["longitude", "lon"] },
+    CostColumn { cost: Cost::Latitude, name: "latitude", unit: CostUnit::Bare, headings: &["latitude", "lat"] },
 ];
 
 /// Whether a name is that of a column of costs; a mapping file may give it to a heading.
-pub(super) fn cost_name(name: &str) -> Option<&'static str> {
+pub(crate) fn cost_name(name: &str) -> Option<&'static str> {
     COST_COLUMNS.iter().find(|column| column.name == name).map(|column| column.name)
 }
 
-/// The name and the currency of a heading: `Replacement value NZD`, `Neuwert [EUR]`.
-fn named(heading: &str, mapping: Option<&Mapping>) -> Option<(&'static CostColumn, Option<String>)> {
-    let text = plain(heading);
-    let (name, inner) = match text.find(['[', '(']) {
-        Some(at) => (text.get(..at)?.trim(), text.get(at + 1..)?.trim_end_matches([']', ')', ' '])),
-        None => (text.as_str(), ""),
-    };
-    let last = name.rsplit_once(' ').filter(|(_, last)| is_currency(last));
-    let (name, last) = last.map_or((name, None), |(name, last)| (name, Some(last)));
-    let currency = inner.split('/').next().map(str::trim).filter(|text| is_currency(text)).or(last).map(str::to_owned);
-    if let Some((mapped, unit)) = mapping.and_then(|mapping| mapping.cost(heading)) {
-        let column = COST_COLUMNS.iter().find(|column| column.name == mapped)?;
-        return Some((column, unit.or(currency)));
+/// A heading of costs: `Replacement value NZD`, `downtime_cost [EUR/day]`.
+struct CostHeading {
+    column: &'static CostColumn,
+    /// Behind the name, or of the mapping file.
+    unit: Option<String>,
+}
+
+impl CostHeading {
+    fn new(heading: &str, mapping: Option<&Mapping>) -> Option<Self> {
+        let text = plain(heading);
+        let (name, inner) = match text.find(['[', '(']) {
+            Some(at) => (text.get(..at)?.trim(), Some(text.get(at + 1..)?.trim_end_matches([']', ')', ' ']))),
+            None => (text.as_str(), None),
+        };
+        let last = name.rsplit_once(' ').filter(|(_, last)| is_currency(last));
+        let (name, last) = last.map_or((name, None), |(name, last)| (name, Some(last)));
+        let unit = inner.or(last).map(str::to_owned);
+        if let Some((mapped, own)) = mapping.and_then(|mapping| mapping.cost(heading)) {
+            let column = COST_COLUMNS.iter().find(|column| column.name == mapped)?;
+            return Some(Self { column, unit: own.or(unit) });
+        }
+        let words = canonical(name);
+        let is_it = |column: &&CostColumn| canonical(column.name) == words || column.headings.contains(&words.as_str());
+        COST_COLUMNS.iter().find(is_it).map(|column| Self { column, unit })
     }
-    let words = canonical(name);
-    let is_it = |column: &&CostColumn| canonical(column.name) == words || column.headings.contains(&words.as_str());
-    COST_COLUMNS.iter().find(is_it).map(|column| (column, currency))
+
+    /// The currency, where it is one of money.
+    ///
+    /// # Errors
+    /// A unit that is missing, or is another one.
+    fn currency(&self, heading: &str) -> Result<Option<String>, Problem> {
+        let unit = self.unit.as_deref().map(str::trim);
+        let name = self.column.name;
+        let refused = |what: &str, example: &str| {
+            let message = format!("the column \"{}\" {what}", shorten(heading));
+            let hint = format!("write {name} [{example}], or give the unit in a mapping file (`columns = \"FILE\"`)");
+            Err(Problem::value(message, hint))
+        };
+        match self.column.unit {
+            CostUnit::Bare => Ok(None),
+            CostUnit::Named(words) => {
+                let first = words.first().copied().unwrap_or_default();
+                let in_heading = canonical(heading);
+                match unit {
+                    Some(unit) if words.contains(&unit.to_lowercase().as_str()) => Ok(None),
+                    None if words.iter().any(|word| word.len() > 3 && in_heading.ends_with(word)) => Ok(None),
+                    _ => refused(&format!("is not in {first}"), first),
+                }
+            }
+            CostUnit::Money(per) => {
+                let currency =
+                    unit.and_then(|unit| unit.strip_suffix(per)).map(str::trim).filter(|text| is_currency(text));
+                match currency {
+                    Some(currency) => Ok(Some(currency.to_owned())),
+                    None => refused("states no currency", &format!("AUD{per}")),
+                }
+            }
+        }
+    }
 }
 
 fn is_currency(text: &str) -> bool {
     matches!(text, "$" | "€" | "£" | "¥") || text.len() == 3 && text.bytes().all(|byte| byte.is_ascii_uppercase())
 }
 
-/// The costs of a list as a CSV with the names that `risk` reads, each object in the line of its row; and
-/// warnings.
+/// The costs of a list as people keep it.
+#[derive(Debug)]
+pub(crate) struct ListedCosts {
+    pub(crate) currency: Option<String>,
+    pub(crate) objects: Vec<(Item, Amounts)>,
+    pub(crate) warnings: Vec<String>,
+}
+
+/// Reads the costs of a list.
 ///
 /// # Errors
-/// A list or a mapping file that cannot be read.
-pub fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<(Vec<u8>, Vec<String>), Problems> {
+/// A list or a mapping file that cannot be read; a column without its unit; two currencies.
+pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<ListedCosts, Problems> {
     let mapping = request.columns.as_deref().map(Mapping::load).transpose()?;
     let options = ReadOptions {
         sheet: request.sheet.as_deref(),
@@ -130,83 +252,82 @@ pub fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<(Vec<u8>, Ve
         edits: &request.edits,
         ..ReadOptions::new(&Lookup::NONE)
     };
-    let reading = inspect_inventory(path, &options)?;
-    let (bytes, mut warnings) = written(&reading.inventory, mapping.as_ref())?;
-    // A number of objects that cannot be read counts as one.
-    let counts = reading.inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
-    warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
-    let items = reading.inventory.items.iter();
-    let round: Vec<&str> = items.filter(|item| item.is_round).map(|item| &*item.id).collect();
-    warnings.extend(too_mild(ROUND, &round));
-    warnings.extend(reading.inventory.warnings);
-    Ok((bytes, warnings))
-}
-
-fn written(inventory: &Inventory, mapping: Option<&Mapping>) -> Result<(Vec<u8>, Vec<String>), Problem> {
-    let found: Vec<(usize, &CostColumn, Option<String>)> = inventory
+    let inventory = inspect_inventory(path, &options)?.inventory;
+    let columns: Vec<(usize, &str, CostHeading)> = inventory
         .carried
         .iter()
         .enumerate()
-        .filter_map(|(slot, heading)| named(heading, mapping).map(|(column, currency)| (slot, column, currency)))
+        .filter_map(|(slot, heading)| Some((slot, heading.as_str(), CostHeading::new(heading, mapping.as_ref())?)))
         .collect();
-    let mut names = vec!["id".to_owned(), "item".to_owned(), "quantity".to_owned()];
-    for (_, column, currency) in &found {
-        let unit = match column.per {
-            Ok(per) => currency.as_ref().map_or_else(String::new, |currency| format!(" [{currency}{per}]")),
-            Err("") => String::new(),
-            Err(unit) => format!(" [{unit}]"),
-        };
-        names.push(format!("{}{unit}", column.name));
+    let mut currency: Option<String> = None;
+    for (_, heading, column) in &columns {
+        let own = column.currency(heading).map_err(|problem| problem.in_file(path))?;
+        if let (Some(known), Some(own)) = (&currency, &own)
+            && known != own
+        {
+            let message = format!("\"{}\" is in {own}, and other costs are in {known}", shorten(heading));
+            return Err(Problem::value(message, "convert all costs to one currency").in_file(path).into());
+        }
+        currency = currency.or(own);
     }
-    let mut lines = vec![line(&names)?];
     let mut warnings = Vec::new();
-    for item in &inventory.items {
-        let mut cells = vec![item.id.clone(), item.item.clone(), item.quantity.to_string()];
-        for (slot, column, _) in &found {
+    // A number of objects that cannot be read counts as one.
+    let counts = inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
+    warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
+    let round: Vec<&str> = inventory.items.iter().filter(|item| item.is_round).map(|item| &*item.id).collect();
+    warnings.extend(too_mild(ROUND, &round));
+    let columns: Vec<(usize, &CostColumn)> = columns.iter().map(|(slot, _, heading)| (*slot, heading.column)).collect();
+    let mut objects = Vec::with_capacity(inventory.items.len());
+    for item in inventory.items {
+        let mut amounts = Amounts::default();
+        for (slot, column) in &columns {
             let text = item.carried.get(*slot).map_or("", String::as_str);
-            let value = amount(text, column.per.is_ok());
+            let value = amount(text, column.unit).filter(|value| column.cost.holds(*value));
             if value.is_none() && !is_no_value(text) {
                 let said = format!("row {}: \"{}\" is no {}: it is not counted", item.row, shorten(text), column.name);
                 warnings.push(said);
             }
-            cells.push(value.unwrap_or_default());
+            if let Some(own) = amounts.0.get_mut(column.cost as usize) {
+                *own = own.or(value);
+            }
         }
-        // A problem of a cell names the line: that is the row of the list.
-        let row = usize::try_from(item.row).unwrap_or(usize::MAX);
-        while lines.len() + 1 < row {
-            lines.push("\n".to_owned());
-        }
-        lines.push(line(&cells)?);
+        objects.push((item, amounts));
     }
-    Ok((lines.concat().into_bytes(), warnings))
+    warnings.extend(inventory.warnings);
+    Ok(ListedCosts { currency, objects, warnings })
 }
 
-fn line(cells: &[String]) -> Result<String, Problem> {
-    let broken = || {
-        let problem = Problem::new(ProblemKind::Computation, "the costs of a list cannot be written");
-        problem.hint("this is a defect of freestand; please report it")
-    };
-    let mut writer = csv_writer();
-    // A line break within a cell would move the lines behind it.
-    writer.write_record(cells.iter().map(|cell| cell.replace(['\n', '\r'], " "))).map_err(|_| broken())?;
-    let bytes = writer.into_inner().map_err(|_| broken())?;
-    String::from_utf8(bytes).map_err(|_| broken())
-}
-
-/// The number of a cell, with a point; an amount of money never has three decimals.
-fn amount(text: &str, is_money: bool) -> Option<String> {
+/// The number of a cell; an amount of money never has three decimals. Words such as "Mio" are not understood.
+fn amount(text: &str, unit: CostUnit) -> Option<f64> {
+    let is_money = matches!(unit, CostUnit::Money(_));
     let text = plain(text);
-    let outer = |c: char| c.is_alphabetic() || c.is_whitespace() || matches!(c, '$' | '€' | '£' | '¥' | '.');
-    let bare = text.trim_matches(|c| outer(c) && !matches!(c, '.')).trim_end_matches('.');
+    let bare = if is_money { without_currency(&text) } else { text.as_str() };
     let percent = bare.strip_suffix('%').filter(|_| !is_money);
     let found = pieces(percent.unwrap_or(bare).trim());
     let [Piece::Number(number)] = found.as_slice() else { return None };
     let number = match number {
-        Number::Sure(number, _) => number.clone(),
-        Number::Either { as_thousands, .. } if is_money => as_thousands.clone(),
+        Number::Sure(number, _) => number,
+        Number::Either { as_thousands, .. } if is_money => as_thousands,
         Number::Either { .. } | Number::Malformed => return None,
     };
-    Some(if percent.is_some() { (number.parse::<f64>().ok()? / 100.0).to_string() } else { number })
+    let value = number.parse::<f64>().ok().filter(|value| value.is_finite())?;
+    Some(if percent.is_some() { value / 100.0 } else { value })
+}
+
+/// An amount without its currency, before or behind it.
+fn without_currency(text: &str) -> &str {
+    let is_part = |c: char| c.is_alphabetic() || matches!(c, '$' | '€' | '£' | '¥');
+    let text = text.trim();
+    let start = text.find(|c| !is_part(c)).unwrap_or(0);
+    let text = match text.split_at(start) {
+        (currency, rest) if is_currency(currency) => rest.trim_start(),
+        _ => text,
+    };
+    let end = text.trim_end_matches(is_part).len();
+    match text.split_at(end) {
+        (rest, currency) if is_currency(currency) => rest.trim_end(),
+        _ => text,
+    }
 }
 
 #[cfg(test)]
@@ -216,34 +337,48 @@ mod tests {
     #[test]
     fn amounts_as_registers_have_them() {
         for (text, expected) in [
-            ("8400", Some("8400")),
-            ("62,000", Some("62000")),
-            ("$85,000", Some("85000")),
-            ("28 000", Some("28000")),
-            ("19.500", Some("19500")),
-            ("1.250,50 EUR", Some("1250.50")),
-            ("NZD 3200", Some("3200")),
+            ("8400", Some(8400.0)),
+            ("62,000", Some(62e3)),
+            ("$85,000", Some(85e3)),
+            ("28 000", Some(28e3)),
+            ("19.500", Some(19.5e3)),
+            ("1.250,50 EUR", Some(1250.5)),
+            ("NZD 3200", Some(3200.0)),
+            ("1200€", Some(1200.0)),
             ("priceless", None),
             ("100-200", None),
+            ("85k", None),
+            ("1.2 Mio", None),
+            ("8,5 Tsd", None),
             ("", None),
         ] {
-            assert_eq!(amount(text, true).as_deref(), expected, "{text}");
+            assert_eq!(amount(text, CostUnit::Money("")), expected, "{text}");
         }
-        assert_eq!(amount("5 %", false).as_deref(), Some("0.05"));
+        assert_eq!(amount("5 %", CostUnit::Bare), Some(0.05));
     }
 
     #[test]
-    fn headings_of_costs_name_their_currency() {
-        for (heading, name, currency) in [
-            ("Replacement value NZD", "replacement_cost", Some("NZD")),
-            ("replacement_cost [EUR]", "replacement_cost", Some("EUR")),
-            ("Neuwert [NZD]", "replacement_cost", Some("NZD")),
-            ("downtime_cost [EUR/day]", "downtime_cost", Some("EUR")),
-            ("downtime [day]", "downtime", None),
+    fn headings_of_costs_name_their_unit() {
+        for (heading, cost, currency) in [
+            ("Replacement value NZD", Cost::Replacement, Some("NZD")),
+            ("replacement_cost [EUR]", Cost::Replacement, Some("EUR")),
+            ("Neuwert [NZD]", Cost::Replacement, Some("NZD")),
+            ("downtime_cost [EUR/day]", Cost::DowntimeDay, Some("EUR")),
+            ("downtime [day]", Cost::Downtime, None),
+            ("Ausfalltage", Cost::Downtime, None),
         ] {
-            let (column, found) = named(heading, None).unwrap();
-            assert_eq!((column.name, found.as_deref()), (name, currency), "{heading}");
+            let found = CostHeading::new(heading, None).unwrap();
+            assert_eq!(found.column.cost, cost, "{heading}");
+            assert_eq!(found.currency(heading).unwrap().as_deref(), currency, "{heading}");
         }
-        assert!(named("Notes", None).is_none());
+        for heading in ["downtime [h]", "Downtime", "Neuwert", "downtime_cost [EUR]", "accepted_annual_rate"] {
+            assert!(CostHeading::new(heading, None).unwrap().currency(heading).is_err(), "{heading}");
+        }
+        assert!(CostHeading::new("Notes", None).is_none());
+    }
+
+    #[test]
+    fn columns_are_in_the_order_of_their_costs() {
+        assert!(COST_COLUMNS.iter().enumerate().all(|(place, column)| column.cost as usize == place));
     }
 }

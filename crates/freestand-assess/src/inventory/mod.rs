@@ -53,7 +53,8 @@ use serde::{Deserialize, Serialize};
 
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
-pub use costs::{CellsRequest, costs_of_list};
+pub use costs::CellsRequest;
+pub(crate) use costs::{Amounts, Cost, cost_name, costs_of_list};
 pub use edits::Edit;
 pub use floors::Floors;
 pub use kept::{items_from_lines, lines_of_items};

@@ -10,7 +10,7 @@ use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
-use crate::inventory::{CellsRequest, Rating, costs_of_list, rating};
+use crate::inventory::{Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, rating};
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
@@ -157,10 +157,35 @@ pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Prob
     if !list.is_given() && is_table(&bytes, path) {
         return Ok(Costs { file, ..read_costs(&bytes, path)? });
     }
-    let (table, warnings) = costs_of_list(path, list)?;
-    let costs = read_costs(&table, path)?;
-    let warnings = costs.warnings.iter().cloned().chain(warnings).collect();
-    Ok(Costs { file, warnings, ..costs })
+    let found = costs_of_list(path, list)?;
+    let row = |(item, amounts): (Item, Amounts)| {
+        let [repair, replacement, downtime_days, downtime_cost] =
+            [Cost::Repair, Cost::Replacement, Cost::Downtime, Cost::DowntimeDay].map(|cost| amounts.of(cost));
+        let words = [&item.location, &item.floor, &item.room].into_iter().filter(|text| !text.is_empty());
+        CostRow {
+            line: usize::try_from(item.row).unwrap_or(0),
+            quantity: f64::from(item.quantity),
+            repair,
+            replacement,
+            downtime_days,
+            downtime_cost,
+            casualty_probability: amounts.of(Cost::CasualtyProbability),
+            casualty_cost: amounts.of(Cost::Casualty),
+            accepted_rate: amounts.of(Cost::AcceptedRate),
+            accepted_exceed_rate: amounts.of(Cost::AcceptedExceedRate),
+            anchored: if item.anchored == Some(true) { "yes".to_owned() } else { String::new() },
+            life_safety: item.consequences.life_safety,
+            floor: None,
+            site_deg: amounts.of(Cost::Longitude).zip(amounts.of(Cost::Latitude)),
+            location: words.map(String::as_str).collect::<Vec<_>>().join(", "),
+            building: item.building,
+            item: item.item,
+            id: item.id,
+        }
+    };
+    let rows: Vec<CostRow> = found.objects.into_iter().map(row).collect();
+    let warnings = dear(&rows, path).chain(found.warnings).collect();
+    Ok(Costs { file, currency: found.currency, rows, warnings })
 }
 
 /// Whether a file has the names of costs themselves; any other is read as a list as people keep it.
@@ -168,12 +193,25 @@ fn is_table(bytes: &[u8], path: &Path) -> bool {
     let is_workbook = bytes.starts_with(b"PK");
     match Table::read(bytes, path, HINT, &mut RowProblems::default()) {
         Ok(table) => {
-            let has_costs = COLUMNS.iter().skip(3).any(|name| table.column(name).is_some());
+            let has_costs = COLUMNS.iter().any(|name| cost_name(name).is_some() && table.column(name).is_some());
             table.column("id").is_some() && (has_costs || table.unused(&COLUMNS).is_none())
         }
         // What is wrong with a table is said of the table.
         Err(_) => !is_workbook && costs_of_list(path, &CellsRequest::default()).is_err(),
     }
+}
+
+/// That a repair costs more than a new object.
+fn dear(rows: &[CostRow], path: &Path) -> impl Iterator<Item = String> {
+    let is_dear = |row: &&CostRow| row.replacement.is_some() && row.repair.is_some_and(|cost| cost > row.overturned());
+    rows.iter().filter(is_dear).map(|row| {
+        format!(
+            "{}:{}: the repair of {} costs more than its overturning: are the costs in the wrong columns?",
+            path.display(),
+            row.line,
+            shorten(&row.id)
+        )
+    })
 }
 
 fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
@@ -229,16 +267,7 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
         let said = format!("{}: {} {has} no quantity: 1 is assumed", path.display(), counted(blank, "row"));
         warnings.extend((blank > 0).then_some(said));
     }
-    for row in
-        rows.iter().filter(|row| row.replacement.is_some() && row.repair.is_some_and(|cost| cost > row.overturned()))
-    {
-        warnings.push(format!(
-            "{}:{}: the repair of {} costs more than its overturning: are the costs in the wrong columns?",
-            path.display(),
-            row.line,
-            shorten(&row.id)
-        ));
-    }
+    warnings.extend(dear(&rows, path));
     Ok(Costs { file: InputFile::new(path, bytes), currency, rows, warnings })
 }
 

@@ -291,7 +291,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
             None
         }
     };
-    warnings.extend(measures.as_ref().and_then(Measures::warning));
+    warnings.extend(measures.iter().flat_map(Measures::warnings));
     let portfolio = match (&fitted, &costs) {
         (Some(report), Some(costs)) => portfolio::portfolio(report, costs, &objects, &hazard, &mut warnings)?,
         _ => None,

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
-use freestand::risk::{Choice, Plan, best_plan, present_value_factor_years, renewed_cost};
+use freestand::risk::{Choice, best_plan, present_value_factor_years, renewed_cost};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number};
@@ -41,8 +41,8 @@ pub(super) struct Worth {
     pub(super) after: LossBounds,
     /// What a fall of the object means for people.
     pub(super) life_safety: Option<Rating>,
-    /// The least number of falls a year that the option avoids.
-    falls: f64,
+    /// The least number of falls a year that the option avoids; `None` where nothing bounds it.
+    falls: Option<f64>,
 }
 
 impl Worth {
@@ -103,7 +103,7 @@ pub(crate) struct Measures {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Chosen {
     pub(super) budget: f64,
-    pub(super) plan: Plan,
+    pub(super) plan: Totals,
     /// Sorted: life safety first, then by benefit over cost.
     pub(super) chosen: Vec<Worth>,
     /// For each object that people need and the budget does not reach, the option that avoids most falls.
@@ -175,7 +175,7 @@ pub(crate) fn measures(
             is_at_least,
             after,
             life_safety: cost.life_safety,
-            falls: falls.unwrap_or(0.0).max(0.0),
+            falls: falls.map(|falls| falls.max(0.0)),
         });
     }
     let mut ranking = problems.finish(Some(ranking))?;
@@ -199,10 +199,23 @@ fn within(time: Duration, progress: Progress) -> impl FnMut() -> bool {
 /// HSE (2001). Reducing risks, protecting people, paragraph 130.
 const FEWEST_FALLS: f64 = 1e-6;
 
+/// What a plan costs and what it is worth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Totals {
+    pub(super) cost: f64,
+    pub(super) value: f64,
+    /// The most that any plan within the budget can be worth.
+    bound: f64,
+    pub(super) is_optimal: bool,
+}
+
+/// What to do where a rate has no upper bound.
+const REMEDY: &str = "run it under more and weaker motions, or give a hazard curve that begins at a lower intensity";
+
 /// The options of a budget: those that avoid most falls of objects rated high for life safety, with what is
 /// left those of objects rated medium, and with what is left then those that are worth most.
 struct Spent<'a> {
-    plan: Plan,
+    plan: Totals,
     /// For each object.
     chosen: Vec<Option<&'a Worth>>,
     unfunded: Vec<&'a Worth>,
@@ -213,12 +226,14 @@ fn spent<'a>(ranking: &'a [Worth], objects: usize, budget: f64, go_on: &mut dyn 
     let mut unfunded = Vec::new();
     let (mut left, mut is_optimal) = (budget, true);
     for rating in [Rating::High, Rating::Medium] {
-        let saves = |worth: &&Worth| worth.life_safety == Some(rating) && worth.falls > FEWEST_FALLS;
+        let saves = |worth: &&Worth| worth.life_safety == Some(rating) && worth.falls > Some(FEWEST_FALLS);
         let worths = of_objects(ranking, objects, saves);
         let choices = worths.iter().map(|worths| undominated(worths)).collect::<Vec<_>>();
         let priced: Vec<Vec<Choice>> = choices
             .iter()
-            .map(|worths| worths.iter().map(|worth| Choice { cost: worth.cost, value: worth.falls }).collect())
+            .map(|worths| {
+                worths.iter().map(|worth| Choice { cost: worth.cost, value: worth.falls.unwrap_or(0.0) }).collect()
+            })
             .collect();
         let plan = best_plan(&priced, left, &mut *go_on);
         for ((object, worths), number) in choices.iter().enumerate().zip(&plan.chosen) {
@@ -245,12 +260,11 @@ fn spent<'a>(ranking: &'a [Worth], objects: usize, budget: f64, go_on: &mut dyn 
         *known = known.or_else(|| worths.get((*number)?).copied());
     }
     unfunded.retain(|worth| chosen[worth.object].is_none());
-    let plan = Plan {
+    let plan = Totals {
         cost: first.0 + money.cost,
         value: first.1 + money.value,
         bound: first.1 + money.bound,
         is_optimal: is_optimal && money.is_optimal,
-        chosen: money.chosen,
     };
     Spent { plan, chosen, unfunded }
 }
@@ -267,11 +281,12 @@ fn of_objects<'a>(ranking: &'a [Worth], objects: usize, is_wanted: impl Fn(&&'a 
 /// Those that avoid more falls than every cheaper one, by rising cost.
 fn undominated<'a>(worths: &[&'a Worth]) -> Vec<&'a Worth> {
     let mut sorted = worths.to_vec();
-    sorted.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(b.falls.total_cmp(&a.falls)));
+    let falls = |worth: &Worth| worth.falls.unwrap_or(0.0);
+    sorted.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(falls(b).total_cmp(&falls(a))));
     let mut most = 0.0;
     sorted.retain(|worth| {
-        let is_more = worth.falls > most;
-        most = worth.falls.max(most);
+        let is_more = falls(worth) > most;
+        most = falls(worth).max(most);
         is_more
     });
     sorted
@@ -326,18 +341,27 @@ impl Measures {
         self.ranking.iter().filter(|worth| worth.benefit_present_value.is_none()).collect()
     }
 
-    /// What to know about options without a known benefit.
-    pub(crate) fn warning(&self) -> Option<String> {
-        let unknown = self.unknown();
-        let first = unknown.first()?;
-        let rest = if unknown.len() > 1 { format!(" and {} more", unknown.len() - 1) } else { String::new() };
-        Some(format!(
-            "the worth of the option \"{}\" for {}{rest} is not known: a rate with the option has no upper bound, so \
-             the option is ranked last and is not chosen; run it under more and weaker motions, or give a hazard curve \
-             that begins at a lower intensity",
-            shorten(&first.option),
-            shorten(&first.id)
-        ))
+    /// What to know about options of which something is not known.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let is_life = |worth: &&Worth| worth.life_safety > Some(Rating::Low) && worth.falls.is_none();
+        let lives: Vec<&Worth> = self.ranking.iter().filter(is_life).collect();
+        let named = |unknown: &[&Worth]| {
+            let first = unknown.first()?;
+            let rest = if unknown.len() > 1 { format!(" and {} more", unknown.len() - 1) } else { String::new() };
+            Some(format!("\"{}\" for {}{rest}", shorten(&first.option), shorten(&first.id)))
+        };
+        let worth = named(&self.unknown()).map(|named| {
+            format!(
+                "the worth of the option {named} is not known: a rate with the option has no upper bound, so the option is \
+                 ranked last and is not chosen; {REMEDY}"
+            )
+        });
+        let falls = named(&lives).map(|named| {
+            format!(
+                "how many falls the option {named} avoids is not known, so it is not chosen for the sake of people; {REMEDY}"
+            )
+        });
+        worth.into_iter().chain(falls).collect()
     }
 
     pub(crate) fn ranking_facts(&self) -> Vec<Facts<'static>> {

@@ -788,3 +788,31 @@ fn round_objects_may_fail_more_often_than_their_curves() {
         assert!(round.len() == 1 && round[0].ends_with("for example tank"), "{said:?}");
     }
 }
+
+/// What a fall means for people is read in any list, so that the same budget buys the same options.
+#[test]
+fn life_safety_comes_first_in_every_list() {
+    let folder = tempfile::tempdir().unwrap();
+    write(
+        folder.path(),
+        "curves.csv",
+        "id,im,im_unit,at,limit_state,kind,median,beta\na,pgv,m/s,ground,overturns,lognormal,0.6,0.25\n\
+         b,pgv,m/s,ground,overturns,lognormal,0.5,0.25\n",
+    );
+    let options = "id,option,cost [AUD],median_factor\na,strap,900,4\nb,strap,900,4\n";
+    write(folder.path(), "options.csv", options);
+    let table = "id,item,life_safety,replacement_cost [AUD]\na,rack,high,1000\nb,rack,low,9000000\n";
+    let list = "Nr;Lebensgefahr;Neuwert [AUD];H\u{f6}he [mm];Tiefe [mm]\na;hoch;1.000;1800;400\nb;niedrig;9.000.000;1800;300\n";
+    write(folder.path(), "table.csv", table);
+    write(folder.path(), "list.csv", list);
+    let plan = |inventory: &[&str]| {
+        let base = ["risk", "--fragility", "curves.csv", "--options", "options.csv", "--budget", "1000 AUD"];
+        let money = ["--horizon", "40 yr", "--discount", "3 %", "--hazard-im", "pgv"];
+        let law = ["--hazard-power", "k0=1e-4 /yr, k=2.5, reference=100 cm/s", "--inventory"];
+        let found = json(folder.path(), &[&base[..], &money, &law, inventory].concat());
+        found["plan"]["chosen"][0]["id"].as_str().unwrap_or_default().to_owned()
+    };
+    for inventory in [&["table.csv"][..], &["table.csv", "--edit", "D2=2000"], &["list.csv"]] {
+        assert_eq!(plan(inventory), "a", "{inventory:?}");
+    }
+}
