@@ -368,10 +368,11 @@ pub(super) enum Wheels {
 
 /// Whether something rolls: by a word of its own, or by what is said about its wheels.
 pub(super) fn casters(text: &str) -> Wheels {
+    // Beginnings of words, whole words where a space follows.
     const BRAKED: [&str; 19] = [
         "braked",
-        "brakes on",
-        "brake on",
+        "brakes on ",
+        "brake on ",
         "locked",
         "parked",
         "gebremst",
@@ -389,24 +390,45 @@ pub(super) fn casters(text: &str) -> Wheels {
         "ロック",
         "锁",
     ];
-    const FREE: [&str; 17] = [
-        "free",
-        "unlocked",
-        "unbraked",
-        "not locked",
-        "not braked",
-        "frei",
-        "ungebremst",
-        "nicht gebremst",
+    const FREE: [&str; 12] = [
+        "free ",
+        "unlocked ",
+        "unbraked ",
+        "frei ",
+        "ungebremst ",
         "libre",
-        "libero",
-        "libera",
+        "libero ",
+        "libera ",
         "livre",
-        "non bloqu",
-        "non frein",
         "serbest",
         "kilitsiz",
         "フリー",
+    ];
+    const NOT_BRAKED: [&str; 5] = ["not locked ", "not braked ", "nicht gebremst ", "non bloqu", "non frein"];
+    // With one of these words a cell says something else about its brakes, or about some of them.
+    const NOT: [&str; 22] = [
+        "no",
+        "not",
+        "without",
+        "only",
+        "never",
+        "missing",
+        "defect",
+        "standing",
+        "nicht",
+        "kein",
+        "keine",
+        "ohne",
+        "nur",
+        "sans",
+        "pas",
+        "non",
+        "seulement",
+        "sin",
+        "solo",
+        "senza",
+        "sem",
+        "degil",
     ];
     const OTHER: [&str; 26] = [
         "feet",
@@ -438,12 +460,19 @@ pub(super) fn casters(text: &str) -> Wheels {
     ];
     let words = canonical(text);
     let is_asked = text.contains(['?', '？']);
+    let padded = format!(" {words} ");
+    let says = |all: &[&str]| {
+        all.iter().any(|one| if one.is_ascii() { padded.contains(&format!(" {one}")) } else { padded.contains(one) })
+    };
     if !is_asked {
-        if FREE.iter().any(|word| words.contains(word)) {
+        if says(&NOT_BRAKED) {
             return Wheels::Said(Casters::Free);
         }
-        if BRAKED.iter().any(|word| words.contains(word)) {
-            return Wheels::Said(Casters::Braked);
+        let said =
+            [(Casters::Free, says(&FREE)), (Casters::Braked, says(&BRAKED))].into_iter().find(|(_, is_it)| *is_it);
+        if let Some((casters, _)) = said {
+            let is_turned = words.split(' ').any(|word| NOT.contains(&word));
+            return if is_turned { Wheels::Some } else { Wheels::Said(casters) };
         }
     }
     if names_wheels(text) {
@@ -653,6 +682,13 @@ mod tests {
             ("yes, locked", Wheels::Said(Braked)),
             ("kilitli", Wheels::Said(Braked)),
             ("castors unlocked", Wheels::Said(Free)),
+            ("nicht gebremst", Wheels::Said(Free)),
+            ("freins serrés", Wheels::Said(Braked)),
+            ("no brakes on castors", Wheels::Some),
+            ("without brakes, on wheels", Wheels::Some),
+            ("brake only on two castors", Wheels::Some),
+            ("wheels, not parked", Wheels::Some),
+            ("roues non freinées", Wheels::Said(Free)),
             ("locked?", Wheels::Unclear),
             ("no", Wheels::Said(No)),
             ("no castors", Wheels::Said(No)),

@@ -61,6 +61,9 @@ it('a text that is shown in other units is still the text that was typed', () =>
 
 it('sizes as people write them', () => {
   expect(lengthEntered('1,8 m', 'si')).toBe('1.8 m');
+  // Metres or thousands of millimetres: nobody guesses.
+  expect([lengthEntered('1,800 mm', 'si'), lengthEntered('1,800', 'si'), enteredIn('1,200 kg', 'kg')]).toEqual(['1,800 mm', '1,800', '1,200 kg']);
+  expect([lengthM('1,800 mm'), massKg('1,200 kg'), lengthM('1,85 m')]).toEqual([null, null, 1.85]);
   expect(lengthEntered('1800', 'si')).toBe('1800 mm');
   expect(lengthEntered('1.8', 'si')).toBe('1.8 m');
   expect(lengthEntered('0', 'si')).toBe('0 mm');

@@ -11,12 +11,16 @@ const LENGTHS: Record<string, number> = {
   m: 1, mm: 0.001, cm: 0.01, in: INCH_M, '"': INCH_M, '″': INCH_M, ft: FOOT_M, "'": FOOT_M, '′': FOOT_M,
 };
 
+/** A text with its decimal commas as points. Three digits behind a comma may also be thousands: the program refuses them. */
+const pointed = (text: string) => text.trim().replace(/(\d),(\d{1,2}|\d{4,})(?!\d)/g, '$1.$2');
+
 /** A length in metres; null for a text that only the program may understand. */
 export function lengthM(text: string): number | null {
-  const parts = [...text.trim().matchAll(/(\d+(?:[.,]\d+)?)\s*(mm|cm|m|in|ft|"|″|'|′)\s*/gy)];
+  const plain = pointed(text);
+  const parts = [...plain.matchAll(/(\d+(?:\.\d+)?)\s*(mm|cm|m|in|ft|"|″|'|′)\s*/gy)];
   const read = parts.map((part) => part[0]).join('').trim();
-  if (parts.length === 0 || parts.length > 2 || read !== text.trim()) return null;
-  const sum = parts.reduce((all, [, number, unit]) => all + Number(number!.replace(',', '.')) * LENGTHS[unit!]!, 0);
+  if (parts.length === 0 || parts.length > 2 || read !== plain) return null;
+  const sum = parts.reduce((all, [, number, unit]) => all + Number(number) * LENGTHS[unit!]!, 0);
   return sum > 0 ? sum : null;
 }
 
@@ -38,15 +42,15 @@ export function lengthText(metres: number, units: Units): string {
 /** Above this, a bare number is in millimetres: nothing here is taller in metres. */
 const TALLEST_M = 12;
 
-/** A number without a unit, perhaps with a decimal comma. */
-const bare = (text: string) => (/^\s*\d+(?:[.,]\d+)?\s*$/.test(text) ? Number(text.trim().replace(',', '.')) : null);
+/** A number without a unit. */
+const bare = (text: string) => (/^\d+(?:\.\d+)?$/.test(text) ? Number(text) : null);
 
 /**
  * A length as it was entered, with its unit, as a list would be read: 1,8 m is 1.8 m, 1800 is 1800 mm, 1.8 is 1.8 m, and
  * in US units a bare number is in inches. What is no length stays as it is: the program says what is wrong with it.
  */
 export function lengthEntered(text: string, units: Units): string {
-  const plain = text.trim().replace(/(\d),(\d)/g, '$1.$2');
+  const plain = pointed(text);
   const number = bare(plain);
   if (number === null) return plain;
   return `${plain} ${units === 'us' ? 'in' : number > TALLEST_M || number === 0 ? 'mm' : 'm'}`;
@@ -54,7 +58,7 @@ export function lengthEntered(text: string, units: Units): string {
 
 /** Another quantity as it was entered; a bare number is in the unit in which masses and stiffnesses are shown. */
 export function enteredIn(text: string, unit: string): string {
-  const plain = text.trim().replace(/(\d),(\d)/g, '$1.$2');
+  const plain = pointed(text);
   return unit && bare(plain) !== null ? `${plain} ${unit}` : plain;
 }
 
@@ -102,18 +106,18 @@ export function stiffnessShown(n_m: number, units: Units): string {
 
 /** A stiffness in N/m; null for a text that only the program may understand. */
 export function stiffnessNM(text: string): number | null {
-  const [, number, unit] = /^\s*(\d+(?:[.,]\d+)?)\s*(N\/mm|kN\/m|N\/m|lb\/in|kip\/in)\s*$/.exec(text) ?? [];
+  const [, number, unit] = /^(\d+(?:\.\d+)?)\s*(N\/mm|kN\/m|N\/m|lb\/in|kip\/in)$/.exec(pointed(text)) ?? [];
   if (!number || !unit) return null;
   const factor = { 'N/mm': 1000, 'kN/m': 1000, 'N/m': 1, 'lb/in': POUND_PER_INCH_N_M, 'kip/in': 1000 * POUND_PER_INCH_N_M }[unit];
-  const value = Number(number.replace(',', '.')) * (factor ?? NaN);
+  const value = Number(number) * (factor ?? NaN);
   return value > 0 ? value : null;
 }
 
 /** A mass in kilograms; null for a text that only the program may understand. */
 export function massKg(text: string): number | null {
-  const [, number, unit] = /^\s*(\d+(?:[.,]\d+)?)\s*(kg|t|g|lb)\s*$/.exec(text) ?? [];
+  const [, number, unit] = /^(\d+(?:\.\d+)?)\s*(kg|t|g|lb)$/.exec(pointed(text)) ?? [];
   if (!number || !unit) return null;
-  const value = Number(number.replace(',', '.')) * ({ kg: 1, t: 1000, g: 0.001, lb: POUND_KG }[unit] ?? NaN);
+  const value = Number(number) * ({ kg: 1, t: 1000, g: 0.001, lb: POUND_KG }[unit] ?? NaN);
   return value > 0 ? value : null;
 }
 
