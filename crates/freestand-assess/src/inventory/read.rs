@@ -230,7 +230,7 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     for item in &mut items {
         item.carried.resize(carried.len(), String::new());
     }
-    tell_duplicates(&mut items, &understood, &mut findings);
+    tell_duplicates(&mut items, &tables, &understood, &mut findings);
     let cell = |item: &Item, column: Column| size_cell(item, column, &sheet, &tables, &understood);
     confirm(&mut items, options.edits, &mut findings, &cell);
     warnings.extend(same_floors.warning());
@@ -261,6 +261,11 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     })
 }
 
+/// The columns of the table in which a row is.
+fn columns_of<'a>(row: u32, tables: &[Table], understood: &'a [Understood]) -> Option<&'a Understood> {
+    understood.get(tables.partition_point(|table| table.header.row < row).checked_sub(1)?)
+}
+
 /// The cell of a size of an object.
 fn size_cell(
     item: &Item,
@@ -269,8 +274,7 @@ fn size_cell(
     tables: &[Table],
     understood: &[Understood],
 ) -> Option<SizeCell> {
-    let table = tables.partition_point(|table| table.header.row < item.row).checked_sub(1)?;
-    let columns = understood.get(table)?;
+    let columns = columns_of(item.row, tables, understood)?;
     let row = sheet.rows.get(sheet.rows.binary_search_by_key(&item.row, |row| row.number).ok()?)?;
     let used = [column, Column::Dimensions, Column::Diameter].into_iter().filter_map(|column| columns.get(column));
     let mut cells = used.filter_map(|one| Some((one, row.get(one.index)?)));
@@ -601,7 +605,7 @@ fn carried(values: &mut Values<'_>, sheet: &Sheet, header: &Header) -> Vec<Strin
 }
 
 /// Gives later rows with an id that occurred before a number: no output could tell them apart.
-fn tell_duplicates(items: &mut [Item], understood: &[Understood], findings: &mut Findings) {
+fn tell_duplicates(items: &mut [Item], tables: &[Table], understood: &[Understood], findings: &mut Findings) {
     let mut seen: HashMap<String, u32> = items.iter().map(|item| (item.id.clone(), 0)).collect();
     for item in items {
         let count = seen.entry(item.id.clone()).or_insert(0);
@@ -613,7 +617,7 @@ fn tell_duplicates(items: &mut [Item], understood: &[Understood], findings: &mut
         while seen.contains_key(&format!("{} #{number}", item.id)) {
             number += 1;
         }
-        let id = understood.iter().find_map(|columns| columns.get(Column::Id));
+        let id = columns_of(item.row, tables, understood).and_then(|columns| columns.get(Column::Id));
         let place = match id {
             Some(one) => Place { column: Some(Column::Id), index: Some(one.index), heading: Some(&one.heading) },
             None => Place::ROW,
