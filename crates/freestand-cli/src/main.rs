@@ -53,7 +53,7 @@ fn main() -> ExitCode {
             ExitCode::from(stop::EXIT_STATUS)
         }
         Err(Failure::StoppedAfterWriting) => {
-            let hint = "the finished part was written; continue with --resume";
+            let hint = "what was finished was written; continue with --resume";
             printer::print_failure(&Failure::usage("stopped", hint));
             ExitCode::from(stop::EXIT_STATUS)
         }

@@ -27,17 +27,23 @@ const PLAN: &str = "plan";
 /// The file that the writing run locks.
 const LOCK: &str = "lock";
 
-/// Objects of a part: some seconds of work, which is what a killed run loses.
+/// Most objects of a part: what a killed run loses.
 const PART: usize = 256;
 
 /// The same where histories are followed one by one, for a tenth of a second and more: some minutes.
 const SLOW_PART: usize = 4;
 
+/// Parts of a short list, which a killed run is not to lose as a whole either.
+const PARTS: usize = 16;
+
+/// Objects that make a part worth its files.
+const LEAST: usize = 8;
+
 /// Objects of a part of an inventory.
 pub(super) fn part_size(study: &Study, inventory: &Inventory) -> usize {
     let is_slow = study.assessment.dimensions == Dimensions::Three
         || inventory.items.iter().any(|item| item.surroundings.upper.is_some());
-    if is_slow { SLOW_PART } else { PART }
+    if is_slow { SLOW_PART } else { (inventory.items.len() / PARTS).clamp(LEAST, PART) }
 }
 
 /// Rows of an inventory that are assessed and stored together.
