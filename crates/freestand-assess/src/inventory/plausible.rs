@@ -15,6 +15,8 @@ const HEIGHT_M: std::ops::RangeInclusive<f64> = 0.1..=6.0;
 const SIDE_M: std::ops::RangeInclusive<f64> = 0.05..=6.0;
 /// Height over the shorter side.
 const MAX_SLENDERNESS: f64 = 15.0;
+/// Height over the shorter side below which they may have been swapped.
+const LOW: f64 = 0.5;
 /// Mass \[kg\].
 const MASS_KG: std::ops::RangeInclusive<f64> = 0.5..=100e3;
 /// Tolerance \[g\].
@@ -52,6 +54,9 @@ pub(super) fn doubts(item: &Item) -> Vec<(Kind, Column)> {
         let shorter = item.width_m.map_or(thickness, |width| width.min(thickness));
         if height > MAX_SLENDERNESS * shorter {
             found.push((Kind::Slenderness, Column::Height));
+        }
+        if height < LOW * shorter {
+            found.push((Kind::Low, Column::Height));
         }
         // Without a width, the thickness stands for it.
         let volume = height * thickness * item.width_m.unwrap_or(thickness);

@@ -95,6 +95,8 @@ kinds! {
         "check the number and its unit";
     Slenderness Doubt "slenderness" "is more than 15 times the shorter side"
         "check the height and the sides";
+    Low Doubt "low" "is less than half of the shorter side"
+        "check that height and depth are not swapped";
     Mass Doubt "mass" "is outside 0.5 kg to 100 t"
         "check the number and its unit";
     Tolerance Doubt "tolerance" "is outside 0.3 to 1000 g"

@@ -167,7 +167,8 @@ impl Sheet {
             }
         }
         let most = found.iter().map(|(_, header)| header.known).max();
-        let best = most.and_then(|most| found.iter().position(|(_, header)| header.known == most));
+        // The first one: an archive behind it may have more columns.
+        let best = most.and_then(|most| found.iter().position(|(_, header)| 3 * header.known >= 2 * most));
         let Some(best) = best else {
             if let Some(name) = hidden.first() {
                 let message = format!("only the hidden sheet {name} has the headings of an inventory");

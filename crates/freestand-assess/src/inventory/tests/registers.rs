@@ -164,6 +164,14 @@ fn headings_again_in_another_order_begin_another_table() {
     assert_eq!(sizes, expected);
 }
 
+/// Height and depth in each other's columns make low objects that nothing overturns.
+#[test]
+fn low_objects_are_doubted() {
+    let list = "id,item,height mm,depth mm,width mm\n1,cabinet,300,1800,900\n2,bench,900,700,1600\n";
+    let items = read(list).unwrap().inventory.items;
+    assert_eq!((items[0].doubts.as_slice(), items[1].doubts.as_slice()), (&[Kind::Low][..], &[][..]));
+}
+
 #[test]
 fn one_floor_of_several_names_is_one() {
     let list = "id,item,floor,height mm,depth mm\n1,a,Level 6,1800,500\n2,b,L6,1800,500\n3,c,6,1800,500\n4,d,first,1800,500\n\
