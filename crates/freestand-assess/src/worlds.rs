@@ -17,6 +17,7 @@ use rayon::prelude::*;
 
 use crate::kept_motions::KeptMotions;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::shorten;
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_study::run::ground_motions;
 use freestand_study::study::assessment::WorldSettings;
@@ -193,7 +194,15 @@ impl<'a> Worlds<'a> {
     pub(crate) fn new(study: &'a Study, go_on: impl Fn() -> Result<(), Problems> + Sync) -> Result<Self, Problems> {
         let source = match &study.ground {
             Ground::Synthetic(synthetic) => Source::Synthetic(synthetic),
-            Ground::OnFloors => Source::OnFloors { names: study.ground.names(&study.levels).into() },
+            Ground::OnFloors => {
+                if let Some(level) = study.levels.iter().find(|level| level.level_ratio.is_none()) {
+                    let message =
+                        format!("the level \"{}\" has no level_ratio, so no object is on it", shorten(&level.name));
+                    let hint = "add level_ratio to each of the levels: 0 at the ground, 1 at the roof";
+                    return Err(Problem::new(ProblemKind::Missing, message).hint(hint).into());
+                }
+                Source::OnFloors { names: study.ground.names(&study.levels).into() }
+            }
             Ground::Simulated(_) | Ground::Recorded(_) => {
                 let made = ground_motions(&study.ground, go_on)?;
                 Source::InTurn(made.into_iter().map(|one| (one.name, one.motion, one.vertical)).collect())

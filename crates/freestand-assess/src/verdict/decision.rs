@@ -119,6 +119,10 @@ fn falling(case: &Case) -> String {
         FallsAnswer::Stays if !case.lifts => {
             format!("It stays standing: it rocks in none of {worlds} (accepted {limit}).")
         }
+        // Whoever accepts that most fall is not told that it stands.
+        FallsAnswer::Stays if p.value > 0.5 => {
+            format!("It falls in {} of {worlds}, and {limit} is accepted.{models}", spread(p))
+        }
         FallsAnswer::Stays => {
             let high = percent(p.high);
             format!("It stays standing: at most {high} fall ({hits} of {worlds}; accepted {limit}).{models}")

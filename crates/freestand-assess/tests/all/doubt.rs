@@ -217,3 +217,16 @@ fn what_was_assumed_is_listed() {
         assert!(said.contains(one), "{one}: {said}");
     }
 }
+
+/// Without the height of a recorded floor no object is on it: that is said at once, not of every object.
+#[test]
+fn a_recorded_floor_needs_its_height() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("m.csv"), "time [s],a [g]\n0,0\n0.01,0.1\n0.02,0\n").unwrap();
+    fs::write(folder.path().join("list.csv"), "id,floor,height [mm],thickness [mm]\n1,ground,1800,500\n").unwrap();
+    let text = "[building]\nlevels = [{ name = \"ground\", motions = [\"m.csv\"] }]\n";
+    let study = resolve_with(text, None, folder.path(), &Overrides::default()).unwrap();
+    let inventory = inventory_of(&study, Some(&folder.path().join("list.csv")), &ListRequest::default()).unwrap();
+    let refused = assess_into(&study, &inventory, &folder.path().join("out"), &Job::default(), &no_progress);
+    assert!(refused.unwrap_err().to_string().contains("has no level_ratio"));
+}
