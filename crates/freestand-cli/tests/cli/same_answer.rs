@@ -152,6 +152,9 @@ fn every_command_and_the_page_have_the_same_outcome() {
         let worse = assessed.get(id).map_or_else(|| falls.clone(), |other| either(other, falls));
         assessed.insert(id.clone(), worse);
     }
+    let falls = |row: &HashMap<String, String>| ["sine", "weak", "decaying"].map(|motion| row[motion] == "1").to_vec();
+    let known = table(&data().join("falls.csv")).into_iter().map(|row| (row["id"].clone(), falls(&row)));
+    assert_eq!(assessed, known.collect(), "falls.csv, which Python reads as well");
     let count = assessed.values().flatten().filter(|falls| **falls).count();
     // Of 90 histories many end either way.
     assert!((15..75).contains(&count), "{count}");
