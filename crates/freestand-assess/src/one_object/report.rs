@@ -40,8 +40,8 @@ pub(super) fn report(
     };
     let mut warnings = shaken.warnings.clone();
     warnings.extend(row.warnings.iter().cloned());
-    let failed = found.response.as_ref().map_or(tally.worlds as usize, |response| response.failed);
-    if failed > 0 {
+    if tally.failed > 0 {
+        let failed = tally.failed;
         warnings.push(format!("{failed} of {} histories failed: they widen the interval", tally.worlds));
     }
     warnings.extend(doubts(&found, is_given));

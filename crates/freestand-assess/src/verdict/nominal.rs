@@ -1,9 +1,10 @@
 //! An object exactly as it is listed, with nothing drawn: for fragilities, in which the motions alone
-//! differ. It responds as in an assessment ([`super::respond`]); one that rocks in a plane does so on
-//! a rigid base.
+//! differ. It responds as in an assessment ([`super::respond`]), by the same models, and the worse one
+//! counts.
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
+use freestand::compliant::rock_compliant_many;
 use freestand::cushion::Cushion;
 use freestand::fragility::OutcomeClass;
 use freestand::impact::{ImpactModel, Landing};
@@ -17,8 +18,9 @@ use freestand_study::study::assessment::{Settings, Spread};
 use super::capacity::{Capacity, Demand, Terms};
 use super::draw::{Change, Draw, draw, key, own_damping_ratio};
 use super::object::{AxisGeometry, Body, Model, Subject, Way};
-use super::respond::{Drawn, Outcome, on_rigid, whole};
-use super::response::{AxisMotion, Lost, PadMotion, terms};
+use super::respond::{Drawn, Outcome, of_springs, on_any_pads, on_rigid, on_springs, whole};
+use super::response::{AxisMotion, Lived, Lost, PadMotion, terms};
+use super::slip::slips;
 use crate::inventory::{Item, ROUND};
 use crate::library::Tolerance;
 use crate::output::words::listed;
@@ -37,6 +39,8 @@ pub(crate) struct Nominal {
     subject: Subject,
     draw: Draw,
     body: Option<(f64, Cushion)>,
+    /// Whether its pads are asked as well as a rigid base.
+    with_pads: bool,
     /// Of the random numbers that say on which side its wall is: those of an assessment.
     seed: u64,
     key: u64,
@@ -66,11 +70,29 @@ pub(crate) struct NominalRun {
     /// How it ended.
     pub(crate) class: OutcomeClass,
     /// Largest |θ|/α of any edge, in three dimensions of the tilt and the smaller α; above 1 where it
-    /// overturned; 0 where it rolls or slides. `None`: a stack.
+    /// overturned; 0 where it rolls or slides. `None`: a stack, or only its pads overturned it.
     pub(crate) rotation_ratio: Option<f64>,
     /// Shock from the uplift; `None`: it overturned or did not lift, mass or cushion is not known, or
     /// the cushion bottomed, so that the shock is above any number that can be relied on \[g\].
     pub(crate) edge_acceleration_g: Option<f64>,
+}
+
+impl NominalRun {
+    /// Of two models of the same object, what the worse one says.
+    fn worse(self, other: Self) -> Self {
+        let class = if other.class.index() > self.class.index() { other.class } else { self.class };
+        let lifted = [self, other].into_iter().filter(|one| one.class != OutcomeClass::NoUplift);
+        // A shock that one of them does not know is above all that the other one finds.
+        let shocks_g: Option<Vec<f64>> = lifted.map(|one| one.edge_acceleration_g).collect();
+        // The rotation of a model that keeps it upright says nothing where it overturns.
+        let is_told = |one: &Self| class != OutcomeClass::Overturned || one.class == class;
+        let turned = [self, other].into_iter().filter(is_told);
+        Self {
+            class,
+            rotation_ratio: turned.filter_map(|one| one.rotation_ratio).reduce(f64::max),
+            edge_acceleration_g: shocks_g.and_then(|shocks_g| shocks_g.into_iter().reduce(f64::max)),
+        }
+    }
 }
 
 impl Nominal {
@@ -131,8 +153,22 @@ impl Nominal {
         let mut draw = draw(&settings, &subject, 0, 0, Change::At(Group::Pad, 0.0)).without_factors();
         draw.is_thickness_along_x = first == 0;
         let body = draw.body(&subject);
-        let level_ratio = subject.level_ratio;
-        Self { block, level_ratio, is_round: false, subject, draw, body, seed: settings.seed, key }
+        Self {
+            block,
+            level_ratio: subject.level_ratio,
+            is_round: false,
+            subject,
+            draw,
+            body,
+            with_pads: settings.compliant,
+            seed: settings.seed,
+            key,
+        }
+    }
+
+    /// The same on a rigid base alone, where it rocks on one: its shocks then follow from its uplift.
+    pub(crate) fn without_pads(self) -> Self {
+        Self { with_pads: false, ..self }
     }
 
     /// Why its runs are too mild; `None`: they are not known to be.
@@ -156,11 +192,14 @@ impl Nominal {
         self.subject.capacity.as_ref().is_some_and(|capacity| !capacity.needs_shock() || has_shock())
     }
 
+    /// Whether the shock of its landings is known, however it follows from its motion in a plane.
+    pub(crate) fn has_shock(&self) -> bool {
+        self.subject.way.rocks() && self.subject.way.asks(Model::Rigid) && self.body.is_some()
+    }
+
     /// Whether its tolerance is compared with a shock.
     pub(crate) fn compares_shock(&self) -> bool {
-        self.follows_uplift()
-            && self.body.is_some()
-            && self.subject.capacity.as_ref().is_some_and(Capacity::needs_shock)
+        self.has_shock() && self.subject.capacity.as_ref().is_some_and(Capacity::needs_shock)
     }
 
     /// Whether its tolerance cannot be compared, because mass or cushion are missing.
@@ -201,26 +240,24 @@ impl Nominal {
         is_known.then(|| shocks_g.into_iter().fold(0.0, f64::max))
     }
 
-    /// Whether it rocks on a rigid base, so that its shocks follow from its uplift.
+    /// Whether it rocks on a rigid base alone, so that its shocks follow from its uplift.
     fn follows_uplift(&self) -> bool {
-        self.subject.way.rocks() && self.subject.way.asks(Model::Rigid)
+        let way = &self.subject.way;
+        way.rocks() && way.asks(Model::Rigid) && !self.subject.asks(Model::Pads, self.with_pads)
     }
 
-    /// What it does under the motion of its floor; beyond `rotation_ratio` of α its tolerance is exceeded, too.
+    /// What it does under motions of its floor; beyond `rotation_ratio` of α its tolerance is exceeded, too.
     /// The response, the shock and the comparison are those of an assessment, without the acceleration
     /// of the floor itself: an object that does not lift is `no-uplift`, and so is one that rolls or
-    /// slides, unless a stop trips it or strikes it too hard.
+    /// slides, unless a stop trips it or strikes it too hard. An error says why a history has no end.
     ///
     /// `world`: the number of the motion, which decides on which side of it a wall is.
-    ///
-    /// # Errors
-    /// Why the history has no end.
-    pub(crate) fn run(
+    pub(crate) fn runs(
         &self,
         world: u32,
-        floor: &FloorOfWorld,
+        floors: &[FloorOfWorld],
         rotation_ratio: Option<f64>,
-    ) -> Result<NominalRun, String> {
+    ) -> Vec<Result<NominalRun, String>> {
         // As in an assessment, with the usual restitution where the list gives none.
         let side = |_| WallDraw {
             restitution_ratio: DEFAULT_WALL_RESTITUTION_RATIO,
@@ -228,14 +265,55 @@ impl Nominal {
         };
         let mut draw = self.draw;
         draw.wall = draw.wall.map(side);
-        let one = Drawn { subject: &self.subject, draw: &draw };
-        if let Some(found) = whole(one, floor) {
-            return Ok(self.on_pads(&found?, rotation_ratio));
-        }
-        let mut found = on_rigid(&[one], floor);
+        let lived = self.lived(Drawn { subject: &self.subject, draw: &draw }, floors);
+        lived.into_iter().map(|lived| self.run(&lived, rotation_ratio)).collect()
+    }
+
+    /// A model that cannot follow it, as on pads that bottom, leaves the answer to the other one.
+    fn run(&self, lived: &Lived, rotation_ratio: Option<f64>) -> Result<NominalRun, String> {
+        let rigid = lived.on_rigid().filter(|_| !lived.is_for_pads());
+        let rigid = rigid.map(|axes| self.on_rigid(axes, rotation_ratio));
+        let pads = lived.on_pads().map(|axes| self.on_pads(axes, rotation_ratio));
+        let why = || match (&lived.rigid, &lived.pads) {
+            (Some(Err(lost)), _) => lost.why().to_owned(),
+            (_, Some(Err(why))) => why.clone(),
+            _ => "no model follows it".to_owned(),
+        };
+        rigid.into_iter().chain(pads).reduce(NominalRun::worse).ok_or_else(why)
+    }
+
+    /// Under each motion by every model that is asked.
+    fn lived(&self, one: Drawn<'_>, floors: &[FloorOfWorld]) -> Vec<Lived> {
+        let Drawn { subject, draw } = one;
+        let [asks_rigid, asks_pads] = [Model::Rigid, Model::Pads].map(|model| subject.asks(model, self.with_pads));
         let nothing = || Err(Lost::failed("the history is missing"));
-        let axes = found.pop().unwrap_or_else(nothing).map_err(|lost| lost.why().to_owned())?;
-        Ok(self.on_rigid(&axes, rotation_ratio))
+        let on_rigid_base = floors.iter().map(|floor| {
+            let rigid = asks_rigid.then(|| on_rigid(&[one], floor).pop().unwrap_or_else(nothing));
+            let slips = slips(subject, draw, floor, rigid.as_ref());
+            Lived { draw: *draw, rigid, pads: None, slips, pfa_m_s2: floor.pfa_m_s2, pfv_m_s: floor.pfv_m_s }
+        });
+        let mut lived: Vec<Lived> = on_rigid_base.collect();
+        if !asks_pads {
+            return lived;
+        }
+        let axes = || 0..subject.axes.len();
+        // They stand side by side in the kernel.
+        let spring = |lived: &Lived, floor, axis| on_springs(one, axis, floor).filter(|_| !lived.slips);
+        let springs =
+            lived.iter().zip(floors).flat_map(|(lived, floor)| axes().filter_map(|axis| spring(lived, floor, axis)));
+        let mut on_pads = rock_compliant_many(&springs.collect::<Vec<_>>(), G0_M_S2).into_iter();
+        for (lived, floor) in lived.iter_mut().zip(floors) {
+            let friction_ratio = draw.friction_ratio.filter(|_| lived.slips);
+            let mut axis_on_pads = |axis| match spring(lived, floor, axis).and_then(|_| on_pads.next()) {
+                Some(found) => of_springs(one, floor, found),
+                None => on_any_pads(subject, draw, axis, floor, friction_ratio),
+            };
+            lived.pads = Some(match whole(one, floor) {
+                Some(body) => body.map(|body| vec![body]),
+                None => axes().map(&mut axis_on_pads).collect::<Vec<_>>().into_iter().collect(),
+            });
+        }
+        lived
     }
 
     fn on_rigid(&self, axes: &[AxisMotion], rotation_ratio: Option<f64>) -> NominalRun {
@@ -258,17 +336,18 @@ impl Nominal {
         }
     }
 
-    fn on_pads(&self, found: &PadMotion, rotation_ratio: Option<f64>) -> NominalRun {
-        let outcome = Outcome::on_pads(std::slice::from_ref(found));
+    fn on_pads(&self, axes: &[PadMotion], rotation_ratio: Option<f64>) -> NominalRun {
+        let outcome = Outcome::on_pads(axes);
         let alpha_rad = self.block.pivot().slenderness_angle_rad;
-        let turned = found.space.map(|space| space.tilt_rad / alpha_rad);
+        let turned = axes.iter().find_map(|one| one.space).map(|space| space.tilt_rad / alpha_rad);
         let exceeds = || {
             turned.zip(rotation_ratio).is_some_and(|(turned, limit)| turned > limit)
-                || found.terms.is_some_and(|terms| terms.ratio() > 1.0)
+                || axes.iter().any(|one| one.terms.is_some_and(|terms| terms.ratio() > 1.0))
         };
         let class = class(outcome, exceeds);
-        let rocks = matches!(outcome, Outcome::Rocked { .. }) && found.edge_m_s2 > 0.0;
-        NominalRun { class, rotation_ratio: turned, edge_acceleration_g: rocks.then_some(found.edge_m_s2 / G0_M_S2) }
+        let edge_m_s2 = axes.iter().map(|one| one.edge_m_s2).fold(0.0, f64::max);
+        let rocks = matches!(outcome, Outcome::Rocked { .. }) && edge_m_s2 > 0.0;
+        NominalRun { class, rotation_ratio: turned, edge_acceleration_g: rocks.then_some(edge_m_s2 / G0_M_S2) }
     }
 
     /// Whether its tolerance is exceeded about an axis.
@@ -357,7 +436,7 @@ mod tests {
         let run = |nominal: &Nominal, peak_g: f64| {
             let sine = |i: usize| peak_g * G0_M_S2 * (std::f64::consts::TAU * 0.01 * i as f64 / 0.8).sin();
             let motion = Motion::new(0.01, (0..=160).map(sine).collect()).unwrap();
-            nominal.run(0, &FloorOfWorld::given(&motion, None), None).unwrap()
+            nominal.runs(0, &[FloorOfWorld::given(&motion, None)], None).remove(0).unwrap()
         };
         let peak = tolerance(Some(50.0), None, None);
         let (soft, hard) = (cabinet(linear(), &peak), cabinet(bottoms(), &peak));

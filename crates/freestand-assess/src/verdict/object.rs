@@ -323,6 +323,16 @@ impl Subject {
         self.way.rocks()
     }
 
+    /// Whether a model is asked; `with_pads`: the pads of an object that rocks on a rigid base as well.
+    pub(super) fn asks(&self, model: Model, with_pads: bool) -> bool {
+        let is_known = match model {
+            Model::Rigid => true,
+            // Without a rigid base they are its only model.
+            Model::Pads => (with_pads || !self.way.asks(Model::Rigid)) && self.body.is_some(),
+        };
+        is_known && self.way.asks(model)
+    }
+
     /// The ends of the range in which a world draws the coefficient; `None`: nothing depends on it.
     pub(super) fn drawn_friction_ratio(&self, settings: &Settings) -> Option<(f64, f64)> {
         match &self.way {

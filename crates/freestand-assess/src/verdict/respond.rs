@@ -2,6 +2,10 @@
 //! assessment in every world and by a fragility at every scale. [`Way`] decides the model; an object
 //! in a plane is followed about both of its axes, and the worse one counts.
 
+use freestand::compliant::{
+    CompliantAccuracy, CompliantBase, CompliantError, CompliantOptions, CompliantSummary, CompliantWorld,
+    rock_compliant_observed,
+};
 use freestand::rocking::{Restitution, RockingError, RockingSummary, rock_between};
 use freestand::wall::Walls;
 
@@ -9,11 +13,13 @@ use crate::worlds::FloorOfWorld;
 
 use super::draw::Draw;
 use super::object::{Subject, Way};
+use super::pulse::Pulses;
 use super::response::{
-    AxisMotion, Lost, PadMotion, RigidResponse, Roll, axis_motion, leans, lifts, options, overturned, resolved,
+    AxisMotion, Lost, PadMotion, RigidResponse, Roll, axis_motion, leans, lifts, options, overturned, pad_motion,
+    pad_motion_of, resolved,
 };
 use super::roll::rolled;
-use super::space::{in_space, stacked};
+use super::space::{in_space, stacked, toppled};
 
 /// An object with the values of one draw.
 #[derive(Clone, Copy)]
@@ -159,6 +165,61 @@ pub(super) fn on_rigid(objects: &[Drawn<'_>], floor: &FloorOfWorld) -> Vec<Rigid
         axes.collect()
     };
     objects.iter().zip(found).map(of_object).collect()
+}
+
+/// An object on pads that are springs about an axis; `None`: its body is followed at once, or its pads are
+/// none.
+pub(super) fn on_springs<'a>(one: Drawn<'_>, axis: usize, floor: &'a FloorOfWorld) -> Option<CompliantWorld<'a>> {
+    let Drawn { subject, draw } = one;
+    if subject.way.is_slow() {
+        return None;
+    }
+    let (mass_kg, cushion) = draw.body(subject)?;
+    let stiffness_n_m = cushion.linear_stiffness_n_m()?;
+    let (block, _) = draw.block(subject, axis)?;
+    Some(CompliantWorld {
+        block,
+        mass_kg,
+        stiffness_n_m,
+        damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
+        motion: floor.base(draw.is_along_x(axis)),
+    })
+}
+
+/// What the kernel found of it.
+pub(super) fn of_springs(
+    Drawn { subject, draw }: Drawn<'_>,
+    floor: &FloorOfWorld,
+    found: Result<CompliantSummary, CompliantError>,
+) -> Result<PadMotion, String> {
+    match found {
+        Ok(found) => Ok(pad_motion(subject, draw, &found, floor.pfa_m_s2)),
+        Err(error) => toppled(&error),
+    }
+}
+
+/// By the solver for any contact law, with or without friction.
+pub(super) fn on_any_pads(
+    subject: &Subject,
+    draw: &Draw,
+    axis: usize,
+    floor: &FloorOfWorld,
+    friction_ratio: Option<f64>,
+) -> Result<PadMotion, String> {
+    let missing = || "mass or cushion is missing".to_owned();
+    let (block, _) = draw.block(subject, axis).ok_or_else(missing)?;
+    let (mass_kg, cushion) = draw.damped_body(subject).ok_or_else(missing)?;
+    let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion) };
+    let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
+    let motion = floor.base(draw.is_along_x(axis));
+    let mut pulses = Pulses::new(block.base_width_m());
+    match rock_compliant_observed(&block, &base, motion, &options, |piece| pulses.observe(piece)) {
+        Ok(found) => {
+            resolved(found.outcome).map_err(|lost| lost.why().to_owned())?;
+            Ok(pad_motion_of(subject, draw, &found, pulses, floor.pfa_m_s2))
+        }
+        Err(error) => toppled(&error),
+    }
 }
 
 /// Histories on a rigid base that [`on_rigid`] follows for an object.

@@ -11,8 +11,8 @@ use crate::worlds::FloorOfWorld;
 use super::comparisons::friction_needed_ratio;
 use super::draw::Draw;
 use super::object::Subject;
+use super::respond::on_any_pads;
 use super::response::{AxisMotion, PadResponse, RigidResponse, options};
-use super::trial::on_any_pads;
 
 /// P(it falls) with friction over that without it, at a friction of 0.3 and of 0.5: by an audit of one
 /// object (1.95 m × 0.42 m) on a spectrum of EN 1998-1, ground C, 100 motions, in three dimensions.

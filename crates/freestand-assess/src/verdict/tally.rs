@@ -12,6 +12,8 @@ use super::trial::{Question, Trial};
 pub(crate) struct Tally {
     /// Worlds.
     pub(crate) worlds: u32,
+    /// Worlds in which a model that is asked could not follow it.
+    pub(crate) failed: u32,
     /// Worlds in which an edge lifts, by either model.
     pub(crate) lifted: u32,
     /// Worlds by the model that decides whether it falls.
@@ -43,6 +45,7 @@ pub(super) fn tally(context: &Context, trial: &Trial) -> Tally {
     let stood = || trial.lived.iter().map(|lived| (lived, uplift_and_shock(lived)));
     Tally {
         worlds: trial.worlds(),
+        failed: count(&|lived| lived.failure().is_some() || matches!(lived.pads, Some(Err(_)))),
         lifted: count(&has_lifted),
         asked: count(&|lived| trial.answer(lived, Question::Falls, deciding).is_some()),
         overturned: count(&|lived| fallen(lived, deciding)),

@@ -5,9 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use freestand::G0_M_S2;
-use freestand::compliant::{
-    CompliantAccuracy, CompliantBase, CompliantOptions, CompliantWorld, rock_compliant_many, rock_compliant_observed,
-};
+use freestand::compliant::{CompliantWorld, rock_compliant_many};
 use freestand::decision::{Clusters, Count, Interval, Looks, Side};
 use freestand::worlds::Group;
 use rayon::prelude::*;
@@ -19,14 +17,9 @@ use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, draw};
 use super::object::{Model, Subject};
-use super::pulse::Pulses;
-use super::respond::{Drawn, Outcome, histories_on_rigid, on_rigid, whole};
-use super::response::{
-    Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, pad_motion, pad_motion_of,
-    pads_demand_capacity, resolved,
-};
+use super::respond::{Drawn, Outcome, histories_on_rigid, of_springs, on_any_pads, on_rigid, on_springs, whole};
+use super::response::{Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, pads_demand_capacity};
 use super::slip::{slipped, slips};
-use super::space::toppled;
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
@@ -88,15 +81,7 @@ impl<'a> Trial<'a> {
 
     /// Whether a model is asked.
     pub(super) fn asks(&self, context: &Context, model: Model) -> bool {
-        let is_known = match model {
-            Model::Rigid => true,
-            // Without a rigid base they are its only model.
-            Model::Pads => {
-                let is_wanted = context.study.assessment.compliant || !self.subject.way.asks(Model::Rigid);
-                is_wanted && self.subject.body.is_some()
-            }
-        };
-        is_known && self.subject.way.asks(model)
+        self.subject.asks(model, context.study.assessment.compliant)
     }
 
     /// The models that are asked.
@@ -422,25 +407,6 @@ fn rigid_in_world(
 /// The place of an object, the place of a world, an axis; its draw and its floor.
 type Job<'a> = (usize, usize, usize, &'a Draw, &'a FloorOfWorld);
 
-/// A history on pads that are springs, in a plane; `None` for all others.
-fn linear<'a>(trials: &[&Trial], job: &Job<'a>) -> Option<CompliantWorld<'a>> {
-    let (place, _, axis, draw, floor) = *job;
-    let subject = &trials.get(place)?.subject;
-    if subject.way.is_slow() {
-        return None;
-    }
-    let (mass_kg, cushion) = draw.body(subject)?;
-    let stiffness_n_m = cushion.linear_stiffness_n_m()?;
-    let (block, _) = draw.block(subject, axis)?;
-    Some(CompliantWorld {
-        block,
-        mass_kg,
-        stiffness_n_m,
-        damping_n_s_m: draw.pad_damping_n_s_m(stiffness_n_m, mass_kg),
-        motion: floor.base(draw.is_along_x(axis)),
-    })
-}
-
 /// Of each object whose pads are asked, its response in each world; `None` where its contact law is
 /// curved and enough worlds were followed.
 fn pads_in_worlds(
@@ -462,7 +428,10 @@ fn pads_in_worlds(
             jobs.extend((0..histories).map(|axis| (*place, world, axis, draw, &**floor)));
         }
     }
-    let worlds: Vec<CompliantWorld> = jobs.iter().filter_map(|job| linear(trials, job)).collect();
+    fn spring<'a>(trials: &[&Trial], &(place, _, axis, draw, floor): &Job<'a>) -> Option<CompliantWorld<'a>> {
+        on_springs(Drawn { subject: &trials[place].subject, draw }, axis, floor)
+    }
+    let worlds: Vec<CompliantWorld> = jobs.iter().filter_map(|job| spring(trials, job)).collect();
     context.go_on()?;
     let mut many = rock_compliant_many(&worlds, G0_M_S2).into_iter();
     context.count(worlds.len());
@@ -471,7 +440,7 @@ fn pads_in_worlds(
         let subject = &trials[place].subject;
         let is_among_first = first + (world as u32) < CURVED_WORLDS;
         let Some(history) = whole(Drawn { subject, draw }, floor) else {
-            let is_curved = is_among_first && linear(trials, job).is_none();
+            let is_curved = is_among_first && spring(trials, job).is_none();
             return Ok(is_curved.then(|| on_any_pads(subject, draw, axis, floor, None)));
         };
         context.count(1);
@@ -487,9 +456,8 @@ fn pads_in_worlds(
         let (place, world, _, draw, floor) = *job;
         let one = match other {
             Some(other) => other,
-            None if linear(trials, job).is_some() => match many.next() {
-                Some(Ok(summary)) => Ok(pad_motion(&trials[place].subject, draw, &summary, floor.pfa_m_s2)),
-                Some(Err(error)) => toppled(&error),
+            None if spring(trials, job).is_some() => match many.next() {
+                Some(found) => of_springs(Drawn { subject: &trials[place].subject, draw }, floor, found),
                 None => Err("the history is missing".to_owned()),
             },
             None => continue,
@@ -504,30 +472,6 @@ fn pads_in_worlds(
         }
     }
     Ok(found)
-}
-
-/// By the solver for any contact law, with or without friction.
-pub(super) fn on_any_pads(
-    subject: &Subject,
-    draw: &Draw,
-    axis: usize,
-    floor: &FloorOfWorld,
-    friction_ratio: Option<f64>,
-) -> Result<PadMotion, String> {
-    let missing = || "mass or cushion is missing".to_owned();
-    let (block, _) = draw.block(subject, axis).ok_or_else(missing)?;
-    let (mass_kg, cushion) = draw.damped_body(subject).ok_or_else(missing)?;
-    let base = CompliantBase { friction_ratio, ..CompliantBase::new(mass_kg, cushion) };
-    let options = CompliantOptions { accuracy: CompliantAccuracy::Fast, ..CompliantOptions::default() };
-    let motion = floor.base(draw.is_along_x(axis));
-    let mut pulses = Pulses::new(block.base_width_m());
-    match rock_compliant_observed(&block, &base, motion, &options, |piece| pulses.observe(piece)) {
-        Ok(found) => {
-            resolved(found.outcome).map_err(|lost| lost.why().to_owned())?;
-            Ok(pad_motion_of(subject, draw, &found, pulses, floor.pfa_m_s2))
-        }
-        Err(error) => toppled(&error),
-    }
 }
 
 impl Context<'_> {

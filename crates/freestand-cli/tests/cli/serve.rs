@@ -9,14 +9,14 @@ use serde_json::{Value, json};
 
 use crate::program::{PROGRAM, root};
 
-struct Page {
+pub(crate) struct Page {
     child: Child,
     port: u64,
     token: String,
 }
 
 impl Page {
-    fn open() -> Self {
+    pub(crate) fn open() -> Self {
         Self::open_with(|command| command)
     }
 
@@ -68,12 +68,12 @@ impl Page {
         stream
     }
 
-    fn run(&self, request: &Value) -> (u16, Value) {
+    pub(crate) fn run(&self, request: &Value) -> (u16, Value) {
         self.post("/api/v1/run", "application/json", request.to_string().as_bytes())
     }
 
     /// Uploads a file and returns its id.
-    fn upload(&self, path: &Path) -> Value {
+    pub(crate) fn upload(&self, path: &Path) -> Value {
         let name = path.file_name().unwrap().to_str().unwrap();
         let head = format!("--XX\r\nContent-Disposition: form-data; name=\"f\"; filename=\"{name}\"\r\n\r\n");
         let body = [head.as_bytes(), &std::fs::read(path).unwrap(), b"\r\n--XX--\r\n"].concat();

@@ -28,7 +28,8 @@ const TOP: f64 = 1.15;
 pub(super) fn ida(report: &RunsReport) -> Result<Figure, FigureError> {
     let (measure, at) = report.reports.first().map_or((Measure::Pfv, At::Floor), |one| (one.table.measure, one.at));
     let shown: Vec<&ObjectRuns> = report.objects.iter().take(MAX_OBJECTS).collect();
-    let has_shock = shown.iter().any(|one| one.nominal.ceiling_g().is_some());
+    let has_shock = shown.iter().any(|one| one.nominal.has_shock());
+    let has_ceiling = shown.iter().any(|one| one.nominal.ceiling_g().is_some());
     let mut panels: Vec<Panel> = shown.iter().map(|one| rotations(report, one, measure, at)).collect();
     if has_shock {
         panels.extend(shown.iter().map(|one| shocks(report, one, measure, at)));
@@ -41,7 +42,7 @@ pub(super) fn ida(report: &RunsReport) -> Result<Figure, FigureError> {
         sign: Sign::Curve(freestand_output::figure::style::CurveStyle { dash: None, ..overturned }),
         words: "first overturning".to_owned(),
     });
-    if has_shock {
+    if has_ceiling {
         let sign = Sign::Line { colour: DARK, width_px: 1.4, dash: Some("10 6") };
         legend.push(Entry { sign, words: "ceiling".to_owned() });
     }
@@ -53,7 +54,11 @@ pub(super) fn ida(report: &RunsReport) -> Result<Figure, FigureError> {
         caption: format!(
             "Largest rotation over α{} of objects that stay upright, against {}: one line for each motion. A square: \
              the lowest intensity at which a motion overturns the object.{rest}",
-            if has_shock { ", and the shock with its ceiling," } else { "" },
+            match (has_shock, has_ceiling) {
+                (true, true) => ", and the shock with its ceiling,",
+                (true, false) => ", and the shock,",
+                (false, _) => "",
+            },
             measure.name()
         ),
         columns: shown.len().max(1),

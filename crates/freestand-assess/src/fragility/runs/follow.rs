@@ -9,6 +9,7 @@ use super::super::measure::{At, Measure};
 use super::shaking::Shaking;
 use super::{Method, ObjectRuns, RunsRequest};
 use crate::verdict::NominalRun;
+use crate::worlds::FloorOfWorld;
 
 /// One run.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,28 +33,60 @@ pub(super) fn classes(runs: &[Followed]) -> Vec<ScaleRun> {
     runs.iter().map(class).collect()
 }
 
-fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ratio: f64) -> Followed {
-    let beyond = || "the scaled motion is beyond all numbers".to_owned();
-    let floor = shaking.scaled(scale_ratio).ok_or_else(beyond);
-    let found = floor.and_then(|floor| one.nominal.run(shaking.number, &floor, request.rotation_ratio));
-    Followed { scale_ratio, found }
+fn followed(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scales_ratio: &[f64]) -> Vec<Followed> {
+    let floors: Vec<_> = scales_ratio.iter().map(|scale_ratio| shaking.scaled(*scale_ratio)).collect();
+    let is_finite: Vec<bool> = floors.iter().map(Option::is_some).collect();
+    let floors: Vec<FloorOfWorld> = floors.into_iter().flatten().collect();
+    let mut found = one.nominal.runs(shaking.number, &floors, request.rotation_ratio).into_iter();
+    let beyond = || Err("the scaled motion is beyond all numbers".to_owned());
+    let of_scale = |(&scale_ratio, is_finite): (&f64, bool)| {
+        let found = if is_finite { found.next() } else { None };
+        Followed { scale_ratio, found: found.unwrap_or_else(beyond) }
+    };
+    scales_ratio.iter().zip(is_finite).map(of_scale).collect()
+}
+
+/// At one scale.
+fn followed_at(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking, scale_ratio: f64) -> Option<Followed> {
+    followed(request, one, shaking, &[scale_ratio]).pop()
+}
+
+/// Scales of a motion that are followed before the work can be stopped again.
+const TOGETHER: usize = 16;
+
+fn followed_together(
+    request: &RunsRequest,
+    one: &ObjectRuns,
+    shaking: &Shaking,
+    scales_ratio: &[f64],
+    go_on: GoOn,
+) -> Result<Vec<Followed>, Problems> {
+    let mut runs = Vec::with_capacity(scales_ratio.len());
+    for scales_ratio in scales_ratio.chunks(TOGETHER) {
+        go_on()?;
+        runs.extend(followed(request, one, shaking, scales_ratio));
+    }
+    Ok(runs)
 }
 
 /// Steps down in the search for the scale that does not lift an object.
-const MAX_DOWN: usize = 200;
+const MAX_DOWN: i32 = 200;
 
 /// The largest scale of a motion, to 0.1 %, at which the object was seen not to lift: below it no limit
-/// state is reached. It is exact where nothing but the horizontal motion lifts the object; otherwise the
-/// scale falls by a tenth until nothing lifts it. `None` where that cannot be told.
+/// state is reached. It is exact where nothing but the horizontal motion lifts the object from a rigid
+/// base; otherwise the scale falls by a tenth until nothing lifts it. `None` where that cannot be told.
 pub(super) fn uplift_ratio(request: &RunsRequest, one: &ObjectRuns, shaking: &Shaking) -> Option<f64> {
     const BELOW: f64 = 0.999;
-    let mut scale_ratio = BELOW * shaking.uplift_scale_ratio(one.factors);
-    for _ in 0..MAX_DOWN {
-        let class = followed(request, one, shaking, scale_ratio).run()?.class;
-        if !LimitState::Rocks.is_reached(class) {
-            return Some(scale_ratio);
+    let highest_ratio = BELOW * shaking.uplift_scale_ratio(one.factors);
+    let all: Vec<f64> = (0..MAX_DOWN).map(|step| highest_ratio / 1.1_f64.powi(step)).collect();
+    // Most objects need the first alone.
+    let (first, lower) = all.split_at(1);
+    for scales_ratio in std::iter::once(first).chain(lower.chunks(TOGETHER)) {
+        for run in followed(request, one, shaking, scales_ratio) {
+            if !LimitState::Rocks.is_reached(run.run()?.class) {
+                return Some(run.scale_ratio);
+            }
         }
-        scale_ratio /= 1.1;
     }
     None
 }
@@ -90,11 +123,7 @@ pub(super) fn first_runs(
     let mut sorted = scales_ratio;
     sorted.sort_by(f64::total_cmp);
     sorted.dedup();
-    let runs = sorted.into_iter().map(|scale_ratio| {
-        go_on()?;
-        Ok(followed(request, one, shaking, scale_ratio))
-    });
-    runs.collect()
+    followed_together(request, one, shaking, &sorted, go_on)
 }
 
 /// The scales of a motion that give it these intensities by the first measure.
@@ -129,7 +158,7 @@ fn adaptive(
         if stopped.is_err() {
             return None;
         }
-        let run = followed(request, one, shaking, scale_ratio);
+        let run = followed_at(request, one, shaking, scale_ratio)?;
         let class = run.run().map(|run| run.class);
         runs.push(run);
         class
@@ -203,11 +232,7 @@ pub(super) fn fill(
                 scales_ratio.sort_by(f64::total_cmp);
                 added.extend(missing);
             }
-            let runs = added.into_iter().map(|scale_ratio| {
-                go_on()?;
-                Ok(followed(request, seen, shaking, scale_ratio))
-            });
-            runs.collect()
+            followed_together(request, seen, shaking, &added, go_on)
         })
         .collect();
     for (runs, more) in one.motions.iter_mut().zip(more?) {

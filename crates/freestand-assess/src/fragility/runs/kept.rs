@@ -9,8 +9,8 @@ use freestand_output::folder::announce;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::super::FRAGILITY_SCHEMA;
 use super::super::measure::{At, Measure};
+use super::super::{FRAGILITY_SCHEMA, FitMethod};
 use super::follow::Followed;
 use super::{Change, METHODS, ObjectRuns, RunObjects, RunsRequest};
 use crate::job::{PROGRESS, Part, Store, progress_names, resume_key};
@@ -23,7 +23,7 @@ pub(super) const PART: usize = 16;
 
 /// Version of the text that is hashed. Raise it whenever that text, the content of a part or the
 /// choice of scales changes.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 
 /// Where the finished runs of an inventory are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -77,6 +77,7 @@ pub(super) fn open(
         "scales": request.scales,
         "max_scale": request.max_scale_ratio,
         "rotation": request.rotation_ratio,
+        "with_pads": request.fit != FitMethod::TwoStage,
         "measures": measures.iter().map(|(measure, at)| (measure.name(), at.name())).collect::<Vec<_>>(),
     });
     announce(&keep.folder, keep.force, FRAGILITY_SCHEMA, &progress_names(&Part::of_run(objects, PART)))?;

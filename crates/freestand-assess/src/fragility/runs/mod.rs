@@ -515,6 +515,8 @@ fn prepare(
 ) -> Result<Prepared, Problems> {
     let asked: Vec<Measure> = measures.iter().map(|(measure, _)| *measure).collect();
     let runs = |id: &str, nominal: Nominal, floor: usize| -> Result<ObjectRuns, Problem> {
+        // Its fit needs shocks that follow from the uplift.
+        let nominal = if request.fit == FitMethod::TwoStage { nominal.without_pads() } else { nominal };
         Ok(ObjectRuns {
             id: id.to_owned(),
             factors: RatioFactors::new(&nominal.block)?,
