@@ -217,10 +217,15 @@ fn in_study(
     wants_to_stop: &(dyn Fn() -> bool + Sync),
 ) -> Result<(ObjectReport, Option<Shown>), Problems> {
     let mut row = row::row(request, &shaken.study)?;
-    let subject = Subject::new(&row.item, &shaken.study.assessment)
+    let settings = &shaken.study.assessment;
+    let mut subject = Subject::new(&row.item, settings)
         .map_err(|missing| Problem::new(ProblemKind::Missing, format!("its {} is missing", listed(&missing))))?;
+    if matches!(request.earthquake, Earthquake::Motions { .. }) {
+        // Nothing is drawn for motions that are given.
+        subject = subject.with_middle_friction(settings);
+    }
     row.warnings.extend(unused(&request.object, &subject));
-    let member = Member::new(&row.item, subject, &shaken.study.assessment);
+    let member = Member::new(&row.item, subject, settings);
     let go_on = || if wants_to_stop() { Err(Problem::stopped().into()) } else { Ok(()) };
     let worlds = Worlds::new(&shaken.study, go_on)?.remembering(memory);
     if !worlds.has_floor(member.subject.level_ratio) {

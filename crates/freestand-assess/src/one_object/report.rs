@@ -16,7 +16,7 @@ use super::shaking::{Shaken, building_words};
 use super::{Earthquake, FloorPlace, ObjectReport, ObjectRequest};
 use crate::inventory::{Casters, Surroundings};
 use crate::result::{Answers, Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict};
-use crate::verdict::Tally;
+use crate::verdict::{Tally, middle};
 
 /// Makes the report; `scales` are the factors with what was found at each.
 pub(super) fn report(
@@ -94,7 +94,7 @@ fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
         uplift_m_max: tally.uplift_m_max,
         shock_g_max: tally.shock_g_max,
         floor_g_max: found.floor.as_ref().map_or(0.0, |floor| floor.pfa_g_max),
-        lift_g: tally.lift_g,
+        lift_g: lift_g(found, tally),
         leaning: leaning(found, tally),
         upper_falls: found.stacked.map(|stacked| stacked.upper_falls),
         rolled: found.rolled,
@@ -202,6 +202,11 @@ fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, no
         )
 }
 
+/// The steady floor acceleration that first lifts an edge: of a stack, of the upper body or of both \[g\].
+fn lift_g(found: &Assessment, tally: &Tally) -> f64 {
+    found.stacked.map_or(tally.lift_g, |stack| stack.threshold_upper_g.min(stack.threshold_together_g))
+}
+
 /// Its model, its wall and its casters, with the names of `objects.csv`.
 fn around(found: &Assessment, tally: &Tally) -> Facts<'static> {
     let (wall, rolled) = (found.at_wall.as_ref(), found.rolled.as_ref());
@@ -211,8 +216,8 @@ fn around(found: &Assessment, tally: &Tally) -> Facts<'static> {
     let facts = Facts::default().key("model", found.model.map(ObjectModel::name));
     // Its casters let an object roll before an edge lifts.
     let facts = match rolled {
-        Some(_) => facts.key("lift_acceleration_g", tally.lift_g),
-        None => facts.fact("lift_acceleration_g", lift, tally.lift_g),
+        Some(_) => facts.key("lift_acceleration_g", lift_g(found, tally)),
+        None => facts.fact("lift_acceleration_g", lift, lift_g(found, tally)),
     };
     facts
         .key("motions_leaning", wall.map(|_| u64::from(leaning(found, tally))))
@@ -288,7 +293,12 @@ fn of_object(request: &ObjectRequest, (row, study): (&Row, &Study), found: &Asse
     }
     if request.object.friction_ratio.is_none() && found.rolled.is_none() {
         let (low, high) = settings.friction_ratio;
-        said.push(format!("friction enough for rocking; {low} to {high} only tells whether it may slide"));
+        let is_whole = found.in_space.is_some() || found.stacked.is_some();
+        said.push(match matches!(request.earthquake, Earthquake::Motions { .. }) {
+            true if is_whole => format!("friction {}, the middle of {low} to {high}", middle(settings.friction_ratio)),
+            false if is_whole => format!("friction {low} to {high}, drawn for each earthquake"),
+            _ => format!("friction enough for rocking; {low} to {high} only tells whether it may slide"),
+        });
     }
     if found.on_pads.is_some() && row.item.cushion.is_some() {
         let [low, high] =

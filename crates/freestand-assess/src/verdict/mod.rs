@@ -48,7 +48,7 @@ use trial::Trial;
 pub(crate) use comparisons::restraint_of;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub(crate) use nominal::{Nominal, NominalRun, TooMild};
-pub(crate) use object::Subject;
+pub(crate) use object::{Subject, middle};
 pub(crate) use tally::Tally;
 
 /// What all objects share.

@@ -51,14 +51,16 @@ pub(crate) struct Nominal {
 pub(crate) enum TooMild {
     Round,
     FeetPassWall,
+    Glides,
 }
 
 impl TooMild {
-    pub(crate) const ALL: [Self; 2] = [Self::Round, Self::FeetPassWall];
+    pub(crate) const ALL: [Self; 3] = [Self::Round, Self::FeetPassWall, Self::Glides];
 
     pub(crate) fn words(self) -> &'static str {
         match self {
             Self::Round => ROUND,
+            Self::Glides => "free to roll or slide, which counts only where a stop overturns it",
             Self::FeetPassWall => "beside a wall through which the feet pass in the calculation",
         }
     }
@@ -176,6 +178,7 @@ impl Nominal {
         match self.subject.way {
             _ if self.is_round => Some(TooMild::Round),
             Way::Spatial(Some(_)) => Some(TooMild::FeetPassWall),
+            Way::Rolls(_) | Way::Slides(_) => Some(TooMild::Glides),
             _ => None,
         }
     }

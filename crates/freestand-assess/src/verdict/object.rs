@@ -127,6 +127,11 @@ pub(super) struct Upper {
     pub(super) mass_kg: f64,
 }
 
+/// The middle of a range.
+pub(crate) fn middle((low, high): (f64, f64)) -> f64 {
+    0.5 * (low + high)
+}
+
 /// Why an object moves in a plane where the study asks for three dimensions.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Flat {
@@ -331,6 +336,17 @@ impl Subject {
             Model::Pads => (with_pads || !self.way.asks(Model::Rigid)) && self.body.is_some(),
         };
         is_known && self.way.asks(model)
+    }
+
+    /// The same with the middle of its friction in place of the range, where numbers depend on it.
+    pub(crate) fn with_middle_friction(self, settings: &Settings) -> Self {
+        match self.way {
+            Way::Spatial(_) | Way::Stack(_) => {
+                let friction = middle(self.friction_ratio.unwrap_or(settings.friction_ratio));
+                Self { friction_ratio: Some((friction, friction)), ..self }
+            }
+            _ => self,
+        }
     }
 
     /// The ends of the range in which a world draws the coefficient; `None`: nothing depends on it.

@@ -5,7 +5,7 @@ use std::process::Command;
 use serde_json::Value;
 
 use crate::cases;
-use crate::program::{PROGRAM, execute, freestand_in, json, root};
+use crate::program::{PROGRAM, document, execute, freestand_in, json, root};
 
 const RECORD: &str = "validation/rocking/records/synthfloor.csv";
 
@@ -208,4 +208,25 @@ fn the_worse_of_two_spectra_counts() {
         assert_eq!(p_of("", thickness), one.max(two), "{thickness}");
     }
     assert!(differ, "both spectra give the same answers: the test shows nothing");
+}
+
+/// Under motions that are given nothing is drawn: the friction of a stack is the middle of its range, and said. The
+/// upper body begins to rock first, or both do.
+#[test]
+fn a_stack_is_as_it_is_given() {
+    let folder = tempfile::tempdir().unwrap();
+    let wave = |i: usize| 0.5 * (std::f64::consts::TAU * 0.01 * i as f64).sin();
+    let rows: String = (0..=100).map(|i| format!("{:.2},{:.6}\n", 0.01 * i as f64, wave(i))).collect();
+    std::fs::write(folder.path().join("sine.csv"), format!("time [s],a [g]\n{rows}")).unwrap();
+    let lower = ["object", "--height", "1 m", "--thickness", "0.5 m", "--mass", "60kg", "--on", "1500 N/mm"];
+    let upper = ["--upper-height", "0.7m", "--upper-thickness", "0.3m", "--upper-mass", "25kg", "--motion", "sine.csv"];
+    let asked = |more: &[&str]| document(folder.path(), &[&lower[..], &upper, more].concat());
+    let (own, stated) = (asked(&[]), asked(&["--friction", "0.5"]));
+    assert_eq!((&own["answer"], &own["motions_overturned"]), (&stated["answer"], &serde_json::json!(1)));
+    let assumed = own["assumptions"].as_array().unwrap();
+    assert!(assumed.contains(&"friction 0.5, the middle of 0.2 to 0.8".into()), "{assumed:?}");
+    // Half the base over the height of the common centre of gravity, with the force of both in the middle.
+    let together = 0.25 / ((60.0 * 0.5 + 25.0 * 1.35) / 85.0);
+    let lift = own["lift_acceleration_g"].as_f64().unwrap();
+    assert!((lift - together).abs() < 1e-9 && lift < 0.3 / 0.7, "{lift}");
 }

@@ -775,7 +775,8 @@ fn a_signal_stops_the_fits() {
 #[test]
 fn round_objects_may_fail_more_often_than_their_curves() {
     let folder = tempfile::tempdir().unwrap();
-    let list = "id,level_ratio,shape,height [mm],thickness [mm]\ntank,0,cylinder,1500,400\nbox,0,box,1500,400\n";
+    let list = "id,level_ratio,shape,casters,height [mm],thickness [mm]\ntank,0,cylinder,,1500,400\nbox,0,box,,1500,400\n\
+                trolley,0,box,free,1500,400\n";
     write(folder.path(), "list.csv", list);
     let place = ["--place", "Wellington", "--worlds", "4", "--bootstrap", "0"];
     let runs = [&["fragility", "--inventory", "list.csv"], &place[..], &["--out", "runs"]].concat();
@@ -786,6 +787,8 @@ fn round_objects_may_fail_more_often_than_their_curves() {
         let said: Vec<&str> = found["warnings"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
         let round: Vec<&&str> = said.iter().filter(|text| text.contains("square prism")).collect();
         assert!(round.len() == 1 && round[0].ends_with("for example tank"), "{said:?}");
+        let rolls = said.iter().any(|text| text.contains("roll or slide") && text.ends_with("for example trolley"));
+        assert_eq!(rolls, call[0] == "fragility", "{said:?}");
     }
 }
 
