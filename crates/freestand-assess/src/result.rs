@@ -119,8 +119,27 @@ pub struct Answers {
     pub few_motions: Option<FewMotions>,
     /// The fewest worlds that could carry `leave`, where that is more than [`Self::worlds_cap`].
     pub worlds_needed: Option<u32>,
-    /// Whether it is round: no model follows it, and the answers are those of the square prism around it.
-    pub is_round: bool,
+    /// Why it may fall where the calculation lets it stand, so that it is never left as it is.
+    pub too_mild: Option<TooMild>,
+}
+
+/// Why the calculation of an object is too mild: it may fall where it stands there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum TooMild {
+    /// Its base is round, and it is followed as the square prism around it.
+    Round,
+    /// On its pads, its feet pass through the wall beside it.
+    FeetPassWall,
+}
+
+impl TooMild {
+    /// What is calculated, after "It is".
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Round => "round: not calculated in three dimensions, but as the square prism around it",
+            Self::FeetPassWall => "beside a wall, through which its feet pass in the calculation",
+        }
+    }
 }
 
 /// Motions that are too few for `leave`, however many worlds use them.

@@ -8,10 +8,11 @@ use freestand_input::words::canonical;
 
 use super::columns::Column;
 use super::numbers::{Number, Piece, pieces, plain};
-use super::round::{ROUND, too_mild};
+use super::round::too_mild;
 use super::vocabulary::is_no_value;
 use super::{Edit, Item, Mapping, ReadOptions, inspect_inventory};
 use crate::library::Lookup;
+use crate::result::TooMild;
 
 /// How the cells of a list are read.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -275,7 +276,7 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
     let counts = inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
     warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
     let round: Vec<&str> = inventory.items.iter().filter(|item| item.is_round).map(|item| &*item.id).collect();
-    warnings.extend(too_mild(ROUND, &round));
+    warnings.extend(too_mild(TooMild::Round.words(), &round));
     let columns: Vec<(usize, &CostColumn)> = columns.iter().map(|(slot, _, heading)| (*slot, heading.column)).collect();
     let mut objects = Vec::with_capacity(inventory.items.len());
     for item in inventory.items {

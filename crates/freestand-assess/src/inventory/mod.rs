@@ -72,7 +72,7 @@ pub use report::{
     CellsReport, CheckReport, Counts, HeadingReport, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN,
     SenseReport, check_report, problem_reports, senses,
 };
-pub(crate) use round::{ROUND, too_mild};
+pub(crate) use round::too_mild;
 pub use template::{template_csv, template_xlsx};
 pub(crate) use vocabulary::rating;
 

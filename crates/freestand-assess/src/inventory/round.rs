@@ -7,15 +7,12 @@ use freestand_input::words::{canonical, counted};
 const DIAMETER: [&str; 12] =
     ["ø", "⌀", "dia", "diam", "diameter", "diametre", "diametro", "durchmesser", "round", "rund", "rond", "直径"];
 
-/// How a round object is calculated.
-pub(crate) const ROUND: &str = "round, and calculated as the square prism around it";
-
 /// That objects may fall where their calculation lets them stand; `None` without objects.
 pub(crate) fn too_mild(why: &str, ids: &[&str]) -> Option<String> {
     let first = shorten(ids.first()?);
     let (verb, they) = if ids.len() == 1 { ("is", "it") } else { ("are", "they") };
     Some(format!(
-        "{} {verb} {why}: {they} may fail more often than the curves say, for example {first}",
+        "{} {verb} {why}; {they} may fail more often than the curves say, for example {first}",
         counted(ids.len(), "object"),
     ))
 }

@@ -45,7 +45,8 @@ pub(super) fn report(
         warnings.push(format!("{failed} of {} histories failed: they widen the interval", tally.worlds));
     }
     warnings.extend(doubts(&found, is_given));
-    if !is_given && found.answers.as_ref().is_some_and(|one| one.falls == FallsAnswer::Close && !one.is_round) {
+    if !is_given && found.answers.as_ref().is_some_and(|one| one.falls == FallsAnswer::Close && one.too_mild.is_none())
+    {
         let accepted = percent_significant(found.accepted_ratio, 2);
         warnings.push(format!(
             "the interval holds the accepted probability, {accepted}: too close to call; an assessment would count it as \
@@ -100,7 +101,7 @@ fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
         rolled: found.rolled,
         slides: found.model == Some(ObjectModel::Slide),
         has_wall: names_wall(around),
-        is_round: found.answers.as_ref().is_some_and(|answers| answers.is_round),
+        too_mild: found.answers.as_ref().and_then(|answers| answers.too_mild),
     }
 }
 
@@ -322,12 +323,8 @@ fn of_object(request: &ObjectRequest, (row, study): (&Row, &Study), found: &Asse
 fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
     let mut said = Vec::new();
     let Some(answers) = &found.answers else { return said };
-    if answers.is_round {
-        said.push(
-            "round: not calculated in three dimensions; the numbers are those of the square prism around it, and a round \
-             object falls where that prism stands"
-                .to_owned(),
-        );
+    if let Some(why) = answers.too_mild {
+        said.push(format!("it is {}: it may fall where it stands there", why.words()));
     }
     if let Some(needed) = answers.worlds_needed.filter(|_| !is_given) {
         let accepted = percent_significant(found.accepted_ratio, 2);

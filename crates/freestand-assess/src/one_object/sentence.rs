@@ -2,7 +2,7 @@
 
 use freestand_input::words::{number, percent_significant};
 
-use crate::result::{Probability, Rolled};
+use crate::result::{Probability, Rolled, TooMild};
 
 /// What the answer says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,13 +35,13 @@ impl AnswerKind {
         let share = f64::from(counts.overturned) / f64::from(counts.asked.max(1));
         let falls = probability.map_or(counts.overturned == counts.asked, |p| p.low > 0.5);
         match (counts.overturned, counts.lifted) {
-            // No model follows it, and it falls where the square prism stands.
-            (0, _) if counts.is_round => Self::MayFall,
+            // It may fall where its calculation lets it stand.
+            (0, _) if counts.too_mild.is_some() => Self::MayFall,
             (0, _) if counts.rolled.is_some() && counts.slides => Self::Slides,
             (0, _) if counts.rolled.is_some() => Self::Rolls,
             (0, 0) => Self::DoesNotRock,
             (0, _) => Self::Rocks,
-            _ if counts.is_round && share < 0.5 => Self::MayFall,
+            _ if counts.too_mild.is_some() && share < 0.5 => Self::MayFall,
             _ if share <= accepted_ratio => Self::ProbablyStands,
             _ if falls => Self::Falls,
             _ => Self::MayFall,
@@ -162,8 +162,8 @@ pub(super) struct Counts {
     pub(super) slides: bool,
     /// Whether a wall or a neighbour was named.
     pub(super) has_wall: bool,
-    /// Whether it is round: the counts are those of the square prism around it.
-    pub(super) is_round: bool,
+    /// Why it may fall where the counts let it stand.
+    pub(super) too_mild: Option<TooMild>,
 }
 
 /// What an object withstands.
@@ -245,17 +245,14 @@ impl Answer {
     /// What shows it.
     fn evidence(&self) -> String {
         let Counts { motions, lifted, asked, overturned, uplift_m_max, floor_g_max, lift_g, .. } = self.counts;
-        if self.counts.is_round && self.kind == AnswerKind::MayFall {
+        if let Some(why) = self.counts.too_mild.filter(|_| self.kind == AnswerKind::MayFall) {
             let verb = ("overturns", "overturn");
             let counted = match overturned {
                 0 if self.earthquake == Told::Motions => "none overturns".to_owned(),
                 0 => format!("none of {asked} {} overturns", self.earthquake.noun()),
                 _ => self.count(overturned, asked, verb),
             };
-            return format!(
-                "it is round, and not calculated in three dimensions; {counted} the square prism around it, which stands \
-                 more firmly"
-            );
+            return format!("it is {}; {counted} it there, and it may fall where it stands there", why.words());
         }
         match self.kind {
             // A peak may pass the threshold on its way to no uplift: across an edge, or on pads.

@@ -315,7 +315,7 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
         restitution_p16_p84: [0.93, 0.97],
         few_motions: None,
         worlds_needed: None,
-        is_round: false,
+        too_mild: None,
     }
 }
 

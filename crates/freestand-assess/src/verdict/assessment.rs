@@ -12,7 +12,7 @@ use crate::restraint::beyond_code_words;
 use crate::result::{
     Answers, Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision, FallsAnswer,
     FewMotions, FloorFacts, InSpace, ModelAnswers, ObjectModel, OnPads, Ranked, Response, Rolled, Shock, ShockAnswer,
-    Sliding, SlidingVerdict, Slipped, Softening, Stacked, Unstated,
+    Sliding, SlidingVerdict, Slipped, Softening, Stacked, TooMild, Unstated,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -109,7 +109,7 @@ pub(super) fn assessment(
     let floor = floor_facts(trial);
     assessed.floor = Some(floor.clone());
     let order = by_severity(context, trial);
-    let mut answers = answers(context, trial);
+    let answers = answers(context, trial);
     // The hardest world after the accepted share of them is left out.
     let beyond = (member.accepted_ratio * order.len() as f64).floor() as usize;
     let world = order.len().checked_sub(1 + beyond).map(|place| order[place]);
@@ -129,13 +129,6 @@ pub(super) fn assessment(
         tolerance_source: member.item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source),
     });
     (assessed.decision, assessed.why) = (decision, why);
-    if decision == Decision::Leave && feet_pass_wall(trial) {
-        (assessed.decision, answers.falls) = (Decision::Restrain, FallsAnswer::Close);
-        assessed.why.push_str(
-            " But on its pads its feet pass through its wall in the calculation, which may keep it from falling: this \
-             is no reason to leave it.",
-        );
-    }
     if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some() {
         assessed.why.push_str(" Its stiffness is a range from the cushion library, not a measurement.");
     }
@@ -334,11 +327,6 @@ fn stack_words(trial: &Trial, stacked: &Stacked) -> String {
     falls + &begins + wall
 }
 
-/// Whether it is followed on pads beside a wall, which its top and its face meet and its feet pass through.
-fn feet_pass_wall(trial: &Trial) -> bool {
-    matches!(trial.subject.way, Way::Spatial(Some(_)))
-}
-
 /// What is left out of three dimensions and of stacks.
 fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems> {
     let mut notes = Vec::new();
@@ -351,7 +339,7 @@ fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<String>, Problems
             if context.worlds.floor(0, trial.subject.level_ratio)?.motion.across.is_none() {
                 notes.push("Its floor moves in one direction only: the motions have one component.".to_owned());
             }
-            if feet_pass_wall(trial) {
+            if trial.subject.too_mild == Some(TooMild::FeetPassWall) {
                 notes.push(
                     "Its top and its face meet its wall, and its feet pass through it: it may fall more often."
                         .to_owned(),
@@ -515,10 +503,9 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
         exceed: trial.subject.capacity.as_ref().map(|_| trial.probability(context, Question::Shock, model)),
     };
     let [rigid, compliant] = [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
-    let is_round = trial.member.item.is_round;
+    let too_mild = trial.subject.too_mild;
     let falls = match FallsAnswer::of(trial.side(context, Question::Falls)) {
-        // A cylinder rolls round its rim, and falls where the square prism stands.
-        FallsAnswer::Stays if is_round => FallsAnswer::Close,
+        FallsAnswer::Stays if too_mild.is_some() => FallsAnswer::Close,
         falls => falls,
     };
     let shock = match (&trial.subject.capacity, is_known) {
@@ -550,7 +537,7 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
         rigid,
         compliant,
         restitution_p16_p84: [QUANTILES[0], QUANTILES[2]].map(|q| quantile(restitutions(), q)),
-        is_round,
+        too_mild,
         worlds_needed: context
             .fewest_worlds(accepted)
             .filter(|needed| context.worlds.records().is_none() && trial.cap() < *needed),

@@ -3,7 +3,9 @@
 use freestand::decision::Side;
 
 use crate::output::words::listed;
-use crate::result::{Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer};
+use crate::result::{
+    Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer, TooMild,
+};
 use freestand_input::words::{counted, percent_significant};
 
 impl FallsAnswer {
@@ -112,8 +114,8 @@ fn falling(case: &Case) -> String {
     let Some(p) = deciding(answers, |model| Some(model.overturn)) else { return String::new() };
     let models = both_words(answers, |model| Some(model.overturn), case.accepted_ratio);
     let hits = (p.value * f64::from(answers.worlds)).round();
-    if answers.is_round {
-        return round(case, p);
+    if let Some(why) = answers.too_mild {
+        return mild(why, case, p);
     }
     match answers.falls {
         FallsAnswer::Stays if !case.lifts => {
@@ -138,14 +140,13 @@ fn falling(case: &Case) -> String {
     }
 }
 
-/// What is known of a round object: how often the square prism around it falls.
-fn round(case: &Case, p: Probability) -> String {
-    let answers = case.answers;
-    let (worlds, limit) = (counted(answers.worlds as usize, "world"), percent(case.accepted_ratio));
-    let verdict = if answers.falls == FallsAnswer::Falls { "too often" } else { "too close to call" };
+/// What is known of an object that may fall where its calculation lets it stand.
+fn mild(why: TooMild, case: &Case, p: Probability) -> String {
+    let (worlds, limit) = (counted(case.answers.worlds as usize, "world"), percent(case.accepted_ratio));
+    let verdict = if case.answers.falls == FallsAnswer::Falls { "too often" } else { "too close to call" };
     format!(
-        "Round: not calculated in three dimensions. A square prism of its size falls in {} of {worlds} (accepted {limit}), \
-         and a round object falls where that prism stands: {verdict}.",
+        "It is {}. There it falls in {} of {worlds} (accepted {limit}), and it may fall where it stands there: {verdict}.",
+        why.words(),
         spread(p)
     )
 }
@@ -248,7 +249,7 @@ mod tests {
             restitution_p16_p84: [0.9, 0.95],
             few_motions: None,
             worlds_needed: None,
-            is_round: false,
+            too_mild: None,
         }
     }
 

@@ -21,10 +21,10 @@ use super::object::{AxisGeometry, Body, Model, Subject, Way};
 use super::respond::{Drawn, Outcome, of_springs, on_any_pads, on_rigid, on_springs, whole};
 use super::response::{AxisMotion, Lived, Lost, PadMotion, terms};
 use super::slip::slips;
-use crate::inventory::{Item, ROUND};
+use crate::inventory::Item;
 use crate::library::Tolerance;
 use crate::output::words::listed;
-use crate::result::Criterion;
+use crate::result::{Criterion, TooMild};
 use crate::worlds::FloorOfWorld;
 
 /// An object as it is listed.
@@ -34,8 +34,6 @@ pub(crate) struct Nominal {
     pub(crate) block: Block,
     /// Height of its floor over that of the building.
     pub(crate) level_ratio: f64,
-    /// Whether its base is round; what is followed is the square prism around it.
-    is_round: bool,
     subject: Subject,
     draw: Draw,
     body: Option<(f64, Cushion)>,
@@ -44,26 +42,6 @@ pub(crate) struct Nominal {
     /// Of the random numbers that say on which side its wall is: those of an assessment.
     seed: u64,
     key: u64,
-}
-
-/// Why the runs of an object are too mild: it may fall where they let it stand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum TooMild {
-    Round,
-    FeetPassWall,
-    Glides,
-}
-
-impl TooMild {
-    pub(crate) const ALL: [Self; 3] = [Self::Round, Self::FeetPassWall, Self::Glides];
-
-    pub(crate) fn words(self) -> &'static str {
-        match self {
-            Self::Round => ROUND,
-            Self::Glides => "free to roll or slide, which counts only where a stop overturns it",
-            Self::FeetPassWall => "beside a wall through which the feet pass in the calculation",
-        }
-    }
 }
 
 /// What it did under one motion.
@@ -114,7 +92,7 @@ impl Nominal {
         let axes = subject.axes.iter().enumerate();
         let first = axes.min_by(|a, b| threshold(a.1).total_cmp(&threshold(b.1)));
         match first.map(|(axis, geometry)| (axis, geometry.block)) {
-            Some(first) => Ok(Self { is_round: item.is_round, ..Self::of(first, subject, key(&item.id), settings) }),
+            Some(first) => Ok(Self::of(first, subject, key(&item.id), settings)),
             None => Err("it has no size".to_owned()),
         }
     }
@@ -143,6 +121,7 @@ impl Nominal {
             capacity: tolerance.and_then(Capacity::new),
             way: Way::Planar,
             flat: None,
+            too_mild: None,
         };
         Self::of((0, block), subject, 0, &Settings::default())
     }
@@ -158,7 +137,6 @@ impl Nominal {
         Self {
             block,
             level_ratio: subject.level_ratio,
-            is_round: false,
             subject,
             draw,
             body,
@@ -173,14 +151,12 @@ impl Nominal {
         Self { with_pads: false, ..self }
     }
 
-    /// Why its runs are too mild; `None`: they are not known to be.
-    pub(crate) fn too_mild(&self) -> Option<TooMild> {
-        match self.subject.way {
-            _ if self.is_round => Some(TooMild::Round),
-            Way::Spatial(Some(_)) => Some(TooMild::FeetPassWall),
-            Way::Rolls(_) | Way::Slides(_) => Some(TooMild::Glides),
-            _ => None,
+    /// Why it may fail where its runs let it stand; `None`: they are not known to be too mild.
+    pub(crate) fn too_mild(&self) -> Option<&'static str> {
+        if self.subject.way.glides().is_some() {
+            return Some("free to roll or slide, which counts only where a stop overturns it");
         }
+        self.subject.too_mild.map(TooMild::words)
     }
 
     /// Whether it has a tolerance that can be compared.

@@ -16,7 +16,7 @@ use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
 use crate::inventory::{Casters, Item, Surroundings, UpperBody};
 use crate::output::words::listed;
-use crate::result::Axis;
+use crate::result::{Axis, TooMild};
 
 use super::capacity::Capacity;
 use super::draw::own_damping_ratio;
@@ -36,6 +36,8 @@ pub(crate) struct Subject {
     pub(super) way: Way,
     /// Why it moves in a plane where the study asks for three dimensions.
     pub(super) flat: Option<Flat>,
+    /// Why it may fall where it stands in its calculation.
+    pub(super) too_mild: Option<TooMild>,
 }
 
 /// The model that answers.
@@ -418,9 +420,15 @@ impl Subject {
                 (None, why) => (beside.map_or(Way::Planar, |beside| beside.way(&axes)), why),
             },
         };
+        let too_mild = match way {
+            _ if item.is_round => Some(TooMild::Round),
+            Way::Spatial(Some(_)) => Some(TooMild::FeetPassWall),
+            _ => None,
+        };
         Ok(Self {
             level_ratio,
             axes,
+            too_mild,
             restitution: item.restitution,
             mass_kg: item.mass_kg,
             body,

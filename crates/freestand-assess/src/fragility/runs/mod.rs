@@ -13,6 +13,7 @@ mod quality;
 mod shaking;
 mod table;
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -41,7 +42,7 @@ use crate::inventory::{Inventory, Item};
 use crate::job::{JobReport, Part, said};
 use crate::library::{Confidence, Tolerance};
 use crate::output::head;
-use crate::verdict::{Nominal, TooMild};
+use crate::verdict::Nominal;
 use follow::{Followed, GoOn};
 use shaking::{RatioFactors, Shaking};
 
@@ -674,11 +675,13 @@ impl RunsReport {
                 counted(lacking, "object")
             ));
         }
-        for why in TooMild::ALL {
-            let ids: Vec<&str> =
-                self.objects.iter().filter(|one| one.nominal.too_mild() == Some(why)).map(|one| &*one.id).collect();
-            warnings.extend(too_mild(why.words(), &ids));
+        let mut mild: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for one in &self.objects {
+            if let Some(why) = one.nominal.too_mild() {
+                mild.entry(why).or_default().push(&one.id);
+            }
         }
+        warnings.extend(mild.iter().filter_map(|(why, ids)| too_mild(why, ids)));
         let runs: usize = self.objects.iter().flat_map(|one| &one.motions).map(Vec::len).sum();
         let marked: usize = self.objects.iter().map(ObjectRuns::marked).sum();
         if marked > 0 {
