@@ -68,7 +68,8 @@ def test_check_object(name, motions):
     assert found.motions_overturned == sum(FALLS[name])
 
 
-ROCKS = [name for name, cells in THINGS.items() if cells.keys() <= {"height", "thickness", "width", "mass", "stiffness"}]
+OF_BLOCKS = {"height", "thickness", "width", "mass", "stiffness"}
+ROCKS = [name for name, cells in THINGS.items() if cells.keys() <= OF_BLOCKS]
 
 
 @pytest.mark.parametrize("name", ROCKS)
@@ -82,7 +83,8 @@ def test_rock(name, motions):
             pads = fs.Cushion(stiffness_n_m=cells["stiffness"], law="kelvin-voigt", damping_ratio=0.1)
             ways.append(({"mass_kg": cells["mass"], "cushion": pads}, "compliant"))
         for body, base in ways:
-            outcomes = [fs.rock(fs.Block(cells["height"], side, **body), motion, base=base).outcome for motion in motions]
+            block = fs.Block(cells["height"], side, **body)
+            outcomes = [fs.rock(block, motion, base=base).outcome for motion in motions]
             falls = [fell or outcome == "overturned" for fell, outcome in zip(falls, outcomes)]
     assert falls == FALLS[name]
 

@@ -35,7 +35,7 @@ use costs::{Options, curve_id, load_options};
 use objects::{LossBounds, ObjectRisk};
 use plan::Measures;
 use portfolio::Portfolio;
-use rates::Gap;
+use rates::{Gap, Levels, Open};
 
 pub use costs::load_changed;
 pub(crate) use costs::{CostRow, Costs, load_costs};
@@ -403,13 +403,15 @@ fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Strin
 }
 
 /// Warnings about rates of which more than a tenth is between two intensities of the runs, or below or
-/// above all of them.
+/// above all of them; the last one says which intensities would tell them if
+/// nothing unexpected happens between those of the runs.
 fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> {
     let words = |x: f64| hazard.measure.value_words(rounded_value(x));
     let kinds: [fn(Gap) -> bool; 3] =
         [|gap| matches!(gap, Gap::Below(_)), |gap| matches!(gap, Gap::Between(..)), |gap| matches!(gap, Gap::Above(_))];
+    let open = |object: &'_ ObjectRisk| object.states.iter().filter_map(|one| one.open).collect::<Vec<Open>>();
     let said = kinds.into_iter().filter_map(|is_kind| {
-        let gap = |object: &ObjectRisk| object.states.iter().filter_map(|one| one.gap).find(|gap| is_kind(*gap));
+        let gap = |object: &ObjectRisk| open(object).into_iter().map(|one| one.gap).find(|gap| is_kind(*gap));
         let open: Vec<(&str, Gap)> =
             objects.iter().filter_map(|object| Some((object.id.as_str(), gap(object)?))).collect();
         let (id, gap) = *open.first()?;
@@ -429,7 +431,13 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
             shorten(id)
         ))
     });
-    said.collect()
+    let mut said: Vec<String> = said.collect();
+    if let Some(levels) = objects.iter().flat_map(open).filter_map(|one| one.levels).reduce(Levels::with) {
+        // A little outwards, so that rounding leaves out none.
+        let (from, to) = (words(0.999 * levels.from), words(1.001 * levels.to));
+        said.push(format!("runs that are likely to tell these rates: `scales = \"{from}:{to}:{}\"`", levels.count()));
+    }
+    said
 }
 
 /// The file beside outcomes and curves in which `freestand fragility` says what it did not run, and why.
@@ -610,7 +618,7 @@ impl RiskReport {
                 text += &format!("  verdict     not known: {why}\n");
             }
             if let (Some(loss), Some(currency)) = (object.expected_annual_loss, &self.currency) {
-                let bounds = object.loss.map_or(String::new(), |loss| loss.words(currency));
+                let bounds = object.loss.map_or(String::new(), |loss| loss.words(&format!("{currency} a year")));
                 let least = least(object.is_at_least);
                 text += &format!("  loss        {least}{} {currency} a year{bounds}\n", number(loss, 4));
             }

@@ -10,7 +10,7 @@ use freestand_output::facts::Facts;
 use crate::fragility::{ObjectCurves, ObjectFragility, ends};
 
 use super::costs::{CostRow, Effect};
-use super::rates::{Gap, StateRates, least_fall, object_rates};
+use super::rates::{Open, StateRates, least_fall, object_rates};
 use super::{LOSS_STATES, rate_words};
 
 /// Whether an object fails more often than accepted.
@@ -41,8 +41,8 @@ impl RiskVerdict {
 pub(crate) struct StateRisk {
     pub(crate) limit_state: LimitState,
     pub(crate) rates: AnnualRates,
-    /// Where the runs leave most of the rate open.
-    pub(super) gap: Option<Gap>,
+    /// Where the runs leave much of the rate open.
+    pub(super) open: Option<Open>,
     /// The 95 % interval over the motions, together with the bounds that the runs leave.
     pub(crate) ci95: Option<(f64, f64)>,
     /// Whether samples were drawn and tell no interval.
@@ -165,6 +165,8 @@ pub(crate) struct ObjectRisk {
     pub(crate) expected_annual_casualties: Option<f64>,
     /// The least that they can be; `None` where their probability is not known.
     pub(crate) least_casualties: Option<f64>,
+    /// The ends of them, the upper one where the rate of overturning has one.
+    casualty_bounds: Option<(f64, Option<f64>)>,
     pub(crate) not_counted: Vec<&'static str>,
 }
 
@@ -182,7 +184,7 @@ impl ObjectRisk {
             .curves
             .iter()
             .zip(rates)
-            .map(|(curve, StateRates { limit_state, rates, by_runs, most, gap })| {
+            .map(|(curve, StateRates { limit_state, rates, by_runs, most, open })| {
                 let samples = fit.and_then(|fit| fit.bootstrap.as_ref());
                 let is_lognormal = matches!(curve.kind, CurveKind::Lognormal { .. });
                 let lacks = samples.filter(|_| is_lognormal).and_then(|one| one.lacks_interval(limit_state));
@@ -194,7 +196,7 @@ impl ObjectRisk {
                 StateRisk {
                     limit_state,
                     rates,
-                    gap,
+                    open,
                     ci95: ci95.and_then(|ci95| joined(ci95, by_runs, most)),
                     lacks_interval: lacks.is_some(),
                     probability: rates.annual_rate.map(|rate| probability_in_years(rate, years)),
@@ -231,6 +233,9 @@ impl ObjectRisk {
         let casualties = |rate: f64| cost.and_then(|cost| Some(cost.quantity * cost.casualty_probability? * rate));
         let expected_annual_casualties = overturns.and_then(|one| casualties(one.rates.annual_rate?));
         let least_casualties = casualties(overturns.and_then(StateRisk::known).unwrap_or(0.0));
+        let lower = casualties(overturns.map_or(0.0, |one| one.rates.annual_rate_lower));
+        let upper = overturns.and_then(|one| casualties(one.rates.annual_rate_upper?));
+        let casualty_bounds = lower.map(|lower| (lower, upper));
         let deaggregation = curves.curves.last().map_or(Vec::new(), |curve| deaggregation(hazard, curve.kind));
         Self {
             id: curves.id.clone(),
@@ -248,6 +253,7 @@ impl ObjectRisk {
             is_at_least,
             expected_annual_casualties,
             least_casualties,
+            casualty_bounds,
             not_counted,
         }
     }
@@ -308,6 +314,8 @@ impl ObjectRisk {
             .key("is_bound", self.loss.is_some_and(|loss| loss.is_bound()))
             .key("is_at_least", self.is_at_least)
             .key("expected_annual_casualties", self.expected_annual_casualties)
+            .key("expected_annual_casualties_lower", self.casualty_bounds.map(|bounds| bounds.0))
+            .key("expected_annual_casualties_upper", self.casualty_bounds.and_then(|bounds| bounds.1))
             .key("not_counted", self.not_counted.clone())
     }
 
@@ -352,6 +360,8 @@ impl ObjectRisk {
                 .key("years", years)
                 .key("verdict", self.verdict.map(RiskVerdict::name))
                 .key("expected_annual_loss", self.expected_annual_loss)
+                .key("expected_annual_loss_lower", self.loss.map(|loss| loss.least))
+                .key("expected_annual_loss_upper", self.loss.and_then(|loss| loss.most))
         });
         rows.collect()
     }
@@ -445,9 +455,9 @@ impl LossBounds {
     }
 
     /// The words after a loss of which only bounds are known.
-    pub(super) fn words(&self, currency: &str) -> String {
+    pub(super) fn words(&self, unit: &str) -> String {
         match self.most.filter(|_| self.is_bound()) {
-            Some(most) => format!("; between {} and {} {currency} a year", number(self.least, 4), number(most, 4)),
+            Some(most) => format!("; between {} and {} {unit}", number(self.least, 4), number(most, 4)),
             None => String::new(),
         }
     }
@@ -613,7 +623,7 @@ mod tests {
                 annual_rate_upper: Some(upper),
                 below_first: 0.0,
             },
-            gap: None,
+            open: None,
             ci95,
             lacks_interval: false,
             probability: None,

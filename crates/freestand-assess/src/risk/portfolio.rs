@@ -38,6 +38,9 @@ pub(crate) struct Portfolio {
     /// `None` where something fails at the lowest one.
     bounds: (f64, Option<f64>),
     pub(super) curve: Vec<LossPoint>,
+    /// The same at the least and, as far as it is known, at the most.
+    least: Vec<LossPoint>,
+    most: Option<Vec<LossPoint>>,
     pub(super) independent: Vec<LossPoint>,
     pub(super) is_at_least: bool,
 }
@@ -109,53 +112,71 @@ pub(crate) fn portfolio(
     warnings.extend(fails_at);
     let curve = loss_exceedance(&all);
     let losses: Vec<f64> = curve.iter().map(|point| point.loss).collect();
+    let ends = Ends::new(&worlds, &all, &priced, hazard);
+    let (least, most) = ends.of(|loss| loss);
+    let bounds = (least, (!is_at_least).then_some(most));
+    let (least, most) = ends.curves(&losses);
     Ok(Some(Portfolio {
         worlds: all.len(),
         expected_annual_loss: expected_loss_per_year(&all),
-        bounds: bounds(&worlds, &all, &priced, hazard, is_at_least),
+        bounds,
+        least,
+        most: (!is_at_least).then_some(most),
         independent: independent(&worlds, &priced, &losses, warnings),
         curve,
         is_at_least,
     }))
 }
 
-/// The least and the most that the loss of a year can be: between two intensities it is at least that of
-/// the lower one and at most that of the upper one, and above the highest one at most that of everything.
-/// Losses are made to rise with the intensity first.
-fn bounds(
-    worlds: &Worlds,
-    all: &[World],
-    priced: &[Priced],
-    hazard: &MeasuredHazard,
-    fails_at_lowest: bool,
-) -> (f64, Option<f64>) {
-    let mut sums = vec![0.0; worlds.levels.len()];
-    for ((level, _), world) in worlds.all.iter().zip(all) {
-        sums[*level] += world.loss / worlds.counts[*level] as f64;
+/// The least and the most that losses can be: between two intensities at least those of the lower one and at
+/// most those of the upper one, and above the highest one at most that of everything.
+struct Ends<'w> {
+    worlds: &'w Worlds,
+    /// The loss of each world.
+    losses: Vec<f64>,
+    /// How often a year motions lie between each intensity and the next one, or above the last.
+    strips: Vec<f64>,
+    everything: f64,
+}
+
+impl<'w> Ends<'w> {
+    fn new(worlds: &'w Worlds, all: &[World], priced: &[Priced], hazard: &MeasuredHazard) -> Self {
+        let most = |cost: &CostRow| cost.quantity * cost.overturned().max(cost.repair.unwrap_or(0.0));
+        let rates: Vec<f64> =
+            worlds.levels.iter().map(|level| hazard.hazard.annual_rate(*level)).chain([0.0]).collect();
+        Self {
+            worlds,
+            losses: all.iter().map(|world| world.loss).collect(),
+            strips: rates.windows(2).map(|pair| pair[0] - pair[1]).collect(),
+            everything: priced.iter().map(|one| most(one.cost)).sum(),
+        }
     }
-    let rising: Vec<f64> = sums
-        .iter()
-        .scan(0.0_f64, |most, loss| {
-            *most = most.max(*loss);
-            Some(*most)
-        })
-        .collect();
-    let mut falling: Vec<f64> = sums
-        .iter()
-        .rev()
-        .scan(f64::INFINITY, |least, loss| {
-            *least = least.min(*loss);
-            Some(*least)
-        })
-        .collect();
-    falling.reverse();
-    let everything: f64 =
-        priced.iter().map(|one| one.cost.quantity * one.cost.overturned().max(one.cost.repair.unwrap_or(0.0))).sum();
-    let rates: Vec<f64> = worlds.levels.iter().map(|level| hazard.hazard.annual_rate(*level)).chain([0.0]).collect();
-    let strips: Vec<f64> = rates.windows(2).map(|pair| pair[0] - pair[1]).collect();
-    let least = falling.iter().zip(&strips).map(|(loss, strip)| loss * strip).sum();
-    let most = rising.iter().skip(1).chain([&everything]).zip(&strips).map(|(loss, strip)| loss * strip).sum();
-    (least, (!fails_at_lowest).then_some(most))
+
+    /// The ends of the rate of something whose mean over the motions of an intensity is made to rise with it
+    /// first; of everything it is `everything`.
+    fn of(&self, something: impl Fn(f64) -> f64) -> (f64, f64) {
+        let mut means = vec![0.0; self.worlds.levels.len()];
+        for ((level, _), loss) in self.worlds.all.iter().zip(&self.losses) {
+            means[*level] += something(*loss) / self.worlds.counts[*level] as f64;
+        }
+        let mut falling = means.clone();
+        (1..means.len()).rev().for_each(|i| falling[i - 1] = falling[i - 1].min(falling[i]));
+        (1..means.len()).for_each(|i| means[i] = means[i].max(means[i - 1]));
+        let sum = |ends: &mut dyn Iterator<Item = f64>| ends.zip(&self.strips).map(|(end, strip)| end * strip).sum();
+        let above = something(self.everything);
+        (sum(&mut falling.into_iter()), sum(&mut means.into_iter().skip(1).chain([above])))
+    }
+
+    /// How often each loss is reached, at the least and at the most.
+    fn curves(&self, losses: &[f64]) -> (Vec<LossPoint>, Vec<LossPoint>) {
+        let all = losses.iter().copied().filter(|loss| *loss < self.everything).chain([self.everything]);
+        let point = |least: f64| {
+            let ends = self.of(|loss| if loss >= least { 1.0 } else { 0.0 });
+            let at = |annual_rate| LossPoint { loss: least, annual_rate };
+            (at(ends.0), at(ends.1))
+        };
+        all.map(point).unzip()
+    }
 }
 
 /// The worlds of the outcomes; `None`, with a warning, where objects share none.
@@ -341,10 +362,11 @@ impl Portfolio {
                 |point: &LossPoint| Facts::default().key("loss", point.loss).key("annual_rate", point.annual_rate);
             curve.iter().map(point).collect()
         };
-        let periods: Vec<Facts> = RETURN_PERIODS
-            .iter()
-            .map(|&years| Facts::default().key("years", years).key("loss", loss_at_return_period(&self.curve, years)))
-            .collect();
+        let period = |&years: &f64| {
+            let LossBounds { least, best, most } = self.at_return_period(years);
+            Facts::default().key("years", years).key("loss", best).key("loss_lower", least).key("loss_upper", most)
+        };
+        let periods: Vec<Facts> = RETURN_PERIODS.iter().map(period).collect();
         Facts::default()
             .key("currency", currency.map(str::to_owned))
             .key("worlds", self.worlds)
@@ -358,6 +380,12 @@ impl Portfolio {
             .key("independent_loss_exceedance", points(&self.independent))
     }
 
+    /// The loss that is reached once in so many years.
+    fn at_return_period(&self, years: f64) -> LossBounds {
+        let of = |curve: &[LossPoint]| loss_at_return_period(curve, years);
+        LossBounds { least: of(&self.least), best: of(&self.curve), most: self.most.as_deref().map(of) }
+    }
+
     fn is_bound(&self) -> bool {
         LossBounds { least: self.bounds.0, best: self.expected_annual_loss, most: self.bounds.1 }.is_bound()
     }
@@ -369,11 +397,12 @@ impl Portfolio {
             "All objects under common motions ({}): {least}{} {currency} a year{}\n",
             counted(self.worlds, "world"),
             number(self.expected_annual_loss, 4),
-            bounds.words(currency)
+            bounds.words(&format!("{currency} a year"))
         );
         for years in RETURN_PERIODS {
-            let loss = loss_at_return_period(&self.curve, years);
-            text += &format!("  once in {years} years: {least}{} {currency}\n", number(loss, 4));
+            let loss = self.at_return_period(years);
+            let bounds = loss.words(currency);
+            text += &format!("  once in {years} years: {least}{} {currency}{bounds}\n", number(loss.best, 4));
         }
         text
     }
@@ -494,6 +523,26 @@ mod tests {
         // A row that is not there at all is a mistake.
         let missing = table(&[("a", MIXED), ("b", known)]).replace("b,m1,0.2,rocked\n", "");
         assert!(risk_of(&missing).unwrap_err().to_string().contains("object b has no outcome under motion m1 at 0.2"));
+    }
+
+    /// λ is 1/100, 1/400 and 1/1600 a year at the three intensities, of which only the highest overturns one
+    /// object: 1000 is lost between once in 1600 and once in 400 years, and 2000 at most once in 1600.
+    #[test]
+    fn losses_at_return_periods_have_ends() {
+        let falls = [["rocked"; 2], ["rocked"; 2], ["overturned"; 2]];
+        let found = risk_of(&table(&[("a", falls), ("b", [["rocked"; 2]; 3])])).unwrap().portfolio.unwrap();
+        let ends = |years| found.at_return_period(years);
+        let loss = |least, best, most| LossBounds { least, best, most: Some(most) };
+        // The strip of the highest intensity begins where λ is 1/800.
+        assert_eq!(ends(390.0), loss(0.0, 0.0, 0.0));
+        assert_eq!(ends(410.0), loss(0.0, 0.0, 1000.0));
+        assert_eq!(ends(810.0), loss(0.0, 1000.0, 1000.0));
+        assert_eq!(ends(1610.0), loss(1000.0, 1000.0, 2000.0));
+        let text = found.text("AUD");
+        assert!(text.contains("once in 500 years: 0 AUD; between 0 and 1000 AUD\n"), "{text}");
+        // Where one fails at the lowest intensity, weaker motions may cost anything.
+        let report = risk_of(&table(&[("a", [["overturned"; 2]; 3]), ("b", falls)])).unwrap();
+        assert_eq!(report.portfolio.unwrap().at_return_period(250.0).most, None);
     }
 
     #[test]

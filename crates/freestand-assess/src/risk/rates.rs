@@ -3,7 +3,7 @@
 
 use freestand::fragility::{CurveKind, LimitState};
 use freestand::risk::{
-    AnnualRates, Capacity, Hazard, Tail, annual_rate, annual_rate_below, least_avoided, rate_bounds,
+    AboveLast, AnnualRates, Capacity, Hazard, annual_rate, annual_rate_below, least_avoided, rate_bounds,
 };
 
 use crate::fragility::ObjectCurves;
@@ -23,6 +23,22 @@ pub(super) enum Gap {
     Above(f64),
 }
 
+/// Intensities with one ratio between neighbours.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Levels {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    ratio: f64,
+}
+
+/// What the runs leave open of a rate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Open {
+    pub(super) gap: Gap,
+    /// Intensities that would tell it, where they are known.
+    pub(super) levels: Option<Levels>,
+}
+
 /// How often a limit state is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct StateRates {
@@ -34,7 +50,7 @@ pub(super) struct StateRates {
     pub(super) by_runs: Option<(f64, Option<f64>)>,
     /// The most that it can be because a milder limit state is not more frequent.
     pub(super) most: Option<f64>,
-    pub(super) gap: Option<Gap>,
+    pub(super) open: Option<Open>,
 }
 
 /// The rates of all limit states of an object that withstands `factor` times the intensity, from
@@ -68,10 +84,10 @@ fn scaled(kind: CurveKind, factor: f64) -> CurveKind {
 fn of_curve(hazard: &Hazard, limit_state: LimitState, kind: CurveKind, found: &[Capacity]) -> StateRates {
     let by_curve = annual_rate(hazard, kind);
     if found.is_empty() {
-        return StateRates { limit_state, rates: by_curve, by_runs: None, most: None, gap: None };
+        return StateRates { limit_state, rates: by_curve, by_runs: None, most: None, open: None };
     }
-    let bounds = |tail| bounds_by_runs(hazard, kind, by_curve, found, tail);
-    let (least, most) = bounds((Tail::Absent, Tail::Level));
+    let bounds = |above| bounds_by_runs(hazard, kind, by_curve, found, above);
+    let (least, most) = bounds(AboveLast::Open);
     let rates = match by_curve.annual_rate {
         Some(_) => by_curve.widened(least, most),
         // Both hold.
@@ -81,8 +97,8 @@ fn of_curve(hazard: &Hazard, limit_state: LimitState, kind: CurveKind, found: &[
             ..by_curve
         },
     };
-    let gap = gap(hazard, by_curve, most, found);
-    StateRates { limit_state, rates, by_runs: Some(bounds((Tail::Continued, Tail::Continued))), most: None, gap }
+    let open = what_is_open(hazard, by_curve, most, found);
+    StateRates { limit_state, rates, by_runs: Some(bounds(AboveLast::Continued)), most: None, open }
 }
 
 /// The bounds that the runs leave. Where the uplift of the motions is not known, the curve says how
@@ -92,22 +108,23 @@ fn bounds_by_runs(
     kind: CurveKind,
     by_curve: AnnualRates,
     found: &[Capacity],
-    tail: (Tail, Tail),
+    above: AboveLast,
 ) -> (f64, Option<f64>) {
-    let (least, most) = rate_bounds(hazard, found, tail);
+    let (least, most) = rate_bounds(hazard, found, above);
     let (open, closed): (Vec<Capacity>, Vec<Capacity>) = found.iter().partition(|one| one.from.is_none());
     let below_lowest = || {
         let lowest = open.first()?.to?;
         let below = annual_rate_below(hazard, kind, lowest)?;
-        let at_lowest = open.iter().map(|one| one.share).sum::<f64>() * hazard.annual_rate_with(lowest, tail.1);
+        let at_lowest = open.iter().map(|one| one.share).sum::<f64>() * hazard.annual_rate_with(lowest, above.most());
         let is_small = below <= RESOLVED * by_curve.annual_rate?;
-        Some(rate_bounds(hazard, &closed, tail).1? + at_lowest + below).filter(|_| is_small)
+        Some(rate_bounds(hazard, &closed, above).1? + at_lowest + below).filter(|_| is_small)
     };
     (least, most.or_else(below_lowest))
 }
 
-/// Where the largest part of a rate is open, if that is more than a tenth of it.
-fn gap(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Option<Gap> {
+/// Where the largest part of a rate is open, if that is more than a tenth of it, and the intensities that
+/// would tell it.
+fn what_is_open(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Option<Open> {
     let rate = |x: Option<f64>| x.map_or(0.0, |x| hazard.annual_rate(x));
     let all = by_curve.annual_rate.or(most);
     // Those below the lowest intensity belong together.
@@ -124,7 +141,49 @@ fn gap(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capac
         Some((open(one), one.to.map_or(Gap::Above(from), |to| Gap::Between(from, to))))
     });
     let largest = below.into_iter().chain(between).max_by(|a, b| a.0.total_cmp(&b.0));
-    largest.filter(|(part, _)| all.is_none_or(|all| *part > RESOLVED * all)).map(|(_, gap)| gap)
+    let (_, gap) = largest.filter(|(part, _)| all.is_none_or(|all| *part > RESOLVED * all))?;
+    Some(Open { gap, levels: all.and_then(|all| Levels::that_may_tell(hazard, found, RESOLVED * all)) })
+}
+
+/// The most parts into which an interval of intensities is divided, and the most steps above the highest.
+const MOST_PARTS: i32 = 1000;
+
+impl Levels {
+    /// The intensities between two of which, and above all of which, less than `part` of a rate would be if the
+    /// capacities between two levels of the runs were spread evenly by ln intensity; `None` where it is
+    /// not known how weak the motions are that begin to reach a limit state.
+    fn that_may_tell(hazard: &Hazard, found: &[Capacity], part: f64) -> Option<Self> {
+        let mut levels = Self { from: f64::INFINITY, to: 0.0, ratio: f64::INFINITY };
+        // Those of the lowest intensity belong together.
+        let begins = found.iter().filter(|one| one.is_lowest).map(|one| one.from);
+        let lowest = begins.reduce(|a, b| Some(a?.min(b?))).unwrap_or(Some(f64::INFINITY))?;
+        let share = found.iter().filter(|one| one.is_lowest).map(|one| one.share).sum::<f64>();
+        for one in found {
+            let (from, share) = if one.is_lowest { (lowest, share) } else { (one.from?, one.share) };
+            let far =
+                || (0..MOST_PARTS).map(|i| from * 1.1_f64.powi(i)).find(|x| share * hazard.annual_rate(*x) < part);
+            let to = one.to.or_else(far)?;
+            let ratio = |parts: i32| (to / from).powf(1.0 / f64::from(parts));
+            let falls = |ratio: f64| hazard.annual_rate(from) - hazard.annual_rate(ratio * from);
+            let is_told = |parts: &i32| share / f64::from(*parts) * falls(ratio(*parts)) < part;
+            if from < to {
+                let parts = (1..MOST_PARTS).find(is_told)?;
+                levels = levels.with(Self { from, to, ratio: ratio(parts) });
+            }
+        }
+        Some(levels).filter(|levels| levels.from < levels.to)
+    }
+
+    /// Those that do for both.
+    pub(super) fn with(self, other: Self) -> Self {
+        let Self { from, to, ratio } = other;
+        Self { from: self.from.min(from), to: self.to.max(to), ratio: self.ratio.min(ratio) }
+    }
+
+    /// How many they are.
+    pub(super) fn count(self) -> usize {
+        ((self.to / self.from).ln() / self.ratio.ln()).ceil().max(1.0) as usize + 1
+    }
 }
 
 /// Whoever overturns has rocked: a severe limit state is never more frequent than a milder one.

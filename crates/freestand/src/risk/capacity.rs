@@ -113,15 +113,42 @@ fn rising_shares(counts: &[(f64, f64)]) -> Vec<f64> {
 /// count as those of a curve that continues its first segment.
 const SMALL: f64 = 0.01;
 
+/// What is assumed of motions above the last point of a hazard where the ends of a rate are sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AboveLast {
+    /// Nothing: for the least there are none, for the most all are as strong as any.
+    Open,
+    /// The last segment goes on, for both.
+    Continued,
+}
+
+impl AboveLast {
+    /// For the least that a rate can be.
+    pub fn least(self) -> Tail {
+        match self {
+            Self::Open => Tail::Absent,
+            Self::Continued => Tail::Continued,
+        }
+    }
+
+    /// For the most.
+    pub fn most(self) -> Tail {
+        match self {
+            Self::Open => Tail::Level,
+            Self::Continued => Tail::Continued,
+        }
+    }
+}
+
 /// The least and the most that a rate can be, wherever between its ends each capacity lies:
 /// Σ share λ(to) and Σ share λ(from) \[1/year\]. The most is `None` where an end is not known, or where
-/// much of it is below the first point of the hazard. `tail` is what is assumed above the last point
-/// for the least and for the most.
+/// much of it is below the first point of the hazard.
 ///
 /// In terms of the probability P at the levels x this is Σ P(xᵢ) \[λ(xᵢ) − λ(xᵢ₊₁)\] + P(xₙ) λ(xₙ), and
 /// the same with P(xᵢ₊₁), λ(xₙ) above the last level and P(x₁) \[λ(uplift) − λ(x₁)\] below the first.
-pub fn rate_bounds(hazard: &Hazard, capacities: &[Capacity], tail: (Tail, Tail)) -> (f64, Option<f64>) {
-    let least = capacities.iter().map(|one| one.share * one.to.map_or(0.0, |to| hazard.annual_rate_with(to, tail.0)));
+pub fn rate_bounds(hazard: &Hazard, capacities: &[Capacity], above: AboveLast) -> (f64, Option<f64>) {
+    let least =
+        capacities.iter().map(|one| one.share * one.to.map_or(0.0, |to| hazard.annual_rate_with(to, above.least())));
     let first = match hazard {
         Hazard::Points(points) => points.first().copied(),
         Hazard::PowerLaw { .. } => None,
@@ -136,7 +163,7 @@ pub fn rate_bounds(hazard: &Hazard, capacities: &[Capacity], tail: (Tail, Tail))
                 below_first += rate - one.share * first.annual_rate;
                 most += rate;
             }
-            None => most += one.share * hazard.annual_rate_with(from, tail.1),
+            None => most += one.share * hazard.annual_rate_with(from, above.most()),
         }
     }
     (least.sum(), (below_first <= SMALL * most).then_some(most))
@@ -190,7 +217,7 @@ mod tests {
         let shares: f64 = found.iter().map(|one| one.share).sum();
         // Rounding of a sum.
         assert!((shares - 1.0).abs() < 1e-12, "{shares}");
-        rate_bounds(hazard, &found, (Tail::Absent, Tail::Level))
+        rate_bounds(hazard, &found, AboveLast::Open)
     }
 
     /// The rate of the motions is the mean of λ at their capacities. Whatever the levels, it is between
@@ -248,7 +275,7 @@ mod tests {
     fn what_is_avoided_is_the_least_between_the_ends() {
         let hazard = Hazard::power_law(1.0, 1.0, 2.0).unwrap();
         let found = capacities(&stripes(&[0.5, 1.5], &[1.0, 2.0]), LimitState::Overturns, &[Some(0.25); 2]);
-        let (least, _) = rate_bounds(&hazard, &found, (Tail::Absent, Tail::Level));
+        let (least, _) = rate_bounds(&hazard, &found, AboveLast::Open);
         let avoided = least_avoided(&hazard, &found, 2.0).unwrap();
         assert!((avoided / (least * 0.75) - 1.0).abs() < 1e-12, "{avoided} {least}");
         assert_eq!(least_avoided(&hazard, &found, 1.0), Some(0.0));

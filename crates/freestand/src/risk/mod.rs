@@ -12,7 +12,7 @@ mod money;
 mod plan;
 mod rate;
 
-pub use capacity::{Capacity, capacities, least_avoided, rate_bounds};
+pub use capacity::{AboveLast, Capacity, capacities, least_avoided, rate_bounds};
 pub use hazard::{Hazard, HazardError, HazardPoint, Tail};
 pub use loss::{
     LossPoint, LossShares, World, expected_loss_per_year, independent_loss_exceedance, loss_at_return_period,
