@@ -394,7 +394,7 @@ mod tests {
     fn cabinet(cushion: Cushion, tolerance: &Tolerance) -> Nominal {
         let block = Block::uniform(1.8, 0.4).unwrap();
         let edge = EdgeCushion { cushion, pad_thickness_m: None, notes: Vec::new() };
-        Nominal::of_block(block, Restitution::Housner, Some(&(150.0, edge)), Some(tolerance))
+        Nominal::of_block(block, Restitution::Housner, Some(&(150.0, edge)), Some(tolerance)).without_pads()
     }
 
     /// A pad that bottoms changes the shock, and neither rocking nor overturning: the class is exceeded
