@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use freestand_assess::inventory::{CellsRequest, Edit};
 use freestand_input::keys::{Words, argument_key};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::Choices;
@@ -124,6 +125,18 @@ impl<'a, 'py> Given<'a, 'py> {
             self.wrong(name, "a list of paths");
         }
         paths.unwrap_or_default()
+    }
+
+    /// How the cells of a list are read.
+    pub(crate) fn cells(&mut self) -> CellsRequest {
+        let texts = self.value("edits").map(|value| value.extract::<Vec<String>>());
+        if matches!(texts, Some(Err(_))) {
+            self.wrong("edits", "a list of texts such as \"D7=900 mm\"");
+        }
+        let texts = texts.and_then(Result::ok).unwrap_or_default();
+        let read = |text: &String| self.problems.keep(Edit::parse(text).map_err(|problem| problem.named("edits")));
+        let edits = texts.iter().filter_map(read).collect();
+        CellsRequest { sheet: self.text("sheet"), columns: self.path("columns"), edits }
     }
 
     /// Numbers of an array, as the Python layer passes them: bytes of doubles.

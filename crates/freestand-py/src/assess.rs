@@ -89,12 +89,10 @@ pub(crate) fn assess(
     let mut given = Given::new(values);
     let mut overrides = overrides(&mut given);
     let request = ListRequest {
-        sheet: given.text("sheet"),
-        columns: given.path("columns"),
+        cells: given.cells(),
         storeys: given.count("storeys"),
         is_strict: given.flag("strict"),
         assess_anchored: given.flag("assess_anchored"),
-        edits: Vec::new(),
     };
     overrides.storeys = storeys(&request);
     let job = Job {
@@ -137,7 +135,7 @@ pub(crate) fn assess(
 pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, PyDict>) -> PyResult<String> {
     let mut given = Given::new(values);
     let marked = given.path("marked_copy");
-    let (sheet, columns) = (given.text("sheet"), given.path("columns"));
+    let cells = given.cells();
     let storeys = given.count("storeys");
     let is_strict = given.flag("strict");
     let (library, cushions) = (given.path("library"), given.path("cushion_library"));
@@ -150,11 +148,16 @@ pub(crate) fn check_inventory(py: Python<'_>, path: PathBuf, values: &Bound<'_, 
     };
     let work = || {
         let libraries = Libraries::with_files(library.as_deref(), cushions.as_deref())?;
-        let mapping = columns.as_deref().map(Mapping::load).transpose()?;
+        let mapping = cells.columns.as_deref().map(Mapping::load).transpose()?;
         libraries.looked_up(|lookup| {
-            let sheet = sheet.as_deref();
-            let options =
-                ReadOptions { sheet, mapping: mapping.as_ref(), floors, is_strict, ..ReadOptions::new(lookup) };
+            let options = ReadOptions {
+                sheet: cells.sheet.as_deref(),
+                mapping: mapping.as_ref(),
+                floors,
+                is_strict,
+                edits: &cells.edits,
+                ..ReadOptions::new(lookup)
+            };
             let reading = inspect_inventory(&path, &options)?;
             if let Some(place) = &marked {
                 let copy = marked_copy(&path, &options, &reading.inventory.findings)?;

@@ -39,6 +39,7 @@ const ARGUMENTS: &[(&str, &str)] = &[
     ("options", "options"),
     ("horizon", "horizon_years"),
     ("discount", "discount_ratio"),
+    ("edit", "edits"),
 ];
 
 /// Progress of work that goes on until the flag is set.
@@ -136,6 +137,11 @@ pub(crate) fn risk(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<u
     let budget = given.text("budget");
     let budget = budget.and_then(|text| given.keep(amount(&text)));
     let (site_deg, inventory, options) = (given.point("site_deg"), given.path("inventory"), given.path("options"));
+    let list = given.cells();
+    if list.is_given() && inventory.is_none() {
+        let message = "sheet, columns and edits say how the list is read, and there is no inventory";
+        given.push(Problem::value(message, "give an inventory, or leave them out"));
+    }
     let (horizon_years, discount_ratio) = (given.positive("horizon_years"), given.non_negative("discount_ratio"));
     let (accepted_rate, years) = (given.positive("accepted_rate"), given.positive("years"));
     given.finish()?;
@@ -147,7 +153,7 @@ pub(crate) fn risk(py: Python<'_>, values: &Bound<'_, PyDict>, threads: Option<u
         hazard,
         hazard_at,
         site_deg,
-        list: Default::default(),
+        list,
         inventory,
         options,
         budget,

@@ -32,6 +32,16 @@ def test_check_inventory_takes_tables(tmp_path):
     assert fs.check_inventory(polars.read_csv(tmp_path / "list.csv")).objects == expected.objects
 
 
+def test_edits_are_those_of_the_command(tmp_path):
+    (tmp_path / "list.csv").write_text(LIST)
+    ours = fs.check_inventory(tmp_path / "list.csv", edits=["D2=1500 mm"])
+    same(ours.to_dict(), told("inventory", "check", tmp_path / "list.csv", "--edit", "D2=1500 mm"))
+    assert ours.table["height_m"][0] == 1.5
+    for wrong in ("D2=1500 mm", [1], ["D2"]):
+        with pytest.raises(fs.BadValue, match="edit|no ="):
+            fs.check_inventory(tmp_path / "list.csv", edits=wrong)
+
+
 def test_a_doubtful_cell_is_a_problem_with_its_cell(tmp_path):
     (tmp_path / "list.csv").write_text(LIST.replace("2000", "-2000"))
     found = fs.check_inventory(tmp_path / "list.csv")

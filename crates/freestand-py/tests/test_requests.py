@@ -202,7 +202,11 @@ def test_fragility_and_risk():
     ours = fs.risk(RISK / "curves.csv", hazard=RISK / "hazard.csv", inventory=RISK / "costs.csv",
                    options=RISK / "options.csv", budget="2000 AUD", horizon_years=40, discount_ratio=0.03)  # fmt: skip
     same(ours.to_dict(), theirs)
+    options = {"hazard": RISK / "hazard.csv", "inventory": RISK / "costs.csv", "edits": ["B2=20000"]}
+    flags[-1:] = [RISK / "costs.csv", "--edit", "B2=20000"]
+    same(fs.risk(RISK / "curves.csv", **options).to_dict(), told("risk", *flags))
     for wrong, said in (
+        ({"hazard": RISK / "hazard.csv", "edits": ["B2=20000"]}, "there is no inventory"),
         ({}, "there is no hazard curve"), ({"hazard_code": "as1170.4"}, "site"),
         ({"hazard_code": "as1170.4", "hazard_im": "pgx"}, "pgx"),
     ):  # fmt: skip

@@ -109,6 +109,8 @@ pub enum Column {
     Shape,
     /// The diameter of a round base.
     Diameter,
+    /// `unit`
+    Unit,
 }
 
 /// What the cells of a column hold.
@@ -189,7 +191,7 @@ const fn of(spec: ColumnSpec, holds: Holds) -> ColumnSpec {
 use Dimension::{Acceleration, Length, Mass, Ratio, Stiffness, Time, Velocity};
 
 /// All columns, in the order of the template and of [`Column`].
-pub static COLUMNS: [ColumnSpec; 52] = [
+pub static COLUMNS: [ColumnSpec; 53] = [
     said(
         text(Column::Id, "id"),
         "Identifier of the object, unique in the file; without it the row number is used",
@@ -386,6 +388,11 @@ pub static COLUMNS: [ColumnSpec; 52] = [
         quantity(Column::Diameter, "diameter", Length, "mm"),
         "Diameter of a round base, in place of thickness and width",
         "400",
+    )),
+    alternative(said(
+        text(Column::Unit, "unit"),
+        "Unit of the bare sizes or of the bare mass of the row, where their headings state none",
+        "cm",
     )),
 ];
 

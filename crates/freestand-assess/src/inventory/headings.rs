@@ -106,6 +106,8 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
         "dimensions|encombrement|taille", "dimensiones|medidas|tamaño", "ingombro|dimensioni|misure", "寸法|外形寸法|サイズ"]),
     (Column::Shape, ["shape|form|base shape|shape of base", "Form|Grundform|Grundriss", "forme", "forma", "forma", "形|形状"]),
     (Column::Diameter, ["diameter|dia|diam|ø|base diameter|outer diameter|outside diameter", "Durchmesser|Außendurchmesser", "diamètre|diam.", "diámetro", "diametro", "直径|外径"]),
+    (Column::Unit, ["unit|uom|unit of measure|units of measure|unit of measurement|size unit|dimension unit|dimensions unit|length unit|weight unit|mass unit",
+        "Einheit|Einheiten|Maßeinheit|Längeneinheit|ME", "unité|unités|unité de mesure", "unidad|unidad de medida", "unità|unità di misura|UM", "単位"]),
 ];
 
 /// Headings of [`Column::Width`] for the longer side: with a width and without a depth, the width

@@ -35,6 +35,7 @@ pub(super) struct Reading<'a> {
 /// The object of a row.
 pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<String>) -> Item {
     let size = size(values);
+    values.units();
     let mass_kg = values.positive(Column::Mass);
     let support = support(values, reading.lookup, mass_kg);
     let quantity = values.whole(Column::Quantity).unwrap_or(1);

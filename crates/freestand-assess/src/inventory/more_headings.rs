@@ -29,4 +29,5 @@ pub(super) const MORE_HEADINGS: &[(Column, [&str; 3])] = &[
     (Column::Dimensions, ["Boyut|Boyutlar|Ölçü|Ölçüler|Ebat", "Dimensões|Medidas|Tamanho", "尺寸|规格|外形尺寸"]),
     (Column::Shape, ["Şekil|Biçim", "Forma|Formato", "形状"]),
     (Column::Diameter, ["Çap", "Diâmetro", "直径|直徑"]),
+    (Column::Unit, ["Ölçü birimi|Birimi", "Unidade|Unidade de medida", "单位|單位"]),
 ];

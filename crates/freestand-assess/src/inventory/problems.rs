@@ -65,6 +65,8 @@ kinds! {
         "put the unit into the heading, such as \"Height (mm)\", or give it in a mapping file (`columns`)";
     UnitWrong Error "unit-wrong" "has a unit that does not fit or is not known"
         "write a unit that is known, such as mm, in, kg, lb";
+    UnitContradicted Error "unit-contradicted" "has one unit by its heading and another by the column of units"
+        "write the unit into the cell, such as \"200 cm\", or correct the heading or the column of units";
     NumberAmbiguous Error "number-ambiguous" "can be read in two ways"
         "write the number without thousands, or give `decimal = \"comma\"` or \"point\" under [numbers] of a mapping file";
     OutOfRange Error "out-of-range" "is not possible"

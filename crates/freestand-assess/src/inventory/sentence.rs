@@ -4,6 +4,13 @@ use freestand_input::quantity::Dimension;
 use freestand_input::words::canonical;
 
 use super::units::{CellUnit, find};
+use super::vocabulary::is_ditto;
+
+/// The unit that the cell of a column of units states for lengths or masses: `cm`, `mm / kg`.
+pub(super) fn cell_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
+    // A quotation mark may repeat the cell above.
+    (text.len() < 40 && !is_ditto(text)).then(|| sentence_unit(&format!("unit: {text}"), dimension)).flatten()
+}
 
 /// The unit that a sentence states for lengths or masses: `All dimensions in mm, weights in kg`.
 pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {

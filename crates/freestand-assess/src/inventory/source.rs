@@ -10,14 +10,12 @@ use super::cell::{Flow, Row};
 use super::layout::{Header, SEARCHED_ROWS, find_header};
 use super::mapping::Mapping;
 use super::workbook::{Formulas, Merges, Workbook};
-use super::{csv_file, encoding};
+use super::{csv_file, encoding, workbook};
 
 /// Largest file \[bytes\].
 const MAX_BYTES: u64 = 512 << 20;
 /// Largest number of cells of a CSV that are held in memory.
 const MAX_CELLS: usize = 25_000_000;
-/// The same for a workbook, whose cells take about 180 bytes each while they are read.
-const MAX_WORKBOOK_CELLS: usize = 8_000_000;
 
 /// What separates the cells of a CSV.
 const SEPARATORS: [u8; 4] = [b',', b';', b'\t', b'|'];
@@ -191,7 +189,7 @@ impl Sheet {
     }
 
     fn of(workbook: &mut Workbook, name: &str, header: Header, warnings: Vec<String>) -> Result<Self, Problem> {
-        let mut all = Collected::up_to(MAX_WORKBOOK_CELLS);
+        let mut all = Collected::up_to(workbook::MAX_CELLS);
         let formulas = workbook.rows(name, &mut |row| all.take(row))?;
         let rows = all.finish()?;
         let merges = workbook.merges(name)?;

@@ -12,7 +12,7 @@ use super::headings::{HeadingUnit, Language, dimension};
 use super::layout::{Body, Header};
 use super::mapping::Mapping;
 use super::numbers::{Decimal, is_plausible};
-use super::sentence::sentence_unit;
+use super::sentence::{cell_unit, sentence_unit};
 use super::units::{CellUnit, find, is_metric};
 use super::vocabulary::{is_missing, rating};
 
@@ -82,12 +82,31 @@ pub(super) struct Use {
     pub(super) order: Option<Vec<char>>,
     /// Units from a row on.
     later_units: Vec<(u32, CellUnit)>,
+    /// Rows with a unit of their own, in a column of units.
+    row_units: Vec<(u32, CellUnit)>,
 }
 
 impl Use {
     /// The unit of bare numbers in a row.
     pub(super) fn unit_at(&self, row: u32) -> Option<CellUnit> {
-        self.later_units.iter().rev().find(|(from, _)| *from < row).map(|(_, unit)| *unit).or(self.unit)
+        self.stated_at(row).or_else(|| self.row_unit(row)).or(self.unit)
+    }
+
+    /// The unit that is stated for the whole column, or for a part of it.
+    fn stated_at(&self, row: u32) -> Option<CellUnit> {
+        let later = self.later_units.iter().rev().find(|(from, _)| *from < row).map(|(_, unit)| *unit);
+        later.or_else(|| self.unit.filter(|_| !self.unit_source.is_some_and(UnitSource::is_assumed)))
+    }
+
+    fn row_unit(&self, row: u32) -> Option<CellUnit> {
+        let at = self.row_units.binary_search_by_key(&row, |(row, _)| *row).ok()?;
+        self.row_units.get(at).map(|(_, unit)| *unit)
+    }
+
+    /// The units of the heading and of the row, where they differ and no mapping file decides.
+    pub(super) fn contradiction_at(&self, row: u32) -> Option<[CellUnit; 2]> {
+        let units = [self.stated_at(row)?, self.row_unit(row)?];
+        (units[0] != units[1] && self.unit_source != Some(UnitSource::Mapping)).then_some(units)
     }
 
     /// Whether the unit is neither in the heading nor in the cells.
@@ -97,7 +116,9 @@ impl Use {
 
     /// Whether the unit of a bare number of a row was assumed.
     pub(super) fn is_unit_assumed(&self, row: u32) -> bool {
-        self.unit_source.is_some_and(UnitSource::is_assumed) && !self.later_units.iter().any(|(from, _)| *from < row)
+        self.unit_source.is_some_and(UnitSource::is_assumed)
+            && self.stated_at(row).is_none()
+            && self.row_unit(row).is_none()
     }
 }
 
@@ -164,8 +185,8 @@ fn cells_are_imperial(all: &Understood, evidence: &Evidence<'_>) -> bool {
     let (mut metric, mut imperial) = (0, 0);
     for one in &all.uses {
         let Some(dimension) = dimension(one.column) else { continue };
-        for (_, text) in evidence.texts(one.index).take(50) {
-            match stated_unit(&text, dimension).and_then(is_metric) {
+        for (row, text) in evidence.texts(one.index).take(50) {
+            match stated_unit(&text, dimension).or(one.row_unit(row.number)).and_then(is_metric) {
                 Some(true) => metric += 1,
                 Some(false) => imperial += 1,
                 None => {}
@@ -272,6 +293,7 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
             dialect: Dialect::Open,
             order: one.order,
             later_units: later.map(|(row, _, unit)| (*row, *unit)).collect(),
+            row_units: Vec::new(),
         });
     }
     let by_rank = |mut places: Vec<(u16, usize)>| {
@@ -279,7 +301,32 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
         places.into_iter().map(|(_, slot)| slot).collect()
     };
     let firsts = firsts.into_iter().map(by_rank).collect();
+    row_units(&mut uses, evidence);
     Understood { uses, firsts, carried, is_imperial: false, is_japanese, has_both_signs: false, warnings }
+}
+
+/// The rows that have a unit of their own: of several columns of units the next to the right of a
+/// column is its own, as in `Height, Unit, Weight, Unit`; else the last.
+fn row_units(uses: &mut [Use], evidence: &Evidence<'_>) {
+    let columns: Vec<u32> = uses.iter().filter(|one| one.column == Column::Unit).map(|one| one.index).collect();
+    for one in uses.iter_mut().filter(|_| !columns.is_empty()) {
+        let Some(dimension) = dimension(one.column) else { continue };
+        let of = |column: &u32| -> Vec<(u32, CellUnit)> {
+            let unit = |(row, cell): (&Row, &Cell)| Some((row.number, cell_unit(&cell.shown(), dimension)?));
+            evidence.cells(*column).filter_map(unit).collect()
+        };
+        let all: Vec<(u32, Vec<(u32, CellUnit)>)> = columns.iter().map(|column| (*column, of(column))).collect();
+        let mut stating = all.into_iter().filter(|(_, units)| !units.is_empty());
+        let mut last = None;
+        let next = stating.find_map(|(column, units)| {
+            if column > one.index {
+                return Some(units);
+            }
+            last = Some(units);
+            None
+        });
+        one.row_units = next.or(last).unwrap_or_default();
+    }
 }
 
 /// Of two columns with one name the better heading is read. The other is carried through where it
@@ -290,7 +337,8 @@ fn second_texts(candidates: &mut BTreeMap<u32, Candidate>, header: &Header, carr
     seen.sort_unstable_by_key(|&(column, rank, index)| (column as usize, rank, index));
     for pair in seen.windows(2) {
         let [(first, ..), (column, _, index)] = *pair else { continue };
-        if first == column && dimension(column).is_none_or(|dimension| dimension == Dimension::Ratio) {
+        let is_unit = column == Column::Unit;
+        if first == column && !is_unit && dimension(column).is_none_or(|dimension| dimension == Dimension::Ratio) {
             candidates.remove(&index);
             carry(index, header, carried);
         }
@@ -347,6 +395,25 @@ fn by_content(candidates: &mut BTreeMap<u32, Candidate>, evidence: &Evidence<'_>
         }
     }
     let mut dropped = Vec::new();
+    // "Units" may be a number, "Unit" a ward or "each", "Height unit" a column of units.
+    for (index, one) in candidates.iter_mut() {
+        let is_size = matches!(dimension(one.column), Some(Dimension::Length | Dimension::Mass));
+        if !matches!(one.column, Column::Unit | Column::Quantity) && !is_size {
+            continue;
+        }
+        let texts = sample(*index);
+        let is_unit = |text: &&String| {
+            [Dimension::Length, Dimension::Mass].into_iter().any(|dimension| cell_unit(text, dimension).is_some())
+        };
+        let units = texts.iter().filter(is_unit).count();
+        if one.column == Column::Unit {
+            if 2 * units < texts.len() || texts.is_empty() {
+                dropped.push(*index);
+            }
+        } else if units == texts.len() && !texts.is_empty() {
+            one.column = Column::Unit;
+        }
+    }
     for (index, one) in candidates.iter_mut() {
         if COLUMNS.get(one.column as usize).is_none_or(|spec| spec.holds != Holds::Rating) {
             continue;

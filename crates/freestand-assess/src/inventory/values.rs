@@ -13,7 +13,9 @@ use super::headings::dimension;
 use super::numbers::Decimal;
 use super::problems::{Findings, Kind, Place, Severity};
 use super::round::{names_diameter, shape};
+use super::sentence::cell_unit;
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
+use super::units::CellUnit;
 use super::vocabulary::{Answer, Wheels, casters, is_ditto, is_missing, is_no_value, rating, without_state, yes_or_no};
 use super::workbook::Merges;
 use super::{Casters, Rating};
@@ -92,7 +94,7 @@ impl<'a> Values<'a> {
         let at = rows.binary_search_by_key(&top, |other| other.number).ok()?;
         let cell = rows.get(at)?.get(left).filter(|cell| !cell.is_blank())?;
         // A mass over three rows may be that of all three.
-        if matches!(one.column, Column::Mass | Column::Quantity | Column::Id) {
+        if matches!(one.column, Column::Mass | Column::Quantity | Column::Id | Column::Unit) {
             if one.column != Column::Id {
                 self.problem(one, Kind::Merged, &cell.shown(), None);
             }
@@ -211,10 +213,41 @@ impl<'a> Values<'a> {
         };
         let (text, is_too_small) = if one.column == Column::Mass { without_state(text) } else { (text, false) };
         let found = self.chosen(one, cell, text, |choice| quantity(text, dimension, unit, choice));
-        let finite = |found: Measured| if found.si.is_finite() { Ok(found) } else { Err(Wrong::new(Kind::Unreadable)) };
+        let finite = |found: Measured| {
+            if !found.si.is_finite() {
+                return Err(Wrong::new(Kind::Unreadable));
+            }
+            self.agreed(one, found.is_bare).map(|()| found)
+        };
         let found = self.taken(one, cell, found.and_then(finite))?;
         self.doubts_of(one, cell, found.is_approximate || is_too_small, found.is_bare);
         Some(found)
+    }
+
+    /// Refuses a bare number whose heading and row state two units.
+    fn agreed(&self, one: &Use, is_bare: bool) -> Result<(), Wrong> {
+        match one.contradiction_at(self.row.number).filter(|_| is_bare) {
+            Some(units) => {
+                let [heading, row] = units.map(CellUnit::symbol);
+                Err(Wrong::because(Kind::UnitContradicted, &format!("{heading} by the heading, {row} by the row")))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Says which cells of the columns of units are none.
+    pub(super) fn units(&mut self) {
+        let columns = self.columns;
+        for one in columns.all(Column::Unit) {
+            let text = self.cell(one).map(Cell::shown).filter(|text| !is_missing(text));
+            self.count(one, text.is_some());
+            let Some(text) = text else { continue };
+            let is_unit = |dimension| cell_unit(&text, dimension).is_some();
+            if !is_unit(Dimension::Length) && !is_unit(Dimension::Mass) {
+                let detail = "is not a unit of length or mass".to_owned();
+                self.problem(one, Kind::NotUnderstood, &text, Some(detail));
+            }
+        }
     }
 
     fn doubts_of(&mut self, one: &Use, cell: &Cell, is_approximate: bool, is_bare: bool) {
@@ -327,7 +360,10 @@ impl<'a> Values<'a> {
         let positive = |found: Sizes| {
             let all = [found.height, found.width, found.thickness];
             let is_wrong = all.iter().flatten().any(|size| *size <= 0.0);
-            if is_wrong { Err(Wrong::out_of_range("must be above 0")) } else { Ok(found) }
+            if is_wrong {
+                return Err(Wrong::out_of_range("must be above 0"));
+            }
+            self.agreed(one, found.is_bare).map(|()| found)
         };
         let found = self.taken(one, cell, found.and_then(positive))?;
         if found.is_order_guessed {

@@ -10,14 +10,13 @@ use freestand_input::quantity::Dimension;
 use super::cell::{MAX_CELL_CHARS, MAX_ROWS};
 use super::columns::{Column, Holds};
 use super::headings::{HeadingUnit, meaning};
+use super::workbook::MAX_CELLS;
 use freestand_input::formula::guarded;
 
 /// Name of the sheet with the objects.
 pub(super) const SHEET: &str = "Inventory";
 /// Number of rows below the last that also have the drop-down lists.
 const ROWS_TO_COME: u32 = 1000;
-/// Largest number of cells in a workbook: they are in memory while it is written.
-const MAX_CELLS: usize = 8_000_000;
 
 /// A cell to write.
 #[derive(Debug, Clone, PartialEq)]

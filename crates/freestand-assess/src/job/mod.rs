@@ -22,7 +22,7 @@ use serde::Serialize;
 use serde_json::json;
 use store::part_size;
 
-use crate::inventory::{Edit, Floors, Inventory, Mapping, ReadOptions, read_inventory};
+use crate::inventory::{CellsRequest, Floors, Inventory, Mapping, ReadOptions, read_inventory};
 use crate::library::{Libraries, Lookup};
 use crate::output::{
     First, Head, OUTCOMES_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, write_all, write_worlds,
@@ -152,14 +152,14 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
         return Err(Problem::value("there is no inventory to assess", hint).into());
     };
     let libraries = Libraries::with_files(settings.library.as_deref(), settings.cushion_library.as_deref())?;
-    let mapping = request.columns.as_deref().map(Mapping::load).transpose()?;
+    let mapping = request.cells.columns.as_deref().map(Mapping::load).transpose()?;
     let read = |lookup: &Lookup| {
         let options = ReadOptions {
-            sheet: request.sheet.as_deref().or(settings.sheet.as_deref()),
+            sheet: request.cells.sheet.as_deref().or(settings.sheet.as_deref()),
             mapping: mapping.as_ref(),
             floors: floors_of(study, request.storeys),
             is_strict: request.is_strict,
-            edits: &request.edits,
+            edits: &request.cells.edits,
             wants_cells: false,
             lookup,
         };
@@ -169,7 +169,7 @@ pub fn inventory_of(study: &Study, path: Option<&Path>, request: &ListRequest) -
     let mapped = mapping.as_ref().map_or("", |mapping| mapping.sha256.as_str());
     let storeys = request.storeys.map_or_else(String::new, |storeys| storeys.to_string());
     inventory.read_with = format!("mapping {mapped}; storeys {storeys}; anchored {}", request.assess_anchored);
-    for edit in &request.edits {
+    for edit in &request.cells.edits {
         inventory.read_with.push_str(&format!("; {}", serde_json::Value::from(edit.to_string())));
     }
     if request.assess_anchored {
@@ -197,18 +197,14 @@ fn other_storeys(study: &Study, storeys: Option<usize>) -> Option<String> {
 /// How the list of an assessment is read, beside what the study says.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct ListRequest {
-    /// A sheet of a workbook.
-    pub sheet: Option<String>,
-    /// A mapping file.
-    pub columns: Option<PathBuf>,
+    /// How its cells are read.
+    pub cells: CellsRequest,
     /// Number of storeys, in place of the study's.
     pub storeys: Option<usize>,
     /// Every doubt is an error.
     pub is_strict: bool,
     /// Objects that are reported as anchored are assessed as if they were free.
     pub assess_anchored: bool,
-    /// Cells that are read otherwise than the file has them.
-    pub edits: Vec<Edit>,
 }
 
 /// What a study says about the floors of its building.

@@ -241,12 +241,10 @@ impl ListArgs {
         settings.library = self.library.clone().or(settings.library.take());
         settings.cushion_library = self.cushion_library.clone().or(settings.cushion_library.take());
         let request = ListRequest {
-            sheet: self.cells.sheet.clone(),
-            columns: self.cells.columns.clone(),
+            cells: self.cells.request()?,
             storeys: self.storeys.map(usize::from),
             is_strict: self.strict,
             assess_anchored: self.assess_anchored,
-            edits: self.cells.edits()?,
         };
         let inventory = inventory_of(&study, self.inventory.as_deref(), &request)?;
         Ok((study, request, inventory))

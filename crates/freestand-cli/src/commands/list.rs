@@ -33,7 +33,7 @@ impl CellsArgs {
         problems.finish(Some(edits))
     }
 
-    /// How the costs of a list are read.
+    /// How the cells of a list are read.
     ///
     /// # Errors
     /// What is not a cell and its text.

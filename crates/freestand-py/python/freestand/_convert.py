@@ -9,6 +9,7 @@ import os
 import sys
 import warnings as python_warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -136,9 +137,28 @@ def words(**values: Any) -> Given | None:
     return plain or None
 
 
+#: Where the warnings of many calls are kept, until they are shown together.
+_KEPT: ContextVar[list[str] | None] = ContextVar("_KEPT", default=None)
+
+
+@contextlib.contextmanager
+def warnings_kept() -> Iterator[list[str]]:
+    """Keeps the warnings of the calls inside, for one that is made of many."""
+    kept: list[str] = []
+    token = _KEPT.set(kept)
+    try:
+        yield kept
+    finally:
+        _KEPT.reset(token)
+
+
 def warn(messages: Sequence[str]) -> None:
     """Shows warnings of a result at the line that called freestand."""
     if not messages:
+        return
+    kept = _KEPT.get()
+    if kept is not None:
+        kept.extend(messages)
         return
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:

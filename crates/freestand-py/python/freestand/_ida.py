@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from ._block import Block
-from ._convert import Array, Numbers, bad, doubles, number
+from ._convert import Array, Numbers, bad, doubles, number, warnings_kept
 from ._errors import SolveError
 from ._motion import Motion, record, several
 from ._results import IdaResult, RockResult
-from ._rocking import check_block, rocked
+from ._rocking import check_block, rock
 
 #: The measures of intensity of a floor, with their units.
 _UNITS = {"pfa": "g", "pfv": "m/s", "velocity_ratio": "", "acceleration_ratio": ""}
@@ -85,11 +85,12 @@ def ida(
         for scale in factors.tolist():
             row: dict[str, Any] = {"motion": motion.name, "scale_ratio": scale, "intensity": scale * base}
             try:
-                found = rocked(block, motion.scale(scale), vertical=None if second is None else second.scale(scale), **options)
+                with warnings_kept() as kept:
+                    found = rock(block, motion.scale(scale), vertical=None if second is None else second.scale(scale), **options)
             except SolveError as error:
                 rows.append({**row, "outcome": "unresolved", **dict.fromkeys(_RESPONSES), "reason": str(error)})
                 continue
-            warnings += [text for text in found.warnings if text not in warnings]
+            warnings += [text for text in kept if text not in warnings]
             rows.append({**row, **_response(found, tolerance), "reason": None})
     unit = _UNITS.get(im, "g")
     return IdaResult(im, unit, [motion.name for motion in named], factors, rows, warnings)

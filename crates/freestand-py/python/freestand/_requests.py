@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from . import _freestand
@@ -242,6 +242,7 @@ def check_inventory(
     *,
     sheet: str | None = None,
     columns: PathLike | None = None,
+    edits: Sequence[str] | None = None,
     storeys: int | None = None,
     strict: bool = False,
     study: Study | None = None,
@@ -259,6 +260,8 @@ def check_inventory(
         Sheet of a workbook.
     columns : path, optional
         Mapping file (TOML) that says what columns, floors and numbers of the list mean.
+    edits : sequence of str, optional
+        Cells that are read as if they contained another text, such as ``["D7=900 mm"]``. The file is not changed.
     storeys : int, optional
         Number of storeys, to place floors by their numbers.
     strict : bool, default False
@@ -282,7 +285,7 @@ def check_inventory(
     (28, False)
     """
     values = given(
-        sheet=sheet, columns=columns, storeys=storeys, strict=strict or None, library=library,
+        sheet=sheet, columns=columns, edits=edits, storeys=storeys, strict=strict or None, library=library,
         cushion_library=cushion_library, marked_copy=marked_copy,
     )  # fmt: skip
     with as_file(inventory) as listed:
@@ -324,6 +327,7 @@ def assess(
     return_period_years: float | None = None,
     sheet: str | None = None,
     columns: PathLike | None = None,
+    edits: Sequence[str] | None = None,
     storeys: int | None = None,
     strict: bool = False,
     assess_anchored: bool = False,
@@ -355,7 +359,7 @@ def assess(
         A place with the hazard of its code, in place of that of the study, and the class of its site.
     return_period_years : float, optional
         Return period of the hazard [years].
-    sheet, columns, storeys, strict, library, cushion_library : optional
+    sheet, columns, edits, storeys, strict, library, cushion_library : optional
         As in `check_inventory`.
     assess_anchored : bool, default False
         Whether anchored objects are assessed as if they were free.
@@ -377,7 +381,7 @@ def assess(
     """
     values = given(
         seed=seed, hazard=words(place=place, site=site, return_period_years=return_period_years), sheet=sheet,
-        columns=columns, storeys=storeys, strict=strict or None, assess_anchored=assess_anchored or None,
+        columns=columns, edits=edits, storeys=storeys, strict=strict or None, assess_anchored=assess_anchored or None,
         library=library, cushion_library=cushion_library, parquet=parquet or None, outcomes=outcomes or None,
         resume=resume or None, force=force or None,
     )  # fmt: skip
@@ -517,6 +521,9 @@ def risk(
     bootstrap: int | None = None,
     seed: int | None = None,
     inventory: Any = None,
+    sheet: str | None = None,
+    columns: PathLike | None = None,
+    edits: Sequence[str] | None = None,
     options: Any = None,
     budget: str | None = None,
     horizon_years: float | None = None,
@@ -551,6 +558,8 @@ def risk(
         As in `fragility`.
     inventory : path or table, optional
         Costs and accepted rates.
+    sheet, columns, edits : optional
+        As in `check_inventory`.
     options : path or table, optional
         What can be bought.
     budget : str, optional
@@ -579,7 +588,7 @@ def risk(
         fragility=fragility, hazard=hazard, hazard_power=hazard_power, hazard_code=hazard_code, hazard_im=hazard_im,
         site=site, hazard_factor=hazard_factor, fault_distance_m=fault_distance_m, site_deg=site_deg, at=at, fit=fit,
         bootstrap=bootstrap, seed=seed, budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
-        accepted_rate=accepted_rate, years=years,
+        accepted_rate=accepted_rate, years=years, sheet=sheet, columns=columns, edits=edits,
     )  # fmt: skip
     with (
         as_file(outcomes, "outcomes") as runs,

@@ -88,42 +88,6 @@ def rock(
     >>> result.outcome, result.impact_count
     ('rocked', 269)
     """
-    result = rocked(
-        block, motion, vertical=vertical, restitution=restitution, restitution_factor=restitution_factor, model=model,
-        accuracy=accuracy, base=base, initial_rotation_rad=initial_rotation_rad,
-        initial_velocity_rad_s=initial_velocity_rad_s, duration_s=duration_s, history=history, walls=walls,
-        sliding=sliding, friction=friction, gravity_m_s2=gravity_m_s2, cg_rise_m=cg_rise_m, contacts=contacts, at_m=at_m,
-        tangential_stiffness_n_m=tangential_stiffness_n_m, tangential_ratio=tangential_ratio,
-    )  # fmt: skip
-    warn(result.warnings)
-    return result
-
-
-def rocked(
-    block: Block,
-    motion: Motion | None = None,
-    *,
-    vertical: Motion | None = None,
-    restitution: float | None = None,
-    restitution_factor: float | None = None,
-    model: str | None = None,
-    accuracy: str | None = None,
-    base: str | None = None,
-    initial_rotation_rad: float | None = None,
-    initial_velocity_rad_s: float | None = None,
-    duration_s: float | None = None,
-    history: bool = False,
-    walls: Walls | None = None,
-    sliding: Sliding | None = None,
-    friction: float | None = None,
-    gravity_m_s2: float | None = None,
-    cg_rise_m: float | None = None,
-    contacts: int | None = None,
-    at_m: tuple[float, float] | None = None,
-    tangential_stiffness_n_m: float | None = None,
-    tangential_ratio: float | None = None,
-) -> RockResult:
-    """The response to a motion, as `rock`; its warnings are not shown yet."""
     check_block(block)
     of_kind("walls", walls, Walls, "a freestand.Walls")
     of_kind("sliding", sliding, Sliding, "a freestand.Sliding")
@@ -131,16 +95,12 @@ def rocked(
     history = bool(history)
     horizontal = None if motion is None else record("motion", motion)
     upward = None if vertical is None else record("vertical", vertical)
-    values: dict[str, Any] = {}
-    for name, value in (
-        ("restitution", restitution), ("restitution_factor", restitution_factor), ("model", model),
-        ("accuracy", accuracy), ("base", base), ("initial_rotation_rad", initial_rotation_rad),
-        ("initial_velocity_rad_s", initial_velocity_rad_s), ("duration_s", duration_s), ("friction", friction),
-        ("gravity_m_s2", gravity_m_s2), ("cg_rise_m", cg_rise_m), ("contacts", contacts), ("at_m", at_m),
-        ("tangential_stiffness_n_m", tangential_stiffness_n_m), ("tangential_ratio", tangential_ratio),
-    ):  # fmt: skip
-        if value is not None:
-            values[name] = value
+    values = given(
+        restitution=restitution, restitution_factor=restitution_factor, model=model, accuracy=accuracy, base=base,
+        initial_rotation_rad=initial_rotation_rad, initial_velocity_rad_s=initial_velocity_rad_s, duration_s=duration_s,
+        friction=friction, gravity_m_s2=gravity_m_s2, cg_rise_m=cg_rise_m, contacts=contacts, at_m=at_m,
+        tangential_stiffness_n_m=tangential_stiffness_n_m, tangential_ratio=tangential_ratio,
+    )  # fmt: skip
     if base != "compliant":
         for name in _COMPLIANT:
             if name in values:
@@ -156,7 +116,9 @@ def rocked(
             if name in values:
                 raise bad(f"{name} applies only to an object that rocks, and this one slides or rolls", "leave it out")
     assert found is not None
-    return RockResult(*found, motion)
+    result = RockResult(*found, motion)
+    warn(result.warnings)
+    return result
 
 
 _COMPLIANT = ("cg_rise_m", "contacts", "at_m", "tangential_stiffness_n_m", "tangential_ratio")

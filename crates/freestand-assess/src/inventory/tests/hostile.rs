@@ -162,6 +162,17 @@ fn archives_that_unpack_to_too_much_or_lie() {
     assert!(problems(&lying)[0].contains("damaged"));
 }
 
+/// Four million cells in 60 MB of XML, which compress to less than one.
+#[test]
+fn a_sheet_of_too_many_cells_is_refused() {
+    let cells = "<c><v>1</v></c>".repeat(16_000);
+    let row = |number: usize| format!("<row r=\"{number}\">{cells}</row>");
+    let rows: String = (2..253).map(row).collect();
+    let book = workbook(&(super::row(1, &HEADINGS) + &rows), "");
+    let said = problems(&book);
+    assert!(said[0].contains("the sheet has more than 4000000 cells, too many for an inventory"), "{said:?}");
+}
+
 #[test]
 fn what_is_no_inventory_at_all() {
     let book = workbook(&(row(1, &HEADINGS) + &row(2, &["a", "x", "0.5", "1800", "600"])), "");

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::files::{KeptFiles, absolute};
 use super::{MOTIONS, OUT};
-use crate::inventory::{Edit, Inventory, lines_of_items};
+use crate::inventory::{CellsRequest, Edit, Inventory, lines_of_items};
 use crate::job::key::resume_key;
 use crate::job::store::part_size;
 use crate::job::{ListRequest, said};
@@ -195,7 +195,7 @@ fn plan_key(request: &PlanRequest) -> String {
 
 fn write(request: &PlanRequest, key: String, dir: &Path, force: bool) -> Result<(), Problems> {
     let PlanRequest { study, seed, inventory, list, shards, outcomes } = *request;
-    let kept = KeptFiles::of(study, [inventory.path.clone()].into_iter().chain(list.columns.clone()))?;
+    let kept = KeptFiles::of(study, [inventory.path.clone()].into_iter().chain(list.cells.columns.clone()))?;
     let inputs: Vec<PathBuf> = kept.files().cloned().collect();
     let folder = OutputFolder::stage(dir, force, &inputs)?.of_command(PLAN_SCHEMA)?;
     let text = kept.relocated(study)?;
@@ -244,12 +244,12 @@ fn write(request: &PlanRequest, key: String, dir: &Path, force: bool) -> Result<
             file,
             sha256: inventory.sha256.clone(),
             original: absolute(&inventory.path)?,
-            sheet: list.sheet.clone(),
-            columns: name(&list.columns)?,
+            sheet: list.cells.sheet.clone(),
+            columns: name(&list.cells.columns)?,
             storeys: list.storeys,
             is_strict: list.is_strict,
             assess_anchored: list.assess_anchored,
-            edits: list.edits.iter().map(Edit::to_string).collect(),
+            edits: list.cells.edits.iter().map(Edit::to_string).collect(),
         },
         files: folder.names()?.into_iter().chain([PLAN.to_owned()]).collect(),
         files_sha256: BTreeMap::new(),
@@ -406,12 +406,14 @@ impl Plan {
             &self.file.inventory;
         let edits = edits.iter().map(|edit| Edit::parse(edit)).collect::<Result<_, _>>()?;
         let request = ListRequest {
-            sheet: sheet.clone(),
-            columns: columns.as_ref().map(|name| self.dir.join(name)),
+            cells: CellsRequest {
+                sheet: sheet.clone(),
+                columns: columns.as_ref().map(|name| self.dir.join(name)),
+                edits,
+            },
             storeys: *storeys,
             is_strict: *is_strict,
             assess_anchored: *assess_anchored,
-            edits,
         };
         Ok((self.dir.join(file), request))
     }

@@ -74,13 +74,28 @@ pub(super) enum Sensed {
 }
 
 /// Attributes of one element; those of a StationXML have some ten. The parser compares each with all before it.
-const MAX_ATTRIBUTES: usize = 1000;
+const MAX_ATTRIBUTES: usize = 100;
 
 fn has_too_many_attributes(bytes: &[u8]) -> bool {
-    bytes.split(|b| *b == b'<').any(|element| {
-        let tag = element.split(|b| *b == b'>').next().unwrap_or_default();
-        tag.len() > 4 * MAX_ATTRIBUTES && tag.iter().filter(|b| **b == b'=').count() > MAX_ATTRIBUTES
-    })
+    bytes
+        .split(|b| *b == b'<')
+        .any(|element| element.len() > 4 * MAX_ATTRIBUTES && attributes(element) > MAX_ATTRIBUTES)
+}
+
+/// The attributes behind a `<`. A value in quotes may contain `>` and `=`.
+fn attributes(element: &[u8]) -> usize {
+    let mut quote = None;
+    let mut count = 0;
+    for byte in element {
+        match (byte, quote) {
+            (b'"' | b'\'', None) => quote = Some(byte),
+            (_, Some(open)) if byte == open => quote = None,
+            (b'=', None) => count += 1,
+            (b'>', None) => break,
+            _ => {}
+        }
+    }
+    count
 }
 
 impl<'a> Stations<'a> {

@@ -164,6 +164,22 @@ fn what_is_no_station_xml_is_refused() {
     assert!(problem.message.contains("not UTF-8"));
 }
 
+/// The parser compares each attribute with all before it: what has too many is refused before.
+#[test]
+fn elements_of_many_attributes_are_refused() {
+    for value in ["1", ">", "=' "] {
+        let many = |count: usize| {
+            let attributes: String = (0..count).map(|n| format!(" a{n}=\"{value}\"")).collect();
+            let text = xml(&[("HNZ", "00", "", "0 -90", &sensitivity("2000", "1", "M/S**2", "COUNTS"))]);
+            text.replace("<Station code", &format!("<Station{attributes} code"))
+        };
+        assert!(scaling(&many(90), "HNZ", "00", "2020-01-01T00:00:00").is_ok(), "{value}");
+        let refused = scaling(&many(100_000), "HNZ", "00", "2020-01-01T00:00:00").unwrap_err();
+        assert_eq!(refused.message, "has an element with more than 100 attributes", "{value}");
+        assert!(refused.hint.is_some());
+    }
+}
+
 fn read(folder: &Path, named: Option<&str>, unit: Option<&str>) -> Result<MotionFile, String> {
     let options = ReadOptions {
         unit: unit.map(str::to_owned),
