@@ -88,7 +88,7 @@ impl StateRisk {
         let AnnualRates { annual_rate, annual_rate_lower, .. } = self.rates;
         annual_rate?;
         let straddles = |low: f64, high: Option<f64>| low <= accepted && high.is_none_or(|high| accepted <= high);
-        let most = self.rates.annual_rate_upper.and(self.rates.cautious());
+        let most = self.rates.most();
         let is_open = straddles(annual_rate_lower, most)
             || self.ci95.is_some_and(|(low, high)| straddles(low, Some(high)))
             || self.lacks_interval;
@@ -98,8 +98,8 @@ impl StateRisk {
     /// The verdict: accepted only if the most that the rate can be is; `None` if neither the rate nor its
     /// bounds decide.
     fn verdict(&self, accepted: f64) -> Option<RiskVerdict> {
-        let AnnualRates { annual_rate, annual_rate_lower, annual_rate_upper, .. } = self.rates;
-        let most = annual_rate_upper.and(self.rates.cautious());
+        let AnnualRates { annual_rate, annual_rate_lower, .. } = self.rates;
+        let most = self.rates.most();
         match (annual_rate, most) {
             (Some(rate), _) if rate > accepted => Some(RiskVerdict::Exceeds),
             (_, Some(most)) if most <= accepted => Some(RiskVerdict::Accepted),
@@ -334,7 +334,7 @@ impl ObjectRisk {
         let limits = LOSS_STATES.into_iter().zip(accepted).filter_map(|(limit_state, accepted)| {
             let (found, accepted) = (self.state(limit_state), accepted?);
             let known = found.and_then(StateRisk::known);
-            let most = found.and_then(|one| one.rates.annual_rate_upper.and(one.rates.cautious()));
+            let most = found.and_then(|one| one.rates.most());
             let most = most.filter(|most| *most > accepted && known.is_some_and(|known| known <= accepted));
             Some(Limit { limit_state, accepted, annual_rate: most.or(known), is_most: most.is_some() })
         });

@@ -182,7 +182,7 @@ fn likeliest(report: &RiskReport, years: &str) -> Option<(String, String)> {
     let (object, rate) = rates.reduce(|a, b| if b.1 > a.1 { b } else { a })?;
     let most = |other: &ObjectRisk| {
         let rates = other.state(LimitState::Overturns)?.rates;
-        rates.annual_rate_upper.and(rates.cautious())
+        rates.most()
     };
     let is_open = |other: &&ObjectRisk| {
         other.id != object.id && other.may_overturn_more() && most(other).is_none_or(|most| most > rate)

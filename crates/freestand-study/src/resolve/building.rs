@@ -55,11 +55,8 @@ impl Resolver<'_> {
         if let Some(height) = &height {
             written.words.set("storey_height", height);
         }
-        match with_storeys(&text, storeys, height.as_deref(), is_builtin) {
-            Ok(text) => (text, false),
-            // Text that is not TOML was noted when it was read.
-            Err(_) => (text, false),
-        }
+        // Text that is not TOML was noted when it was read.
+        (with_storeys(&text, storeys, height.as_deref(), is_builtin).unwrap_or(text), false)
     }
 
     /// Its warnings are still with it; `code` is that of the spectrum.

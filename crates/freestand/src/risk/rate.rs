@@ -54,9 +54,9 @@ impl AnnualRates {
         self.annual_rate.is_none() && !self.is_at_least()
     }
 
-    /// What is compared with an accepted rate: the most that the rate can be where that is known.
-    pub fn cautious(&self) -> Option<f64> {
-        self.annual_rate_upper.or(self.annual_rate).map(|rate| rate + self.below_first)
+    /// The most that the rate can be, which is compared with an accepted one; `None` where nothing bounds it.
+    pub fn most(&self) -> Option<f64> {
+        self.annual_rate_upper.map(|rate| rate + self.below_first)
     }
 
     /// Extends the bounds to `lower` and `upper`.

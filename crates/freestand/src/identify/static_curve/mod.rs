@@ -355,10 +355,7 @@ const SLACK_POINTS: usize = 400;
 /// d₀ of F = K (d − d₀)ⁿ, by least squares through the points of loading up to the load, if the slack shows: the force
 /// stays near zero up to it.
 fn slack_m(loading: &[(f64, f64)], load_n: f64) -> f64 {
-    let Some(end) = loading.iter().position(|(_, f)| *f > (1.0 + TANGENT_SHARE) * load_n).or(Some(loading.len()))
-    else {
-        return 0.0;
-    };
+    let end = loading.iter().position(|(_, f)| *f > (1.0 + TANGENT_SHARE) * load_n).unwrap_or(loading.len());
     let step = end.div_ceil(SLACK_POINTS).max(1);
     let points: Vec<(f64, f64)> = loading[..end].iter().copied().step_by(step).collect();
     let Some(most_m) = points.iter().find(|(_, f)| *f > SLACK_SHARE * load_n).map(|(d, _)| *d) else { return 0.0 };
