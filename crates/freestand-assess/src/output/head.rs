@@ -396,8 +396,8 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
         format!(
             "Where the inventory gives the friction of an object, it slides instead of rocking if none of it exceeds half \
              its base over the height of its centre of gravity; if rocking needs more in a world, its pads answer with \
-             that friction. Elsewhere friction is assumed to be {} to {}, which only tells whether an object may slide: \
-             no number depends on it.",
+             that friction. Elsewhere friction is assumed to be {} to {}: each world draws it for a stack and for an \
+             object in three dimensions; for any other it only tells whether it may slide, and no number depends on it.",
             friction_ratio.0, friction_ratio.1
         ),
         format!(

@@ -82,7 +82,7 @@ pub(crate) struct ObjectArgs {
     tolerance: Option<Given<Withstood>>,
 
     /// Coefficient of friction on the floor, one value or a range; it then slides where rocking needs
-    /// more [default: enough for rocking; 0.2 to 0.8 only tells whether it may slide]
+    /// more [default: enough for rocking; 0.2 to 0.8 tells whether it may slide, and counts for a stack]
     #[arg(long, value_name = "RATIO", read = ratios, help_heading = "The object")]
     friction: Option<Given<(f64, f64)>>,
     #[command(flatten)]
