@@ -13,7 +13,7 @@ use super::{
     Component, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, assumed_hazard, case_of,
     floor_of_list,
 };
-use crate::inventory::{CellsRequest, Item, Mapping, Rating, ReadOptions, console_lines, read_inventory};
+use crate::inventory::{CellsRequest, Item, Mapping, Rating, ReadOptions, console_lines, inspect_inventory};
 use crate::library::Libraries;
 use crate::output::words::listed;
 
@@ -35,8 +35,8 @@ pub struct RestrainListRequest {
     pub anchor_inset_m: Option<f64>,
     /// Anchors along each of the two edges.
     pub anchors_per_edge: usize,
-    /// The units of the texts.
-    pub units: UnitSystem,
+    /// The units of the texts; `None`: those of the list.
+    pub units: Option<UnitSystem>,
 }
 
 /// The forces of all objects of a list.
@@ -93,7 +93,7 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
     };
     let libraries = Libraries::with_files(settings[0], settings[1])?;
     let mapping = request.cells.columns.as_deref().map(Mapping::load).transpose()?;
-    let inventory = libraries.looked_up(|lookup| {
+    let reading = libraries.looked_up(|lookup| {
         let options = ReadOptions {
             sheet: request.cells.sheet.as_deref(),
             mapping: mapping.as_ref(),
@@ -101,8 +101,10 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
             edits: &request.cells.edits,
             ..ReadOptions::new(lookup)
         };
-        read_inventory(&request.list, &options)
+        inspect_inventory(&request.list, &options)
     })?;
+    let inventory = &reading.inventory;
+    let units = request.units.unwrap_or(reading.units);
     // What is wrong with the code or a factor is wrong for every object: it is told once.
     let like = RestrainRequest {
         mass_kg: 1.0,
@@ -116,7 +118,7 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
         component: None,
         anchor_inset_m: None,
         anchors_per_edge: request.anchors_per_edge,
-        units: request.units,
+        units,
         is_compared: false,
     };
     let is_on_floor = !matches!(request.hazard, RestrainHazard::FloorAcceleration(_));
@@ -203,10 +205,10 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
         );
         let [held, share, tension, concrete] = match (force, reason) {
             (Some(force), _) => [
-                request.units.force(force.force_n),
+                units.force(force.force_n),
                 number(force.force_ratio, 3),
-                request.units.force(force.anchor_tension_n),
-                request.units.force(force.anchor_tension_concrete_n),
+                units.force(force.anchor_tension_n),
+                units.force(force.anchor_tension_concrete_n),
             ],
             (None, reason) => [reason.unwrap_or_default(), String::new(), String::new(), String::new()],
         };

@@ -123,7 +123,7 @@ pub(crate) struct RestrainArgs {
     #[arg(long, non_negative = Dimension::Length)]
     anchor_inset: Option<Given>,
     /// Units of the texts and of the sheet; the JSON document is in SI [default: those of most of
-    /// --mass, --height, --thickness]
+    /// --mass, --height, --thickness, or of the list]
     #[arg(long, value_parser = choice(&UnitSystem::ALL))]
     units: Option<UnitSystem>,
     /// Anchors along each of the two edges
@@ -212,7 +212,7 @@ fn run_list(list: &Path, args: &RestrainArgs, global: &GlobalArgs, printer: &Pri
         factors,
         anchor_inset_m,
         anchors_per_edge: args.anchors_per_edge.get(),
-        units: args.units.unwrap_or(UnitSystem::Si),
+        units: args.units,
     };
     let report = restrain_list(&request)?;
     let inputs: Vec<PathBuf> =
