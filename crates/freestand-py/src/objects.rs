@@ -1,5 +1,6 @@
 //! One object: whether it falls over, and how strongly it must be held.
 
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use freestand::G0_M_S2;
@@ -207,7 +208,7 @@ pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(
     };
     let hazard = if has_study {
         let overrides = Overrides { hazard, ..Overrides::default() };
-        RestrainHazard::Study(Box::new(study_of(values, &overrides)?))
+        RestrainHazard::Study(Arc::new(study_of(values, &overrides)?))
     } else {
         acceleration_g.map_or(RestrainHazard::Code(hazard), RestrainHazard::FloorAcceleration)
     };

@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::library::Lookup;
 use freestand_input::file::sha256_hex;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::quantity::{Dimension, UnitSystem, shorten};
 use freestand_input::words::{canonical, nearest};
 
 use super::cell::{Cell, Row};
@@ -115,6 +115,8 @@ pub struct Reading {
     pub inventory: Inventory,
     /// The columns that freestand reads, in the order of the file.
     pub columns: Vec<ColumnRead>,
+    /// The units of most of its columns, or of its cells where its columns have none.
+    pub units: UnitSystem,
     /// The row of the headings, counted from 1.
     pub header_row: u32,
     /// The rows that are not objects.
@@ -253,6 +255,7 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
     Ok(Reading {
         inventory,
         columns: columns_read,
+        units: if understood.iter().any(|columns| columns.is_imperial) { UnitSystem::Us } else { UnitSystem::Si },
         header_row: sheet.header.row,
         left_out,
         mapping_file: super::mapping::written(&mapped, options.mapping.and_then(|mapping| mapping.decimal)),

@@ -60,115 +60,38 @@ pub(super) fn names_diameter(text: &str) -> bool {
     without_diameter(text).1
 }
 
+/// Whether a word is one of these, which blanks separate.
+pub(super) fn is_among(word: &str, all: &str) -> bool {
+    all.split(' ').any(|one| one == word)
+}
+
 /// Whether the cell of a column `shape` says that the base is round; `None`: it is not understood.
 pub(super) fn shape(text: &str) -> Option<bool> {
-    const ROUND: [&str; 24] = [
-        "round",
-        "circular",
-        "circle",
-        "cylinder",
-        "cylindrical",
-        "cyl",
-        "conical",
-        "oval",
-        "rund",
-        "zylinder",
-        "zylindrisch",
-        "rond",
-        "ronde",
-        "cylindre",
-        "cylindrique",
-        "redondo",
-        "redonda",
-        "cilindro",
-        "cilindrico",
-        "rotondo",
-        "tondo",
-        "yuvarlak",
-        "silindir",
-        "円筒",
-    ];
-    const BOX: [&str; 22] = [
-        "box",
-        "square",
-        "rectangular",
-        "rectangle",
-        "cuboid",
-        "prism",
-        "cabinet",
-        "block",
-        "eckig",
-        "rechteckig",
-        "quadratisch",
-        "quader",
-        "kasten",
-        "carre",
-        "rectangulaire",
-        "boite",
-        "cuadrado",
-        "caja",
-        "quadrato",
-        "rettangolare",
-        "dikdortgen",
-        "箱",
-    ];
+    const ROUND: &str = "round circular circle cylinder cylindrical cyl conical oval rund zylinder zylindrisch \
+        rond ronde cylindre cylindrique redondo redonda cilindro cilindrico rotondo tondo yuvarlak silindir 円筒";
+    const BOX: &str = "box square rectangular rectangle cuboid prism cabinet block eckig rechteckig quadratisch \
+        quader kasten carre rectangulaire boite cuadrado caja quadrato rettangolare dikdortgen 箱";
     let words = canonical(text);
-    if ROUND.contains(&words.as_str()) || words.starts_with("polygon") {
+    if is_among(&words, ROUND) || words.starts_with("polygon") {
         return Some(true);
     }
-    BOX.contains(&words.as_str()).then_some(false)
+    is_among(&words, BOX).then_some(false)
 }
 
 /// Whether the name of an object is that of a round one, such as a gas cylinder; a rack of bottles is none.
 pub(super) fn names_round_object(text: &str) -> bool {
-    const ROUND: [&str; 34] = [
-        "cylinder",
-        "cylinders",
-        "bottle",
-        "bottles",
-        "drum",
-        "drums",
-        "barrel",
-        "barrels",
-        "dewar",
-        "keg",
-        "column",
-        "pillar",
-        "vase",
-        "urn",
-        "zylinder",
-        "fass",
-        "saule",
-        "bouteille",
-        "bouteilles",
-        "cylindre",
-        "colonne",
-        "fut",
-        "cilindro",
-        "botella",
-        "bombona",
-        "bidon",
-        "columna",
-        "bombola",
-        "bombole",
-        "fusto",
-        "colonna",
-        "tup",
-        "silindir",
-        "varil",
-    ];
-    const HOLDERS: [&str; 26] = [
-        "rack", "cabinet", "store", "storage", "trolley", "cart", "cage", "holder", "stand", "shelf", "shelves",
-        "shelving", "box", "case", "cupboard", "washer", "press", "machine", "warmer", "wagen", "schrank", "regal",
-        "armoire", "chariot", "armadio", "armario",
-    ];
+    const ROUND: &str = "cylinder cylinders bottle bottles drum drums barrel barrels dewar keg column pillar \
+        vase urn zylinder fass saule bouteille bouteilles cylindre colonne fut cilindro botella bombona bidon \
+        columna bombola bombole fusto colonna tup silindir varil";
+    const HOLDERS: &str = "rack cabinet store storage trolley cart cage holder stand shelf shelves shelving box \
+        case cupboard washer press machine warmer wagen schrank regal armoire chariot armadio armario";
     // "Bust on a column": what it stands on is another object.
     const ON: [&str; 7] = [" on ", " auf ", " sur ", " sobre ", " su ", " next to ", " with "];
     let all = canonical(text);
     let words = ON.iter().fold(all.as_str(), |words, on| words.split(on).next().unwrap_or(words));
-    let has = |all: &[&str]| words.split(' ').any(|word| all.contains(&word));
+    let has = |all: &str| words.split(' ').any(|word| is_among(word, all));
     let is_compound = words.split(' ').any(|word| word.ends_with("flasche") || word.ends_with("flaschen"));
-    (has(&ROUND) || is_compound || words.contains("ボンベ")) && !has(&HOLDERS)
+    (has(ROUND) || is_compound || words.contains("ボンベ")) && !has(HOLDERS)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use freestand_input::quantity::Dimension;
 use freestand_input::words::canonical;
 
+use super::round::is_among;
 use super::units::{CellUnit, find};
 use super::vocabulary::is_ditto;
 
@@ -14,42 +15,16 @@ pub(super) fn cell_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
 
 /// The unit that a sentence states for lengths or masses: `All dimensions in mm, weights in kg`.
 pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
-    const LENGTHS: [&str; 24] = [
-        "dimension",
-        "dimensions",
-        "dim",
-        "dims",
-        "size",
-        "sizes",
-        "length",
-        "lengths",
-        "measurements",
-        "measures",
-        "masse",
-        "abmessungen",
-        "langen",
-        "grossen",
-        "cotes",
-        "mesures",
-        "dimensiones",
-        "medidas",
-        "cotas",
-        "dimensioni",
-        "misure",
-        "quote",
-        "寸法",
-        "heights",
-    ];
-    const MASSES: [&str; 16] = [
-        "weight", "weights", "mass", "masses", "gewicht", "gewichte", "massen", "poids", "peso", "pesos", "masas",
-        "pesi", "重量", "質量", "wt", "wts",
-    ];
+    const LENGTHS: &str = "dimension dimensions dim dims size sizes length lengths measurements measures masse \
+        abmessungen langen grossen cotes mesures dimensiones medidas cotas dimensioni misure quote 寸法 heights";
+    const MASSES: &str =
+        "weight weights mass masses gewicht gewichte massen poids peso pesos masas pesi 重量 質量 wt wts";
     const BOTH: [&str; 9] = ["units", "unit", "einheiten", "einheit", "unites", "unite", "unidades", "unita", "単位"];
     const BEFORE: [&str; 12] = ["in", "en", "em", "are", "sind", "sont", "son", "sono", "by", "は", "is", "all"];
     const CHAIN: [&str; 7] = ["and", "und", "et", "y", "e", "or", "&"];
-    let wanted: &[&str] = match dimension {
-        Dimension::Length => &LENGTHS,
-        Dimension::Mass => &MASSES,
+    let wanted = match dimension {
+        Dimension::Length => LENGTHS,
+        Dimension::Mass => MASSES,
         _ => return None,
     };
     // Words, with a colon, an equals sign or a bracket as words of their own; scripts are apart.
@@ -82,10 +57,10 @@ pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit
     let mut is_due = false;
     for (place, word) in words.iter().enumerate() {
         let plain = canonical(word);
-        if BOTH.contains(&plain.as_str()) || wanted.contains(&plain.as_str()) {
+        if BOTH.contains(&plain.as_str()) || is_among(&plain, wanted) {
             is_wanted = true;
             is_due = false;
-        } else if LENGTHS.contains(&plain.as_str()) || MASSES.contains(&plain.as_str()) {
+        } else if is_among(&plain, LENGTHS) || is_among(&plain, MASSES) {
             is_wanted = false;
             is_due = false;
         } else if matches!(word.as_str(), ":" | "：" | "=" | "(" | "[") {

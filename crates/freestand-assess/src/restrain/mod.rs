@@ -1,14 +1,17 @@
 //! How strongly one object must be held: the force that a code asks for, the anchors, and a sheet
 //! to print. The numbers are those of `assess`, from the same function (`restraint`).
 
+mod list;
 mod report;
 mod sheet;
 mod sketch;
 
 pub use crate::restraint::components::Component;
+pub use list::{RestrainListReport, RestrainListRequest, restrain_list};
 pub use report::{RestrainReport, ToConfirm};
 
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 
 use freestand::G0_M_S2;
 use freestand::block::Block;
@@ -77,7 +80,7 @@ pub struct RestrainRequest {
 #[derive(Debug, Clone, PartialEq)]
 pub enum RestrainHazard {
     /// The code and the building of a study.
-    Study(Box<Study>),
+    Study(Arc<Study>),
     /// The code that these words name, or the one of the place that they name.
     Code(Words),
     /// F = m a, with this acceleration of the floor \[g\].
@@ -176,18 +179,33 @@ pub fn restrain(request: RestrainRequest) -> Result<RestrainReport, Problems> {
 }
 
 fn case(request: RestrainRequest) -> Result<Case, Problems> {
+    let kind = component(&request).map(|component| ObjectKind { component, ..ObjectKind::default() });
+    case_of(request, kind)
+}
+
+/// What is known about an object beside its request.
+#[derive(Default)]
+struct ObjectKind {
+    component: Option<&'static Component>,
+    is_critical: bool,
+    /// Of its feet, where they stand closer than its sides \[m\].
+    base_thickness_m: Option<f64>,
+    base_width_m: Option<f64>,
+}
+
+fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Result<Case, Problems> {
     let mut problems = Problems::default();
-    let blocks = problems.keep(blocks(&request));
+    let kind = problems.keep(kind);
+    let blocks = problems.keep(blocks(&request, kind.as_ref()));
     let target = problems.keep(target(&request));
     let floor = problems.keep(floor(&request));
-    let component = problems.keep(component(&request));
     if let Some(target) = &target {
         check_factors(&request, target.as_ref(), &mut problems);
     }
-    let found = blocks.zip(target).zip(floor).zip(component);
-    let (((blocks, target), floor), component) = problems.finish(found)?;
+    let found = blocks.zip(target).zip(floor).zip(kind);
+    let (((blocks, target), floor), kind) = problems.finish(found)?;
     let Floor { level_ratio, building_height_m, words: floor, mut assumptions } = floor;
-    let object = HeldObject::new(request.mass_kg, level_ratio, false, component, &blocks);
+    let object = HeldObject::new(request.mass_kg, level_ratio, kind.is_critical, kind.component, &blocks);
     let question = match &request.hazard {
         RestrainHazard::Study(study) => RestraintQuestion::in_study(study, object, None),
         hazard => RestraintQuestion {
@@ -265,10 +283,13 @@ fn check_inset(question: &RestraintQuestion) -> Result<(), Problem> {
     Ok(())
 }
 
-fn blocks(request: &RestrainRequest) -> Result<Vec<(Axis, Block)>, Problem> {
-    let shape = Shape { cg_height_m: request.cg_height_m, ..Shape::default() };
-    let sides = [(Axis::Thickness, Some(request.thickness_m)), (Axis::Width, request.width_m)];
-    let block = |(axis, side_m): (Axis, Option<f64>)| {
+fn blocks(request: &RestrainRequest, kind: Option<&ObjectKind>) -> Result<Vec<(Axis, Block)>, Problem> {
+    let sides = [
+        (Axis::Thickness, Some(request.thickness_m), kind.and_then(|kind| kind.base_thickness_m)),
+        (Axis::Width, request.width_m, kind.and_then(|kind| kind.base_width_m)),
+    ];
+    let block = |(axis, side_m, base_width_m): (Axis, Option<f64>, Option<f64>)| {
+        let shape = Shape { cg_height_m: request.cg_height_m, base_width_m, ..Shape::default() };
         let block = shape.block(request.height_m, side_m?);
         Some(block.map(|block| (axis, block)))
     };
@@ -399,6 +420,21 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
     }
     let building_height_m = storeys.map(|storeys| storeys as f64 * storey_height_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M));
     Ok(Floor { level_ratio: level, building_height_m, words, assumptions })
+}
+
+/// The floors that the names in a list mean.
+///
+/// # Errors
+/// A floor beside those of the list.
+fn floor_of_list(hazard: &RestrainHazard, floor: &RestrainFloor) -> Result<Floors, Problem> {
+    if floor.name.is_some() || floor.level_ratio.is_some() {
+        let message = "`floor` and `level_ratio` are those of one object: the list names the floors of its own";
+        return Err(Problem::value(message, "leave them out, or give the object in place of the list"));
+    }
+    Ok(match hazard {
+        RestrainHazard::Study(study) => floors_of(study, None),
+        _ => Floors { storeys: floor.storeys, ..Floors::default() },
+    })
 }
 
 /// What the code of flags assumes about the site.

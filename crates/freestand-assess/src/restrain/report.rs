@@ -194,7 +194,7 @@ pub struct ToConfirm {
 }
 
 impl ToConfirm {
-    fn facts(self) -> Facts<'static> {
+    pub(super) fn facts(self) -> Facts<'static> {
         Facts::default().key("what", self.what).key("value", Some(self.value).filter(|value| !value.is_empty()))
     }
 }

@@ -295,7 +295,7 @@ fn a_list_and_a_single_object_agree() {
             factors: RestrainFactors { importance_ratio, ..RestrainFactors::default() },
             component: None,
             anchor_inset_m: None,
-            ..cabinet(RestrainHazard::Study(Box::new(study.clone())), None)
+            ..cabinet(RestrainHazard::Study(Arc::new(study.clone())), None)
         };
     let singles = [
         alone(2.3, (0.6, 0.9), 140.0, Some(1.3), "3", None),
@@ -350,5 +350,5 @@ fn bad_requests_say_what_is_wrong() {
     assert!(problems(RestrainRequest { cg_height_m: Some(3.0), ..cabinet(melbourne(), None) }).contains("height"));
     let mut study = resolve("[building]\nstoreys = 30\n", None, "".as_ref()).unwrap();
     study.ground = freestand_study::study::Ground::Recorded(Vec::new());
-    assert!(problems(cabinet(RestrainHazard::Study(Box::new(study)), None)).contains("the study names no code"));
+    assert!(problems(cabinet(RestrainHazard::Study(Arc::new(study)), None)).contains("the study names no code"));
 }

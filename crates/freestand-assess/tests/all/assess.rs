@@ -8,6 +8,7 @@ use std::fmt::Write;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use freestand::block::Block;
@@ -402,7 +403,7 @@ fn a_list_and_restrain_agree() {
             thickness_m,
             width_m: Some(width_m),
             cg_height_m: None,
-            hazard: RestrainHazard::Study(Box::new(study.clone())),
+            hazard: RestrainHazard::Study(Arc::new(study.clone())),
             floor: RestrainFloor { level_ratio: Some(level_ratio), ..RestrainFloor::default() },
             factors: RestrainFactors::default(),
             component: None,

@@ -1,18 +1,21 @@
 //! `freestand restrain`: how strongly one object must be held.
 
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 use freestand::G0_M_S2;
 use freestand_assess::restrain::{
-    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainReport, RestrainRequest, restrain,
+    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListReport, RestrainListRequest,
+    RestrainReport, RestrainRequest, ToConfirm, restrain, restrain_list,
 };
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::quantity::{Dimension, UnitSystem};
 use freestand_study::resolve::{Overrides, load};
 
 use super::Done;
+use super::list::CellsArgs;
 use crate::args::{GlobalArgs, at_least_one};
 use crate::failure::Failure;
 use crate::files::Files;
@@ -38,18 +41,25 @@ Examples:
       --sds \"1 g\" --level-ratio 0.5 --importance 1.5 --strength 1.5
   For an object of a study, as assess has it:
     freestand restrain --mass 360kg --height 1.8m --thickness 0.6m --study hospital.toml --floor 2
+  For every object of a list:
+    freestand restrain objects.csv --place Wellington --storeys 5 --out restraint
   By an acceleration of the floor that somebody else has calculated, F = m a:
     freestand restrain --mass 360kg --height 1.8m --thickness 0.6m --floor-acceleration \"0.9 g\"")]
 pub(crate) struct RestrainArgs {
+    /// List of objects (CSV or XLSX), in place of one object: a row with its force for each
+    #[arg(value_name = "LIST", conflicts_with_all = ["mass", "height", "thickness", "width", "cg_height", "component", "compare"])]
+    list: Option<PathBuf>,
+    #[command(flatten)]
+    cells: CellsArgs,
     /// Mass of the object
-    #[arg(long, typed = Dimension::Mass)]
-    mass: Given<Typed>,
+    #[arg(long, typed = Dimension::Mass, required_unless_present = "list")]
+    mass: Option<Given<Typed>>,
     /// Height of the object
-    #[arg(long, typed = Dimension::Length)]
-    height: Given<Typed>,
+    #[arg(long, typed = Dimension::Length, required_unless_present = "list")]
+    height: Option<Given<Typed>>,
     /// Horizontal size of the object, the smaller one
-    #[arg(long, typed = Dimension::Length)]
-    thickness: Given<Typed>,
+    #[arg(long, typed = Dimension::Length, required_unless_present = "list")]
+    thickness: Option<Given<Typed>>,
     /// The other horizontal size [default: only the thickness is checked]
     #[arg(long, positive = Dimension::Length)]
     width: Option<Given>,
@@ -113,7 +123,7 @@ pub(crate) struct RestrainArgs {
     #[arg(long, non_negative = Dimension::Length)]
     anchor_inset: Option<Given>,
     /// Units of the texts and of the sheet; the JSON document is in SI [default: those of most of
-    /// --mass, --height, --thickness]
+    /// --mass, --height, --thickness, or of the list]
     #[arg(long, value_parser = choice(&UnitSystem::ALL))]
     units: Option<UnitSystem>,
     /// Anchors along each of the two edges
@@ -169,6 +179,15 @@ const SCHEMA: &str = "freestand.restrain/1";
 const SHEET: &str = "restraint.html";
 
 pub(crate) fn run(args: &RestrainArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    if let Some(list) = &args.list {
+        return run_list(list, args, global, printer);
+    }
+    if let Some(flag) = args.cells.given() {
+        return Err(Failure::usage(
+            format!("{flag} says how a list is read, and there is none"),
+            "give a list, or leave it out",
+        ));
+    }
     let request = request(args)?;
     let inputs: Vec<PathBuf> = args.study.iter().cloned().collect();
     let report = restrain(request)?;
@@ -177,6 +196,63 @@ pub(crate) fn run(args: &RestrainArgs, global: &GlobalArgs, printer: &Printer) -
     let document = report.facts.clone().key("sheet", sheet.clone());
     files.print(printer, SCHEMA, &document, &report.warnings, || text(&report, sheet.as_deref()))?;
     Ok(Done::OK)
+}
+
+fn run_list(list: &Path, args: &RestrainArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
+    let mut values = Values::default();
+    let acceleration = values.read(&args.floor_acceleration);
+    let (floor, factors) = (floor(args, &mut values), factors(args, &mut values));
+    let anchor_inset_m = values.read(&args.anchor_inset);
+    values.finish()?;
+    let request = RestrainListRequest {
+        list: list.to_owned(),
+        cells: args.cells.request()?,
+        hazard: hazard(args, acceleration)?,
+        floor,
+        factors,
+        anchor_inset_m,
+        anchors_per_edge: args.anchors_per_edge.get(),
+        units: args.units,
+    };
+    let report = restrain_list(&request)?;
+    let inputs: Vec<PathBuf> =
+        [list.to_owned()].into_iter().chain(args.study.iter().chain(&args.cells.columns).cloned()).collect();
+    let files = Files::begin(global, &inputs)?;
+    files.table("restraint", || report.table())?;
+    files.print(printer, SCHEMA, &report.facts(), &report.warnings, || list_text(&report))?;
+    Ok(Done::OK)
+}
+
+fn list_text(report: &RestrainListReport) -> String {
+    let headings = ["row", "object", "force", "force/weight", "tension of an edge", "in concrete"];
+    let rows: Vec<Vec<String>> = report.lines.iter().map(|row| row.to_vec()).collect();
+    let mut text = table(&headings, &rows);
+    text.push_str(&format!("\n{} of {} objects have a force\n", report.held, report.lines.len()));
+    text.push_str(&open_text(&report.to_confirm, &report.assumptions));
+    for problem in &report.problems {
+        text.push_str(&format!("in the list: {problem}\n"));
+    }
+    text
+}
+
+fn floor(args: &RestrainArgs, values: &mut Values) -> RestrainFloor {
+    RestrainFloor {
+        name: args.floor.clone(),
+        level_ratio: values.read(&args.level_ratio),
+        storeys: args.storeys.map(NonZeroUsize::get),
+        storey_height_m: values.read(&args.storey_height),
+    }
+}
+
+fn factors(args: &RestrainArgs, values: &mut Values) -> RestrainFactors {
+    RestrainFactors {
+        importance_ratio: values.read(&args.importance),
+        amplification_ratio: values.read(&args.amplification),
+        response_ratio: values.read(&args.response),
+        resonance_ratio: values.read(&args.resonance),
+        strength_ratio: values.read(&args.strength),
+        building_ductility_ratio: values.read(&args.building_ductility),
+    }
 }
 
 fn request(args: &RestrainArgs) -> Result<RestrainRequest, Failure> {
@@ -188,20 +264,7 @@ fn request(args: &RestrainArgs) -> Result<RestrainRequest, Failure> {
     let width_m = values.read(&args.width);
     let cg_height_m = values.read(&args.cg_height);
     let acceleration = values.read(&args.floor_acceleration);
-    let floor = RestrainFloor {
-        name: args.floor.clone(),
-        level_ratio: values.read(&args.level_ratio),
-        storeys: args.storeys.map(NonZeroUsize::get),
-        storey_height_m: values.read(&args.storey_height),
-    };
-    let factors = RestrainFactors {
-        importance_ratio: values.read(&args.importance),
-        amplification_ratio: values.read(&args.amplification),
-        response_ratio: values.read(&args.response),
-        resonance_ratio: values.read(&args.resonance),
-        strength_ratio: values.read(&args.strength),
-        building_ductility_ratio: values.read(&args.building_ductility),
-    };
+    let (floor, factors) = (floor(args, &mut values), factors(args, &mut values));
     let object = values.finish_with(mass.zip(height).zip(thickness))?;
     let ((mass, height), thickness) = object;
     let units = UnitSystem::of_most_systems([mass.system, height.system, thickness.system]);
@@ -244,7 +307,7 @@ fn hazard(args: &RestrainArgs, acceleration_m_s2: Option<f64>) -> Result<Restrai
                 return Err(Failure::usage(format!("{flag} has no meaning beside --study"), hint));
             }
             let overrides = Overrides { hazard: words.clone(), ..Overrides::default() };
-            Ok(RestrainHazard::Study(Box::new(load(path, &overrides)?)))
+            Ok(RestrainHazard::Study(Arc::new(load(path, &overrides)?)))
         }
         (None, None) if Words::is_empty(words) => Err(Failure::usage(
             "nothing says how strongly the floor shakes",
@@ -252,6 +315,24 @@ fn hazard(args: &RestrainArgs, acceleration_m_s2: Option<f64>) -> Result<Restrai
         )),
         (None, None) => Ok(RestrainHazard::Code(words.clone())),
     }
+}
+
+/// What an engineer must confirm, and what was assumed.
+fn open_text(to_confirm: &[ToConfirm], assumptions: &[String]) -> String {
+    let confirm = |open: &ToConfirm| {
+        let value = if open.value.is_empty() { String::new() } else { format!(" (used: {})", open.value) };
+        format!("an engineer must confirm: {}{value}\n", open.what)
+    };
+    let mut text = String::new();
+    if !to_confirm.is_empty() {
+        text.push('\n');
+        text.extend(to_confirm.iter().map(confirm));
+    }
+    if !assumptions.is_empty() {
+        text.push('\n');
+        text.extend(assumptions.iter().map(|assumption| format!("assumed: {assumption}\n")));
+    }
+    text
 }
 
 fn text(report: &RestrainReport, sheet: Option<&str>) -> String {
@@ -264,19 +345,7 @@ fn text(report: &RestrainReport, sheet: Option<&str>) -> String {
         text.push('\n');
         text.push_str(&table(&headings, &rows));
     }
-    if !report.to_confirm.is_empty() {
-        text.push('\n');
-        for open in &report.to_confirm {
-            let value = if open.value.is_empty() { String::new() } else { format!(" (used: {})", open.value) };
-            text.push_str(&format!("an engineer must confirm: {}{value}\n", open.what));
-        }
-    }
-    if !report.assumptions.is_empty() {
-        text.push('\n');
-        for assumption in &report.assumptions {
-            text.push_str(&format!("assumed: {assumption}\n"));
-        }
-    }
+    text.push_str(&open_text(&report.to_confirm, &report.assumptions));
     if let Some(path) = sheet {
         text.push_str(&format!("\nto print: {path}\n"));
     }

@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use crate::cases;
-use crate::program::{execute, freestand_in};
+use crate::program::{document, execute, folder, freestand_in};
+use crate::{cases, expect};
 
 #[test]
 fn a_template_is_written_checked_and_converted() {
@@ -198,4 +198,28 @@ fn one_list_goes_through_all_commands_and_its_cells_are_corrected_alike() {
     let (first, doubled) = (loss(&first).unwrap(), loss(&doubled).unwrap());
     // Both objects fail alike: 62,000 and 4,500 NZD, then 124,000 and 4,500 NZD.
     assert!(first > 0.0 && (doubled / first - 128.5 / 66.5).abs() < 1e-9, "{first} {doubled}");
+}
+
+/// What came in US units is shown in them, unless others are asked for; JSON is in SI.
+#[test]
+fn inventory_check_shows_the_units_of_the_list() {
+    const US: &str = "id,level_ratio,height [in],depth [in],mass [lb],tolerance [g]\na,0.5,72,18,300,5\n";
+    let folder = folder(&[
+        ("us.csv", US),
+        ("cells.csv", "id,level_ratio,height,depth,Unit\na,0.5,72,18,in\n"),
+        ("si.csv", "id,level_ratio,height [mm],depth [mm]\na,0.5,1800,450\n"),
+    ]);
+    let shown = |args: &[&str]| expect(&folder, &[&["inventory", "check"], args].concat(), 0);
+    for (args, sizes) in [
+        (&["us.csv"][..], ["72 in", "18 in", "300 lb"]),
+        (&["us.csv", "--units", "si"], ["1.8288 m", "457.2 mm", "136.078 kg"]),
+        (&["cells.csv"], ["72 in", "18 in", "-"]),
+        (&["si.csv"], ["1.8 m", "450 mm", "-"]),
+        (&["si.csv", "--units", "us"], ["70.87 in", "17.72 in", "-"]),
+    ] {
+        let text = shown(args);
+        assert!(sizes.iter().all(|size| text.contains(size)), "{args:?}: {text}");
+    }
+    let told = document(folder.path(), &["inventory", "check", "us.csv", "--units", "us"]);
+    assert_eq!(told["first_rows"][0]["height_m"], 1.8288);
 }

@@ -1,5 +1,6 @@
 //! `freestand restrain`.
 
+use crate::program::document;
 use crate::{cases, folder, freestand, freestand_in};
 
 const RACK: [&str; 7] = ["restrain", "--mass", "360kg", "--height", "1.8m", "--thickness", "0.6m"];
@@ -35,4 +36,44 @@ fn restrain_refuses_what_it_cannot_know() {
         with(&["--study", "study.toml", "--sds", "1 g"]),
     ];
     cases::each("restrain_refuses_what_it_cannot_know", &all);
+}
+
+/// A row of a list has the numbers of its object alone; the others say why not.
+#[test]
+fn restrain_every_object_of_a_list() {
+    const LIST: &str = "id,item,floor,height [mm],depth [mm],width [mm],base depth [mm],mass [kg],anchored\n\
+        a,storage cabinet,2,1800,600,900,,360,no\n\
+        b,emergency generator,Roof,1500,900,1800,700,900,no\n\
+        c,fridge,2,1700,600,600,,,no\n\
+        d,rack,2,2000,600,600,,300,yes\n\
+        e,shelf,Penthouse,1.45,600,600,,,no\n\
+        f,shelf,9,1450,600,600,,80,no\n";
+    let study = "[ground]\nplace = \"Newcastle\"\n[building]\nstoreys = 8\n";
+    let folder = folder(&[("list.csv", LIST), ("study.toml", study)]);
+    let at = ["--place", "Wellington", "--storeys", "5"];
+    let with = |more: &[&str]| freestand_in(folder.path(), &[&["restrain"], more].concat());
+    let all = [
+        with(&[&["list.csv"][..], &at, &["--out", "out"]].concat()),
+        with(&[&["list.csv"][..], &at, &["--edit", "H4=120", "--units", "us", "--anchor-inset", "2 in"]].concat()),
+        with(&["list.csv", "--floor-acceleration", "0.9 g"]),
+        with(&["list.csv", "--study", "study.toml"]),
+        with(&[&["list.csv"][..], &at, &["--mass", "80 kg"]].concat()),
+        with(&[&["list.csv"][..], &at, &["--floor", "2"]].concat()),
+        with(&["list.csv", "--place", "Wellington", "--strength", "2"]),
+        with(&["list.csv", "--floor-acceleration", "0.9 g", "--storeys", "5"]),
+        with(&[&RACK[1..], &at, &["--sheet", "Objects"]].concat()),
+    ];
+    cases::each("restrain_every_object_of_a_list", &all);
+    let told = |more: &[&str]| document(folder.path(), &[&["restrain"], more, &at[..]].concat());
+    let alone = told(&[&RACK[1..], &["--width", "0.9m", "--component", "cabinet", "--floor", "2"]].concat());
+    let listed = told(&["list.csv"]);
+    for key in ["force_n", "force_ratio", "anchor_tension_n", "anchor_tension_concrete_n", "bracket_force_n", "axis"] {
+        assert_eq!(listed["rows"][0][key], alone[key], "{key}");
+    }
+    assert_eq!((&listed["objects"], &listed["held"]), (&6.into(), &2.into()));
+    // Feet that stand closer than the sides pull more.
+    let generator = ["--mass", "900kg", "--height", "1.5m", "--thickness", "0.9m", "--width", "1.8m"];
+    let wide = told(&[&generator[..], &["--component", "generator", "--floor", "Roof"]].concat());
+    assert_eq!(listed["rows"][1]["force_n"], wide["force_n"]);
+    assert!(listed["rows"][1]["anchor_tension_n"].as_f64() > wide["anchor_tension_n"].as_f64());
 }

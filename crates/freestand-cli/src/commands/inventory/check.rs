@@ -11,7 +11,7 @@ use freestand_assess::job::floors_of;
 use freestand_assess::library::Libraries;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
-use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::quantity::{Dimension, UnitSystem, format_si, shorten};
 use freestand_input::words::counted;
 use freestand_output::folder::write_file;
 use freestand_study::cushion::cushion_words;
@@ -26,6 +26,7 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::{Printer, pairs, table};
 use crate::reading::path_text;
+use crate::values::choice;
 
 /// Read a list of objects and show how it was understood, with all its problems
 #[derive(Debug, Args)]
@@ -55,12 +56,15 @@ pub(crate) struct CheckArgs {
     /// Number of storeys of the building, to place floors by their numbers
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=500))]
     storeys: Option<u16>,
+    /// Units of the text; the JSON document is in SI [default: those of most columns]
+    #[arg(long, value_parser = choice(&UnitSystem::ALL))]
+    units: Option<UnitSystem>,
     /// Count every doubt as an error
     #[arg(long)]
     strict: bool,
     /// Show only the headings, with examples of their cells and what each was taken for; also for a list of
     /// which too few headings are known
-    #[arg(long, conflicts_with_all = ["study", "storeys", "strict", "cells", "columns", "edit", "library", "cushion_library"])]
+    #[arg(long, conflicts_with_all = ["study", "storeys", "units", "strict", "cells", "columns", "edit", "library", "cushion_library"])]
     headings: bool,
     /// Also list the text of every cell (with --json)
     #[arg(long)]
@@ -113,7 +117,9 @@ pub(crate) fn run(args: &CheckArgs, global: &GlobalArgs, printer: &Printer) -> R
     let report = check_report(&reading, marked_copy, KeyStyle::Flag);
     let inventory = &reading.inventory;
     printer.said(&console_lines(&inventory.findings));
-    files.print(printer, SCHEMA, &report, &inventory.warnings, || text(&report, inventory))?;
+    files.print(printer, SCHEMA, &report, &inventory.warnings, || {
+        text(&report, inventory, args.units.unwrap_or(reading.units))
+    })?;
     Ok(Done { criterion_met: !inventory.has_errors() })
 }
 
@@ -158,7 +164,7 @@ fn unread(args: &CheckArgs, inputs: &[PathBuf], problems: Problems) -> Result<Re
     Err(problems.problems.into_iter().map(|problem| problem.hint(hint.clone())).collect())
 }
 
-fn text(report: &CheckReport, inventory: &Inventory) -> String {
+fn text(report: &CheckReport, inventory: &Inventory, units: UnitSystem) -> String {
     let counts = &report.counts;
     let of = |count: usize| format!("{count} of {}", counts.rows);
     let mut facts = vec![
@@ -199,7 +205,7 @@ fn text(report: &CheckReport, inventory: &Inventory) -> String {
         .take(SHOWN)
         .map(|left| vec![left.row.to_string(), left.kind.to_owned(), shorten(&left.text)])
         .collect();
-    let shown: Vec<Vec<String>> = inventory.items.iter().take(SHOWN).map(line).collect();
+    let shown: Vec<Vec<String>> = inventory.items.iter().take(SHOWN).map(|item| line(item, units)).collect();
     let headings = ["row", "id", "item", "level", "height", "thickness", "width", "mass", "cushion", "tolerance"];
     let mut text = pairs(&facts);
     text += "\n";
@@ -222,8 +228,17 @@ fn text(report: &CheckReport, inventory: &Inventory) -> String {
     text
 }
 
-fn line(item: &Item) -> Vec<String> {
-    let value = |value: Option<f64>, dimension| value.map_or_else(|| "-".to_owned(), |v| format_si(v, dimension));
+fn line(item: &Item, units: UnitSystem) -> Vec<String> {
+    let value = |value: Option<f64>, dimension| {
+        value.map_or_else(
+            || "-".to_owned(),
+            |value| match (units, dimension) {
+                (UnitSystem::Us, Dimension::Length) => units.length(value),
+                (UnitSystem::Us, Dimension::Mass) => units.mass(value),
+                _ => format_si(value, dimension),
+            },
+        )
+    };
     let tolerance = item.tolerance.as_ref().and_then(|tolerance| tolerance.peak_m_s2);
     let name: String = item.item.chars().take(30).collect();
     vec![
