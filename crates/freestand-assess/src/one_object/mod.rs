@@ -76,6 +76,24 @@ pub struct Object {
     pub surroundings: Surroundings,
 }
 
+impl Object {
+    /// A box of which nothing but its size is known, in a room without walls.
+    pub fn of_size(height_m: f64, thickness_m: f64) -> Self {
+        Self {
+            height_m,
+            thickness_m,
+            width_m: None,
+            is_round: false,
+            cg_height_m: None,
+            mass_kg: None,
+            rests_on: None,
+            tolerance: None,
+            friction_ratio: None,
+            surroundings: Surroundings::default(),
+        }
+    }
+}
+
 /// What is under one edge of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RestsOn {

@@ -211,18 +211,7 @@ mod tests {
     use crate::one_object::Object;
 
     fn shaken_by(earthquake: Earthquake, seed: Option<u64>) -> Shaken {
-        let object = Object {
-            height_m: 2.0,
-            thickness_m: 0.3,
-            width_m: None,
-            is_round: false,
-            cg_height_m: None,
-            mass_kg: None,
-            rests_on: None,
-            tolerance: None,
-            friction_ratio: None,
-            surroundings: Default::default(),
-        };
+        let object = Object::of_size(2.0, 0.3);
         let floor = Floor { place: FloorPlace::Ground, storeys: None, storey_height_m: None };
         shaken(&ObjectRequest { object, earthquake, floor, worlds: Some(7), seed }).unwrap()
     }

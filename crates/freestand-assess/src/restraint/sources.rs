@@ -252,15 +252,11 @@ impl<'a> Asked<'a> {
             overstrength_ratio: overstrength.value,
             equation: "F_c = kpZ Ch(0) a_x I_c a_c/R_c W, from 0.05 W to 0.5 W".to_owned(),
             numbers,
-            factors: vec![
+            factors: self.factors(
                 Factor::found("ground_acceleration", "kpZ Ch(0)", ground_g, "g", "the hazard"),
-                self.level(),
                 Factor::found("height", "a_x", height, "1", "the floor: 1 + kc hx"),
-                importance,
-                amplification,
-                ductility,
-                overstrength,
-            ],
+                [importance, amplification, ductility, overstrength],
+            ),
             remarks: borrowed.into_iter().chain(self.tall.clone()).collect(),
             to_confirm: vec![CLAUSE_RECALLED],
         })
@@ -337,16 +333,17 @@ impl<'a> Asked<'a> {
             equation: "F_p = 0.4 a_p S_DS (1 + 2 z/h) I_p/R_p W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W",
             numbers,
             overstrength_ratio: overstrength.value,
-            factors: vec![
+            factors: self.factors(
                 Factor::found("sds", "S_DS", sds_g, "g", "the hazard"),
-                self.level(),
                 Factor::found("height", "1 + 2 z/h", height_ratio, "1", "the floor"),
-                amplification,
-                response,
-                importance,
-                overstrength,
-            ],
+                [amplification, response, importance, overstrength],
+            ),
         }
+    }
+
+    /// The ground, the floor, what both give, and the numbers of the part.
+    fn factors<const N: usize>(&self, ground: Factor, height: Factor, part: [Factor; N]) -> Vec<Factor> {
+        [ground, self.level(), height].into_iter().chain(part).collect()
     }
 
     fn asce7_22(&self, row: &Component, sds_g: f64, height_ratio: f64) -> Clause {
@@ -399,16 +396,11 @@ impl<'a> Asked<'a> {
             equation: "F_p = 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) W, from 0.3 S_DS I_p W to 1.6 S_DS I_p W",
             numbers,
             overstrength_ratio: overstrength.value,
-            factors: vec![
+            factors: self.factors(
                 Factor::found("sds", "S_DS", sds_g, "g", "the hazard"),
-                self.level(),
                 Factor::found("height", "H_f", height_ratio, "1", how),
-                ductility,
-                resonance,
-                strength,
-                importance,
-                overstrength,
-            ],
+                [ductility, resonance, strength, importance, overstrength],
+            ),
         }
     }
 
@@ -500,15 +492,11 @@ impl<'a> Asked<'a> {
             overstrength_ratio: overstrength.value,
             equation: "F_ph = C(0) C_Hi C_i C_ph R_p W, at most 3.6 W".to_owned(),
             numbers: format!("{} × {} × {} × {}", number(floor_g, 4), shape.number(), response.number(), risk.number()),
-            factors: vec![
+            factors: self.factors(
                 Factor::found("ground_acceleration", "C(0)", ground_g, "g", "the hazard"),
-                self.level(),
                 height,
-                shape,
-                response,
-                risk,
-                overstrength,
-            ],
+                [shape, response, risk, overstrength],
+            ),
             remarks: self.tall.clone().into_iter().collect(),
             to_confirm: vec![CLAUSE_RECALLED],
         })

@@ -53,6 +53,8 @@ pub(crate) struct CostRow {
     /// Its line in the file, from 1.
     pub(crate) line: usize,
     pub(crate) quantity: f64,
+    /// Whether the list states it; else it is 1.
+    pub(crate) has_quantity: bool,
     pub(crate) repair: Option<f64>,
     pub(crate) replacement: Option<f64>,
     pub(crate) downtime_days: Option<f64>,
@@ -248,6 +250,7 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
             id: name?,
             line: row.line,
             quantity: quantity?.unwrap_or(1.0),
+            has_quantity: quantity?.is_some(),
             repair: repair?,
             replacement: replacement?,
             downtime_days: downtime_days?,

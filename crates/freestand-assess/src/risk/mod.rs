@@ -14,7 +14,7 @@ mod tests;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use freestand::fragility::LimitState;
+use freestand::fragility::{FitKind, LimitState};
 use freestand::risk::Hazard;
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
@@ -27,11 +27,12 @@ use freestand_study::run::Progress;
 
 use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
-    At, FragilityReport, FragilityRequest, ObjectCurves, ObjectFragility, fragility_watched, go_on, load_curves,
+    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, ObjectCurves, ObjectFragility, fragility_watched, go_on,
+    load_curves,
 };
 use crate::inventory::CellsRequest;
 
-use costs::{Options, curve_id, load_options};
+use costs::{OptionRow, Options, curve_id, load_options};
 use objects::{LossBounds, ObjectRisk};
 use plan::Measures;
 use portfolio::Portfolio;
@@ -188,6 +189,8 @@ pub struct RiskReport {
     measures: Option<Measures>,
     /// Objects of the inventory that have no fragility.
     not_run: Vec<NotRun>,
+    /// What was used because nobody stated it.
+    assumptions: Vec<String>,
     inputs: Vec<InputFile>,
     /// What to know beside the result.
     pub warnings: Vec<String>,
@@ -296,7 +299,60 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         (Some(report), Some(costs)) => portfolio::portfolio(report, costs, &objects, &hazard, &mut warnings)?,
         _ => None,
     };
-    Ok(RiskReport { years, currency, hazard, objects, portfolio, measures, not_run, inputs, warnings })
+    let assumptions = assumed(request, &hazard, &objects, options.as_deref());
+    Ok(RiskReport { years, currency, hazard, objects, portfolio, measures, not_run, assumptions, inputs, warnings })
+}
+
+/// What was used because nobody stated it, as one sentence; empty where all was stated.
+fn assumed(
+    request: &RiskRequest,
+    hazard: &MeasuredHazard,
+    objects: &[ObjectRisk],
+    options: Option<&[OptionRow]>,
+) -> Vec<String> {
+    let mut all = Vec::new();
+    if request.years.is_none() {
+        all.push(format!("chances are those in {} years", number(DEFAULT_YEARS, 4)));
+    }
+    if let RiskCurves::Outcomes(fits) = &request.curves {
+        if fits.fit == FitKind::Ordered {
+            all.push("the limit states of an object are fitted with one dispersion".to_owned());
+        }
+        if fits.replicates.is_none() {
+            all.push(format!("intervals come from {DEFAULT_REPLICATES} samples of motions"));
+        }
+    }
+    if hazard.measure.place().is_none() && request.hazard_at.is_none() {
+        all.push(format!("{} is that of the {}", hazard.measure.name(), hazard.at.name()));
+    }
+    if matches!(hazard.hazard, Hazard::Points(_)) {
+        all.push("above its last point the hazard goes on as between the last two".to_owned());
+    }
+    if objects.iter().all(|one| one.accepted_rate.is_none() && one.accepted_exceed_rate.is_none()) {
+        all.push("no rate is accepted, so that there is no verdict".to_owned());
+    }
+    let without_quantity =
+        objects.iter().filter(|one| one.cost.as_ref().is_some_and(|cost| !cost.has_quantity)).count();
+    if without_quantity > 0 {
+        all.push(format!(
+            "{} without a quantity {} counted once",
+            counted(without_quantity, "object"),
+            is_or_are(without_quantity)
+        ));
+    }
+    let without_life = options.map_or(0, |all| all.iter().filter(|row| row.life_years.is_none()).count());
+    if without_life > 0 {
+        all.push(format!(
+            "{} without a life {} paid for once",
+            counted(without_life, "option"),
+            is_or_are(without_life)
+        ));
+    }
+    if all.is_empty() { all } else { vec![format!("Assumed, because nobody stated it: {}.", all.join("; "))] }
+}
+
+fn is_or_are(count: usize) -> &'static str {
+    if count == 1 { "is" } else { "are" }
 }
 
 /// A hazard says how often motions of its own measure happen, and nothing about another one. `line` is
@@ -559,6 +615,7 @@ impl RiskReport {
             .key("years", self.years)
             .key("currency", self.currency.clone())
             .key("hazard", self.hazard.facts())
+            .key("assumptions", self.assumptions.clone())
             .key("objects", self.objects.iter().map(ObjectRisk::facts).collect::<Vec<_>>())
             .key("expected_annual_loss", self.expected_annual_loss())
             .key("expected_annual_loss_lower", self.loss_bounds().map(|loss| loss.0))
@@ -642,6 +699,7 @@ impl RiskReport {
         if let Some(measures) = &self.measures {
             text += &measures.text(currency);
         }
+        text.extend(self.assumptions.iter().map(|assumed| format!("{assumed}\n")));
         text
     }
 }

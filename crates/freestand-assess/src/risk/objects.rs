@@ -677,6 +677,7 @@ mod tests {
             id: "a".to_owned(),
             line: 2,
             quantity: 2.0,
+            has_quantity: true,
             repair: Some(repair),
             replacement: Some(replacement),
             downtime_days: None,

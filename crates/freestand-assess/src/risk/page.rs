@@ -72,6 +72,7 @@ pub(super) fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String
     }
     html.push_str(&heading("What is not counted"));
     html.push_str(&list(&not_counted(report)));
+    report.assumptions.iter().for_each(|assumed| html.push_str(&paragraph(assumed)));
     html.push_str(CLOSING);
     html
 }

@@ -241,3 +241,34 @@ pub(super) fn least_fall(curves: &ObjectCurves, state: LimitState, factor: f64, 
     let by_runs = if found.is_empty() { None } else { least_avoided(hazard, found, factor) };
     by_curve.into_iter().chain(by_runs).reduce(f64::min).map(|fall| fall.max(0.0))
 }
+
+#[cfg(test)]
+mod tests {
+    use freestand::fragility::{OutcomeClass, Outcomes, Run, draw_stream, lognormal_draw};
+    use freestand::risk::capacities;
+
+    use super::*;
+
+    /// Of 200 motions with β = 0.4, three coarse levels leave a rate open; those that are proposed tell it.
+    #[test]
+    fn proposed_levels_tell_the_rate() {
+        let hazard = Hazard::power_law(1e-2, 0.1, 2.5).unwrap();
+        let of: Vec<f64> = (0..200).map(|i| lognormal_draw(&mut draw_stream(3, i, 0, 0), 0.3, 0.4)).collect();
+        let uplifts: Vec<Option<f64>> = of.iter().map(|x| Some(0.5 * x)).collect();
+        let open = |levels: &[f64]| {
+            let run = |motion: usize, intensity: f64| {
+                let class = if intensity >= of[motion] { OutcomeClass::Overturned } else { OutcomeClass::Rocked };
+                Run { motion: Some(motion), intensity, class, weight: 1.0 }
+            };
+            let runs = (0..of.len()).flat_map(|motion| levels.iter().map(move |level| (motion, *level)));
+            let outcomes = Outcomes::new(&runs.map(|(motion, level)| run(motion, level)).collect::<Vec<_>>()).unwrap();
+            let found = capacities(&outcomes, LimitState::Overturns, &uplifts);
+            of_curve(&hazard, LimitState::Overturns, CurveKind::Lognormal { median: 0.3, beta: 0.4 }, &found).open
+        };
+        let Levels { from, to, .. } = open(&[0.2, 0.4, 0.8]).unwrap().levels.unwrap();
+        let count = open(&[0.2, 0.4, 0.8]).unwrap().levels.unwrap().count();
+        let level = |i: usize| from * (to / from).powf(i as f64 / (count - 1) as f64);
+        assert!((10..100).contains(&count), "{count}");
+        assert_eq!(open(&(0..count).map(level).collect::<Vec<_>>()), None, "{from} {to} {count}");
+    }
+}

@@ -397,7 +397,7 @@ mod tests {
         Nominal::of_block(block, Restitution::Housner, Some(&(150.0, edge)), Some(tolerance)).without_pads()
     }
 
-    /// A pad that bottoms changes the shock, and neither rocking nor overturning: the class is exceeded
+    /// On a rigid base a pad that bottoms changes the shock, and neither rocking nor overturning: the class is exceeded
     /// where the shock is compared, and rocked where the uplift is, or where the velocity change of
     /// a damage boundary is not exceeded.
     #[test]

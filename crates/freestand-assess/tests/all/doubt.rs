@@ -59,18 +59,7 @@ fn overrides(place: &str, storeys: u16) -> Overrides {
 }
 
 fn object(is_round: bool, (place, storeys): (&str, u16), worlds: Option<u32>) -> ObjectReport {
-    let object = Object {
-        height_m: 0.4,
-        thickness_m: 0.2,
-        width_m: None,
-        is_round,
-        cg_height_m: None,
-        mass_kg: None,
-        rests_on: None,
-        tolerance: None,
-        friction_ratio: None,
-        surroundings: Default::default(),
-    };
+    let object = Object { is_round, ..Object::of_size(0.4, 0.2) };
     let earthquake = Earthquake::Place([("place", place.to_owned())].into_iter().collect());
     let floor = Floor { place: FloorPlace::Name("roof".to_owned()), storeys: Some(storeys), storey_height_m: None };
     one_object(&ObjectRequest { object, earthquake, floor, worlds, seed: None }, &|| false).unwrap()

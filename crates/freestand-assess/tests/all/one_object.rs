@@ -21,21 +21,6 @@ use freestand_study::run::{LONGEST_TAIL_S, no_progress};
 
 const GROUND: Floor = Floor { place: FloorPlace::Ground, storeys: None, storey_height_m: None };
 
-fn bare(height_m: f64, thickness_m: f64) -> Object {
-    Object {
-        height_m,
-        thickness_m,
-        width_m: None,
-        is_round: false,
-        cg_height_m: None,
-        mass_kg: None,
-        rests_on: None,
-        tolerance: None,
-        friction_ratio: None,
-        surroundings: Surroundings::default(),
-    }
-}
-
 fn request(object: Object, earthquake: Earthquake, floor: Floor) -> ObjectRequest {
     ObjectRequest { object, earthquake, floor, worlds: Some(3), seed: None }
 }
@@ -86,7 +71,7 @@ fn a_list_with_this_row_has_the_same_numbers() {
         mass_kg: Some(330.0 * 0.453_592_37),
         rests_on: Some(RestsOn::Stiffness(4.38e6)),
         tolerance: Some(Withstood { peak_m_s2: 10.0 * freestand::G0_M_S2, duration_s: None }),
-        ..bare(1.8, 40.0 * 0.0254)
+        ..Object::of_size(1.8, 40.0 * 0.0254)
     };
     let earthquake = Earthquake::Study { source: StudySource::File(study.clone()), hazard: Words::default() };
     let floor = Floor { place: FloorPlace::Name("3".to_owned()), ..GROUND };
@@ -149,7 +134,7 @@ fn a_list_with_these_surroundings_has_the_same_numbers() {
             wall_restitution: Some(0.25),
             ..Surroundings::default()
         },
-        ..bare(1.95, 0.42)
+        ..Object::of_size(1.95, 0.42)
     };
     let wall_row = "id,level_ratio,height [mm],thickness [mm],mass [kg],friction,wall_gap [mm],wall_height [m],\
                     wall_stiffness [N/mm],wall_restitution\nobject,0.5,1950,420,120,0.3-0.6,20,1.7,2000,25 %\n";
@@ -164,7 +149,7 @@ fn a_list_with_these_surroundings_has_the_same_numbers() {
             clearance_m: Some(0.15),
             ..Surroundings::default()
         },
-        ..bare(1.4, 0.6)
+        ..Object::of_size(1.4, 0.6)
     };
     let rolling_row = "id,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],tolerance [g],casters,\
                        rolling_resistance,clearance [mm],wall_stiffness [N/mm]\n\
@@ -212,7 +197,7 @@ fn given_motions_are_those_of_rock() {
     let motions = motions(&names, "1");
     let scales = vec![1.0, 3.0, 3.5, 4.0];
     let earthquake = Earthquake::Motions { motions: motions.clone(), scales: scales.clone() };
-    let report = answer(&ObjectRequest { worlds: None, ..request(bare(1.8, 0.5), earthquake, GROUND) });
+    let report = answer(&ObjectRequest { worlds: None, ..request(Object::of_size(1.8, 0.5), earthquake, GROUND) });
     let block = Block::uniform(1.8, 0.5).unwrap();
     let options = RockingOptions { until: Until::Settled { at_most_s: LONGEST_TAIL_S }, ..RockingOptions::default() };
     assert_eq!(report.scales.len(), scales.len());
@@ -249,7 +234,7 @@ fn one_motion_on_pads() {
         mass_kg: Some(150.0),
         rests_on: Some(RestsOn::Stiffness(4.38e6)),
         tolerance: Some(Withstood { peak_m_s2: 98.0665, duration_s: Some(0.011) }),
-        ..bare(1.8, 0.5)
+        ..Object::of_size(1.8, 0.5)
     };
     let earthquake = Earthquake::Motions { motions: motions(&["synthfloor.csv"], "3.5"), scales: Vec::new() };
     let report = answer(&ObjectRequest { worlds: None, ..request(object, earthquake, GROUND) });
@@ -266,7 +251,7 @@ fn one_motion_on_pads() {
                 mass_kg: Some(150.0),
                 rests_on: Some(RestsOn::Stiffness(4.38e6)),
                 tolerance: Some(Withstood { peak_m_s2: 98.0665, duration_s: Some(0.011) }),
-                ..bare(1.8, 0.5)
+                ..Object::of_size(1.8, 0.5)
             },
             Earthquake::Motions { motions: motions(&["synthfloor.csv"], "3.5"), scales: Vec::new() },
             GROUND,
@@ -280,7 +265,7 @@ fn one_motion_on_pads() {
 fn floors_as_people_name_them() {
     let on = |name: &str| {
         let floor = Floor { place: FloorPlace::Name(name.to_owned()), storeys: Some(6), storey_height_m: Some(3.0) };
-        answer(&ObjectRequest { worlds: Some(1), ..request(bare(2.0, 0.3), place("Athens"), floor) })
+        answer(&ObjectRequest { worlds: Some(1), ..request(Object::of_size(2.0, 0.3), place("Athens"), floor) })
     };
     for (name, words, ratio) in [
         ("3", "on floor 3 of 6", 0.5),
@@ -296,7 +281,8 @@ fn floors_as_people_name_them() {
         assert!((report.facts.number("level_ratio").unwrap() - ratio).abs() < 1e-12, "{name}");
     }
     let share = Floor { place: FloorPlace::Share(0.5), storeys: Some(6), storey_height_m: None };
-    let report = answer(&ObjectRequest { worlds: Some(1), ..request(bare(2.0, 0.3), place("Athens"), share) });
+    let report =
+        answer(&ObjectRequest { worlds: Some(1), ..request(Object::of_size(2.0, 0.3), place("Athens"), share) });
     assert!(report.answer.contains("at 50 % of the height of the building"), "{}", report.answer);
 }
 
@@ -307,7 +293,7 @@ fn the_longest_answer() {
         mass_kg: Some(150.0),
         rests_on: Some(RestsOn::Entry("rubber-foot + carpet-underlay".to_owned())),
         tolerance: Some(Withstood { peak_m_s2: 50.0, duration_s: None }),
-        ..bare(1.8, 0.6)
+        ..Object::of_size(1.8, 0.6)
     };
     let floor = Floor { place: FloorPlace::Name("2".to_owned()), storeys: Some(5), storey_height_m: None };
     // Of three worlds with few falls the interval holds 10 %.
@@ -344,21 +330,21 @@ fn what_contradicts_itself_is_refused_at_once() {
     };
     let tolerance = Some(Withstood { peak_m_s2: 50.0, duration_s: None });
     let floor = Floor { place: FloorPlace::Name("2".to_owned()), storeys: None, storey_height_m: Some(3.0) };
-    let all = problems(&request(Object { tolerance, ..bare(0.5, 2.0) }, place("Athens"), floor));
+    let all = problems(&request(Object { tolerance, ..Object::of_size(0.5, 2.0) }, place("Athens"), floor));
     assert_eq!(all.len(), 3, "{all:?}");
     for (found, expected) in all.iter().zip(["were they swapped?", "`tolerance` needs `mass` and `on`", "`storeys`"]) {
         assert!(found.contains(expected), "{found}");
     }
     let six = |name: &str| Floor { place: FloorPlace::Name(name.to_owned()), storeys: Some(6), storey_height_m: None };
-    let found = problems(&request(bare(2.0, 0.3), place("Athens"), six("9")));
+    let found = problems(&request(Object::of_size(2.0, 0.3), place("Athens"), six("9")));
     assert!(found[0].starts_with("`floor` \"9\" is not a floor of the building|write 1 to 6"), "{found:?}");
-    let found = problems(&request(bare(2.0, 0.3), place("Welington"), GROUND));
+    let found = problems(&request(Object::of_size(2.0, 0.3), place("Welington"), GROUND));
     assert!(found[0].contains("Wellington"), "{found:?}");
     let entry = Object {
         mass_kg: Some(100.0),
         rests_on: Some(RestsOn::Entry("ruber-foot".to_owned())),
         cg_height_m: Some(2.5),
-        ..bare(2.0, 0.3)
+        ..Object::of_size(2.0, 0.3)
     };
     let found = problems(&request(entry, place("Athens"), GROUND));
     assert_eq!(found.len(), 2, "{found:?}");
@@ -368,7 +354,7 @@ fn what_contradicts_itself_is_refused_at_once() {
         "{found:?}"
     );
     let scaled = Earthquake::Motions { motions: motions(&["synthfloor.csv"], "1"), scales: vec![0.5, 0.0] };
-    let found = problems(&request(bare(2.0, 0.3), scaled, GROUND));
+    let found = problems(&request(Object::of_size(2.0, 0.3), scaled, GROUND));
     assert_eq!(found.len(), 2, "{found:?}");
     assert!(found[1].starts_with("`scales` must be above 0, not 0|"), "{found:?}");
 }
@@ -377,7 +363,7 @@ fn what_contradicts_itself_is_refused_at_once() {
 #[test]
 fn surroundings_that_are_not_there() {
     let found = |surroundings: Surroundings, tolerance: Option<Withstood>| -> Vec<String> {
-        let object = Object { surroundings, tolerance, ..bare(2.0, 0.3) };
+        let object = Object { surroundings, tolerance, ..Object::of_size(2.0, 0.3) };
         let error = one_object(&request(object, place("Athens"), GROUND), &|| false).unwrap_err();
         error.problems.into_iter().map(|problem| problem.message).collect()
     };
@@ -404,6 +390,6 @@ fn surroundings_that_are_not_there() {
 /// A stop is a stop.
 #[test]
 fn it_can_be_stopped() {
-    let error = one_object(&request(bare(2.0, 0.3), place("Athens"), GROUND), &|| true).unwrap_err();
+    let error = one_object(&request(Object::of_size(2.0, 0.3), place("Athens"), GROUND), &|| true).unwrap_err();
     assert!(error.is_stopped(), "{error:?}");
 }

@@ -272,3 +272,24 @@ fn space_is_the_same_on_any_number_of_threads_and_in_any_order() {
     let report = assess(folder.path(), (BOTH, THREE), &rows.concat(), &job, &no_progress);
     assert_eq!((report.interrupted, report.resumed, report.computed), (false, 4, 1));
 }
+
+/// A block that no world overturns: on its pads beside a wall, through which its feet pass, that is no
+/// reason to leave it, and the answer says so; without the wall it is left.
+#[test]
+fn feet_that_pass_through_a_wall_never_decide_to_leave() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = "[ground]\nplace = \"Melbourne\"\n[building]\nstoreys = 4\n[worlds]\nshares = false\n[assessment]\n";
+    let study = resolve(&format!("{place}{THREE}"), None, folder.path()).unwrap();
+    let list = folder.path().join("list.csv");
+    let rows = "free,0,800,400,400,200,4000,0.6,,,,,\nwall,0,800,400,400,200,4000,0.6,10,,,,\n";
+    fs::write(&list, format!("{HEADER}{rows}")).unwrap();
+    let inventory = inventory_of(&study, Some(&list), &ListRequest::default()).unwrap();
+    assess_into(&study, &inventory, &folder.path().join("out"), &Job::default(), &no_progress).unwrap();
+    let mut reader = csv::Reader::from_path(folder.path().join("out/objects.csv")).unwrap();
+    let rows: Rows = reader.deserialize().map(|row| row.unwrap()).collect();
+    let row = |id: &str| rows.iter().find(|row| row["id"] == id).unwrap();
+    let (free, wall) = (row("free"), row("wall"));
+    assert_eq!((&*free["decision"], &*free["p_overturn"]), ("leave", "0"));
+    assert_eq!((&*wall["decision"], &*wall["p_overturn"]), ("restrain", "0"));
+    assert!(wall["why"].contains("its feet pass through its wall") && !free["why"].contains("wall in the"), "{wall:?}");
+}

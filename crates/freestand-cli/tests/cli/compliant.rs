@@ -90,3 +90,26 @@ fn what_does_not_belong_together_is_refused() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8(output.stderr).unwrap().contains("--base compliant"));
 }
+
+/// Between a motion that a cabinet survives and a slightly stronger one that overturns it, and far from it:
+/// only there is a single history one realisation, and a motion that differs by 0.01 % ends otherwise.
+#[test]
+fn a_history_at_a_boundary_is_called_one_realisation() {
+    let folder = tempfile::tempdir().unwrap();
+    let pulse = |i: u32| 0.45 * (std::f64::consts::TAU * 0.01 * f64::from(i)).sin();
+    let rows = (0..=100).map(|i| format!("{:.2},{:.9}\n", 0.01 * f64::from(i), pulse(i))).collect::<String>();
+    std::fs::write(folder.path().join("pulse.csv"), format!("time [s],a [g]\n{rows}")).unwrap();
+    let run = |scale: f64| {
+        let scale = scale.to_string();
+        let found =
+            program::document(folder.path(), &[&CABINET[..], &["--motion", "pulse.csv", "--scale", &scale]].concat());
+        (found["outcome"] == "overturned", found["warnings"].to_string().contains("one realisation"))
+    };
+    let (mut stands, mut falls) = (0.5, 2.0);
+    assert_eq!((run(stands), run(falls)), ((false, false), (true, false)));
+    while falls / stands > 1.0 + 2e-5 {
+        let middle = (stands * falls).sqrt();
+        if run(middle).0 { falls = middle } else { stands = middle }
+    }
+    assert_eq!((run(stands), run(falls)), ((false, true), (true, true)), "{stands} {falls}");
+}

@@ -668,6 +668,7 @@ class RiskResult(Result):
     years: float
     currency: str | None
     hazard: dict[str, Any]
+    assumptions: list[str]
     objects: list[dict[str, Any]]
     expected_annual_loss: float | None
     expected_annual_loss_lower: float | None
