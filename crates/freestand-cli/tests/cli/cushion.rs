@@ -103,6 +103,40 @@ fn a_bad_file_is_flagged_or_refused() {
     insta::assert_snapshot!(freestand_in(folder.path(), &["cushion", "drop", "good.csv", "--height", "0.1"]));
 }
 
+/// A sensor that is mounted upside down, and a recorder that left out samples: the same pulse.
+#[test]
+fn inverted_and_uneven_records_give_the_same_stiffness() {
+    let folder = tempfile::tempdir().unwrap();
+    let upright = half_sine(1e9);
+    let (mut inverted, mut uneven) = (String::new(), String::new());
+    for (i, line) in upright.lines().enumerate() {
+        let (time, accel) = line.split_once(',').unwrap();
+        match accel.parse::<f64>() {
+            Ok(accel) => writeln!(inverted, "{time},{:.3}", -accel).unwrap(),
+            Err(_) => writeln!(inverted, "{line}").unwrap(),
+        }
+        // A gap at the top of the pulse, where straight lines are wrong by (π/60)²/8 = 0.03 %, and some before it.
+        if i % 50 != 13 {
+            writeln!(uneven, "{line}").unwrap();
+        }
+    }
+    for (name, text) in [("up.csv", upright), ("down.csv", inverted), ("gaps.csv", uneven)] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let run = |args: &[&str]| execute(folder.path(), &[&["cushion", "drop", "--json"], args, &KNOWN[..]].concat());
+    let fit = |args: &[&str]| json(&run(args))["tests"][0]["stiffness_n_m"]["fit"].as_f64();
+    let known_n_m = fit(&["up.csv"]).unwrap();
+    assert_eq!(fit(&["down.csv", "--invert"]), Some(known_n_m));
+    assert_eq!(fit(&["down.csv"]), None);
+    assert_eq!(json(&run(&["down.csv"]))["tests"][0]["quality"]["flags"][0], "upside-down");
+    let refused = run(&["gaps.csv"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--resample"), "{refused:?}");
+    // A sixtieth of the samples are others, with another wobble of 0.5 %.
+    let resampled_n_m = fit(&["gaps.csv", "--resample", "21.37583 us"]).unwrap();
+    assert!((resampled_n_m / known_n_m - 1.0).abs() < 0.005, "{resampled_n_m} {known_n_m}");
+}
+
 #[test]
 fn virtual_drops_become_a_cushion_of_an_edge() {
     let folder = tempfile::tempdir().unwrap();
@@ -148,6 +182,19 @@ fn static_tests() {
     // ∫F dd of the way in is 0.32 J; the jump to 90 % at the turn costs half a step of 8 N·mm of
     // it.
     assert!((test["hysteresis_ratio"].as_f64().unwrap() - 0.1).abs() < 2e-3, "{test}");
+    // A press that writes compression as negative.
+    let text = std::fs::read_to_string(folder.path().join("press.csv")).unwrap();
+    let negative = |line: &str| match line.split_once(',') {
+        Some((d, force)) if d.parse::<f64>().is_ok() => format!("-{d},-{force}\n"),
+        _ => format!("{line}\n"),
+    };
+    std::fs::write(folder.path().join("negative.csv"), text.lines().map(negative).collect::<String>()).unwrap();
+    let negative = ["cushion", "static", "negative.csv", "--load", "400 N", "--dynamic", "2190 N/mm", "--json"];
+    let inverted = json(&execute(folder.path(), &[&negative[..], &["--invert"]].concat()));
+    assert_eq!(inverted["tests"][0]["tangent_stiffness_n_m"], test["tangent_stiffness_n_m"]);
+    let refused = execute(folder.path(), &negative);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--invert"), "{refused:?}");
     let heavy = execute(folder.path(), &["cushion", "static", "press.csv", "--load", "2 kN"]);
     assert_eq!(heavy.status.code(), Some(2));
 }

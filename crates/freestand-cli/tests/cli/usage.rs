@@ -155,3 +155,32 @@ fn keys_in_messages_are_flags() {
     // A smaller number would mean that the messages were not found.
     assert!(seen > 20, "{seen}");
 }
+
+/// Flags of other programs in the sources: Slurm's in an example, and an invented processing step in a test.
+const FOREIGN: [&str; 4] = ["--array", "--cpus-per-task", "--wrap", "--le"];
+
+/// A flag that a message, a hint or an example names exists.
+#[test]
+fn flags_in_messages_exist() {
+    let completions = freestand(&["completions", "bash"]);
+    let known: HashSet<&str> = completions.split_whitespace().map(|word| word.trim_matches(['"', ')'])).collect();
+    let mut texts = Vec::new();
+    for name in ["assess", "cli", "input", "output", "records", "study"] {
+        sources(&root().join(format!("crates/freestand-{name}/src")), &mut texts);
+    }
+    let mut seen = HashSet::new();
+    let lines = texts.iter().flat_map(|text| text.lines()).filter(|line| !line.trim_start().starts_with("//"));
+    for line in lines {
+        let is_part = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        for word in line.split(|c| !is_part(c)).filter(|word| word.starts_with("--")) {
+            let begins = word.trim_start_matches('-').starts_with(|c: char| c.is_ascii_lowercase());
+            if begins && !word.starts_with("---") && !FOREIGN.contains(&word) {
+                // "all three --upper flags" means those that begin so.
+                let exists = known.contains(word) || known.iter().any(|flag| flag.starts_with(&format!("{word}-")));
+                assert!(exists, "{word} is no flag: {line}");
+                seen.insert(word);
+            }
+        }
+    }
+    assert!(seen.len() > 100, "{}", seen.len());
+}
