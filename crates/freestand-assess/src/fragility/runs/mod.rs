@@ -29,6 +29,7 @@ use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::cushion::EdgeCushion;
+use freestand_study::recorded::refuse_copies;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
 use rayon::prelude::*;
@@ -532,6 +533,12 @@ fn prepare(
             if object.motions.is_empty() {
                 return Err(Problem::value("there are no motions to run", "give `motion`, one or more files").into());
             }
+            refuse_copies(
+                object
+                    .motions
+                    .iter()
+                    .map(|motion| (motion.name.as_str(), [Some(&motion.horizontal), motion.vertical.as_ref()])),
+            )?;
             let tolerance = Some(object.limits.tolerance()).filter(|_| object.limits != Limits::default());
             let nominal = Nominal::of_block(object.block, object.restitution, object.body.as_ref(), tolerance.as_ref());
             if nominal.lacks_shock() {

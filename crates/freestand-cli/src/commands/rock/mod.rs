@@ -268,14 +268,15 @@ impl Reading {
     fn without_horizontal(args: &RockArgs) -> Result<Self, Failure> {
         let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
         let mut reading = Self { inputs, ..Self::default() };
-        let vertically = args.vertically.reading(&args.read)?;
-        reading.vertical =
-            args.vertical.as_ref().map(|path| reading.read(&vertically, path)).transpose()?.map(|named| named.1);
+        for read in args.vertically.read_all(&args.read, args.vertical.as_slice())? {
+            reading.enter(&read);
+            reading.vertical = Some(read.motion.motion);
+        }
         Ok(reading)
     }
 
     fn read(&mut self, args: &ReadArgs, path: &Path) -> Result<(String, Motion), Failure> {
-        let read = args.read_one(path)?;
+        let read = args.read_one(path, ReadArgs::read_all)?;
         self.enter(&read);
         Ok((read.motion.name.clone(), read.motion.motion))
     }

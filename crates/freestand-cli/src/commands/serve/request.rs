@@ -19,7 +19,7 @@ use freestand_page::{
     Reply, Request, Shape, Status, columns,
 };
 use freestand_study::places::places;
-use freestand_study::recorded::{MotionFiles, read_all};
+use freestand_study::recorded::{MotionFiles, Upward, read_all};
 use freestand_study::resolve::{Overrides, load};
 use serde_json::{Map, Value, json};
 use tempfile::TempDir;
@@ -171,6 +171,7 @@ fn kind(path: &Path) -> Kind {
     let words = Words::default();
     let files = MotionFiles {
         paths: vec![path.to_path_buf()],
+        vertical: Upward::Itself("component"),
         ..MotionFiles::read(&mut WordReader::new(&words), Path::new(""))
     };
     if read_all(&files).is_ok() { Kind::Record } else { Kind::Unknown }
