@@ -25,7 +25,8 @@ use freestand_input::words::number;
 use freestand_output::facts::Facts;
 use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit};
 use freestand_records::processing::{
-    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process, process_file, process_pair,
+    Processed, Processing, Scale, moves_on, not_perpendicular, pair_of_one, parse_step, process, process_file,
+    process_pair,
 };
 
 /// Files whose motions are used.
@@ -274,7 +275,15 @@ impl Loaded {
         // Two components that were turned to an azimuth are of one file and have the same unit.
         let component = file.select(files.component.as_deref()).ok().or(file.components.first());
         let unit = component.map_or("m/s2", |component| component.unit);
-        let notes = file.notes.iter().cloned().chain(processed.notes).collect();
+        let mut notes: Vec<String> = file.notes.iter().cloned().chain(processed.notes).collect();
+        if !files.read.is_shock {
+            notes.extend(
+                [Some(&motion.motion), motion.across.as_ref().map(|one| &one.motion)]
+                    .into_iter()
+                    .flatten()
+                    .filter_map(moves_on),
+            );
+        }
         Ok(ReadMotion { motion, notes, start_note: start_note(file), unit })
     }
 
