@@ -31,6 +31,7 @@ use freestand_output::table::Table;
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::recorded::refuse_copies;
 use freestand_study::run::{Progress, Stage, Step};
+use freestand_study::shape::Sizes;
 use freestand_study::study::Study;
 use rayon::prelude::*;
 
@@ -442,6 +443,9 @@ fn fit(
         report.outcomes.push(outcomes);
     }
     report.warnings = report.all_warnings();
+    if let RunObjects::Given(object) = &request.objects {
+        report.warnings.extend(Sizes::of(&object.block).doubts());
+    }
     Ok(report)
 }
 
@@ -533,6 +537,7 @@ fn prepare(
             if object.motions.is_empty() {
                 return Err(Problem::value("there are no motions to run", "give `motion`, one or more files").into());
             }
+            Sizes::of(&object.block).check()?;
             refuse_copies(
                 object
                     .motions
