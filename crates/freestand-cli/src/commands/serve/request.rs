@@ -24,7 +24,6 @@ use freestand_study::resolve::{Overrides, load};
 use serde_json::{Map, Value, json};
 use tempfile::TempDir;
 
-use super::fields;
 use crate::commands::Cli;
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
@@ -494,7 +493,7 @@ impl Seen {
         let message = shown(&problem.message);
         // A flag is named at the beginning of what is said about its value.
         let flag = message.strip_prefix("--").and_then(|rest| rest.split([':', ' ']).next()).map(str::to_owned);
-        let (message, hint) = (fields::named(&message), fields::hint(&shown(hint_of(problem))));
+        let hint = shown(hint_of(problem));
         let key = problem.keys.first().map(|key| KeyStyle::Flag.name(key).trim_start_matches('-').to_owned());
         Refusal {
             key: key.or(flag).map(String::into_boxed_str),
