@@ -9,7 +9,7 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::counted;
 use freestand_records::processing::{azimuth_deg, parse_target_source};
-use freestand_study::recorded::{MotionFiles, ReadMotion, Second, read_all};
+use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward, read_all};
 
 use crate::failure::Failure;
 use crate::keys::Keys;
@@ -86,12 +86,11 @@ pub(crate) struct VerticalArgs {
 }
 
 impl VerticalArgs {
-    /// How the vertical record is read: unit, step, baseline and filters are those of the
-    /// horizontal record; scale and component are its own, and it is not rotated.
-    pub(crate) fn reading(&self, horizontal: &ReadArgs) -> Result<ReadArgs, Failure> {
+    /// The motions of vertical records: unit, step, baseline and filters are those of the
+    /// horizontal record; scale and component are their own, and they are not rotated.
+    pub(crate) fn read_all(&self, horizontal: &ReadArgs, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
         let mut values = Values::default();
         let scale = values.read(&self.vertical_scale);
-        values.finish()?;
         let mut read = horizontal.clone();
         let words = &mut read.keys.words;
         for key in ["component", "scale", "azimuth", "scale_to", "scale_to_sa", "scale_to_spectrum"] {
@@ -99,7 +98,9 @@ impl VerticalArgs {
         }
         self.vertical_component.iter().for_each(|name| words.set("component", name));
         scale.iter().for_each(|ratio| words.set("scale", ratio.to_string()));
-        Ok(read)
+        let files = read.files(paths, &mut values);
+        values.finish()?;
+        Ok(read_all(&MotionFiles { vertical: Upward::Itself("vertical_component"), ..files })?)
     }
 }
 
@@ -137,25 +138,37 @@ impl ReadArgs {
 
     /// One motion from each file.
     pub(crate) fn read_all(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
-        self.read_as(paths, false)
+        self.read_as(paths, |_| {})
+    }
+
+    /// As [`ReadArgs::read_all`], for motions that need not be horizontal.
+    pub(crate) fn read_any(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
+        self.read_as(paths, |files| files.vertical = Upward::Itself("component"))
     }
 
     /// As [`ReadArgs::read_all`], for shocks, whose peaks may be larger than those of any floor.
     pub(crate) fn read_shocks(&self, paths: &[PathBuf]) -> Result<Vec<ReadMotion>, Failure> {
-        self.read_as(paths, true)
+        self.read_as(paths, |files| {
+            files.read.is_shock = true;
+            files.vertical = Upward::Itself("component");
+        })
     }
 
-    fn read_as(&self, paths: &[PathBuf], is_shock: bool) -> Result<Vec<ReadMotion>, Failure> {
+    fn read_as(&self, paths: &[PathBuf], change: impl FnOnce(&mut MotionFiles)) -> Result<Vec<ReadMotion>, Failure> {
         let mut values = Values::default();
         let mut files = self.files(paths, &mut values);
         values.finish()?;
-        files.read.is_shock = is_shock;
+        change(&mut files);
         Ok(read_all(&files)?)
     }
 
-    /// The motion of one file.
-    pub(crate) fn read_one(&self, path: &Path) -> Result<ReadMotion, Failure> {
-        let mut motions = self.read_all(&[path.to_path_buf()])?;
+    /// The motion of one file, read by [`ReadArgs::read_all`] or [`ReadArgs::read_any`].
+    pub(crate) fn read_one(
+        &self,
+        path: &Path,
+        read: impl FnOnce(&Self, &[PathBuf]) -> Result<Vec<ReadMotion>, Failure>,
+    ) -> Result<ReadMotion, Failure> {
+        let mut motions = read(self, &[path.to_path_buf()])?;
         motions.pop().ok_or_else(|| Failure::computation("the file was read but contains no motion"))
     }
 }

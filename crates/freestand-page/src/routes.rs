@@ -179,6 +179,10 @@ async fn body(request: hyper::Request<Incoming>) -> Result<Asked, Refusal> {
         Ok(Err(error)) => return Err(wrong(format!("the request cannot be read: {error}"))),
         Err(_) => return Err(wrong("the request did not arrive in 30 s".to_owned())),
     };
+    // The reader would take a list for the fields in their order, and count them.
+    if !bytes.trim_ascii_start().starts_with(b"{") {
+        return Err(wrong("the request is not a JSON object".to_owned()));
+    }
     serde_json::from_slice(&bytes).map_err(|error| wrong(format!("the request cannot be understood: {error}")))
 }
 

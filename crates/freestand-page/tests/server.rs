@@ -600,6 +600,14 @@ fn a_client_that_leaves_stops_its_work() {
     }
 }
 
+/// Its fields in a list, in their order, are no request.
+#[test]
+fn a_list_is_no_request() {
+    let answer = Site::new().post("/api/v1/run", &json!(["echo", {}]));
+    let told = "the request is not a JSON object";
+    assert_eq!((answer.status, &answer.json()["error"]["message"]), (400, &json!(told)));
+}
+
 /// Ctrl-C: jobs stop, and the files are gone.
 #[test]
 fn the_server_ends() {

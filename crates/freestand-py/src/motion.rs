@@ -12,7 +12,7 @@ use freestand_output::folder::write_file;
 use freestand_records::formats::{Component, write_at2, write_csv};
 use freestand_records::processing::{Processing, process};
 use freestand_study::inspect::{SpectrumRequest, measure_facts, spectrum};
-use freestand_study::recorded::{MotionFiles, ReadMotion, read_all};
+use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
 use freestand_study::study::RecordedMotion;
 use freestand_study::target::usual_periods_s;
 use pyo3::prelude::*;
@@ -189,7 +189,8 @@ pub(crate) fn read_motions(py: Python<'_>, paths: Vec<PathBuf>, values: &Bound<'
     let mut given = Given::new(values);
     let words = given.words("words");
     let mut reader = WordReader::new(&words);
-    let files = MotionFiles { paths, ..MotionFiles::read(&mut reader, Path::new("")) };
+    let files =
+        MotionFiles { paths, vertical: Upward::Itself("component"), ..MotionFiles::read(&mut reader, Path::new("")) };
     reader.problems.into_iter().for_each(|problem| given.push(problem));
     given.finish()?;
     let read = watched(py, None, |_| read_all(&files))?.map_err(raised_all)?;

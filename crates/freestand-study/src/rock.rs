@@ -15,6 +15,7 @@ use freestand::spectra::{UpliftCell, landings};
 use freestand::wall::{Contact, Walls};
 
 use crate::cushion::EdgeCushion;
+use crate::shape::Sizes;
 use crate::walls::{WallStiffness, wall_facts, wall_problem};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{Choices, name_of};
@@ -158,7 +159,7 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         })
     };
 
-    let mut warnings: Vec<String> = Vec::new();
+    let mut warnings = Sizes::of(block).doubts();
     if block.landing_ratio() < 0.0 {
         warnings.push(ValidityWarning::Squat { landing_ratio: block.landing_ratio() }.to_string());
     }

@@ -2,7 +2,73 @@
 
 use freestand::block::{Block, BlockError};
 use freestand::impact::ValidityWarning;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::words::number;
+use std::ops::RangeInclusive;
+
+/// Height of an object \[m\]: a paperweight to a tank of three storeys.
+pub const HEIGHT_M: RangeInclusive<f64> = 0.05..=12.0;
+/// Either side of an object \[m\].
+pub const SIDE_M: RangeInclusive<f64> = 0.01..=6.0;
+/// So many times outside of these, nobody means a size.
+const IMPOSSIBLE: f64 = 10.0;
+
+/// The outer sizes of one object \[m\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizes {
+    /// Its height.
+    pub height_m: f64,
+    /// Its side in the plane of rocking.
+    pub thickness_m: f64,
+    /// The other side, if it is known.
+    pub width_m: Option<f64>,
+}
+
+impl Sizes {
+    /// Of a block.
+    pub fn of(block: &Block) -> Self {
+        Self { height_m: block.height_m(), thickness_m: block.thickness_m(), width_m: None }
+    }
+
+    /// Sizes outside of these ranges, each with its key.
+    fn outside(self, times: f64) -> impl Iterator<Item = (&'static str, f64, RangeInclusive<f64>)> {
+        let sizes = [
+            ("height", Some(self.height_m), HEIGHT_M),
+            ("thickness", Some(self.thickness_m), SIDE_M),
+            ("width", self.width_m, SIDE_M),
+        ];
+        let given = sizes.into_iter().filter_map(|(key, size_m, range)| Some((key, size_m?, range)));
+        given.filter(move |(_, size_m, range)| !(range.start() / times..=range.end() * times).contains(size_m))
+    }
+
+    /// Warnings about sizes that hardly any object has. Models on a shaking table are so small.
+    pub fn doubts(self) -> Vec<String> {
+        let told = |(key, size_m, range): (&str, f64, RangeInclusive<f64>)| {
+            format!(
+                "`{key}` is {} m, and that of an object is between {} and {} m: check its unit",
+                number(size_m, 4),
+                range.start(),
+                range.end()
+            )
+        };
+        self.outside(1.0).map(told).collect()
+    }
+
+    /// As [`Sizes::doubts`], where the answer is about an object that exists.
+    ///
+    /// # Errors
+    /// Sizes that no object has.
+    pub fn check(self) -> Result<Vec<String>, Problems> {
+        let refused = |(key, size_m, range): (&'static str, f64, RangeInclusive<f64>)| {
+            let message = format!("`{key}`: no object has {} m", number(size_m, 4));
+            let hint = format!("check the unit: such a size is between {} and {} m", range.start(), range.end());
+            Problem::value(message, hint).of(&[key])
+        };
+        let problems: Problems = self.outside(IMPOSSIBLE).map(refused).collect();
+        problems.finish(Some(self.doubts()))
+    }
+}
 
 /// What is known of an object in addition to its height and thickness; `None`: as in a uniform
 /// block.
@@ -55,4 +121,23 @@ pub(crate) fn squat_warning(objects: usize, blocks: impl Iterator<Item = Block>)
         size(first.thickness_m()),
         ValidityWarning::Squat { landing_ratio: first.landing_ratio() }
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sizes;
+
+    #[test]
+    fn sizes_are_believed_doubted_or_refused() {
+        let told = |height_m, thickness_m, width_m| {
+            let found = Sizes { height_m, thickness_m, width_m }.check();
+            found.map(|doubts| doubts.len()).map_err(|problems| problems.problems.len())
+        };
+        assert_eq!(told(2.0, 0.4, Some(0.9)), Ok(0));
+        assert_eq!(told(15.0, 4.0, None), Ok(1));
+        assert_eq!(told(0.04, 0.008, Some(7.0)), Ok(3));
+        assert_eq!(told(1.8e6, 5e5, None), Err(2));
+        assert_eq!(told(0.001, 0.0004, None), Err(2));
+        assert_eq!(told(2.0, 0.4, Some(61.0)), Err(1));
+    }
 }

@@ -20,7 +20,7 @@ use serde::Serialize;
 
 use crate::cushion::{BOTTOMED, EdgeCushion};
 use crate::resolve::MAX_OBJECTS;
-use crate::shape::squat_warning;
+use crate::shape::{Sizes, squat_warning};
 use crate::sliding::{Surface, slide_under};
 use crate::walls::{WallStiffness, acceleration_g, speed_m_s};
 use freestand_input::problem::Problem;
@@ -134,6 +134,7 @@ impl SpectrumRequest {
     pub fn warnings(&self, tallies: &[SpectrumTally]) -> Vec<String> {
         let objects = self.grid.objects();
         let mut warnings: Vec<String> = squat_warning(objects, self.grid.blocks(0..objects)).into_iter().collect();
+        warnings.extend(self.grid.blocks(0..objects).flat_map(|block| Sizes::of(&block).doubts()).next());
         if let Some((mass_kg, EdgeCushion { cushion, pad_thickness_m, .. })) = &self.cushion {
             let soft = stiffness_warnings(*mass_kg, cushion, *pad_thickness_m);
             warnings.extend(soft.iter().map(ToString::to_string));

@@ -3,6 +3,7 @@
 
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::words::number;
+use freestand_study::shape::{HEIGHT_M, SIDE_M};
 
 use super::Item;
 use super::columns::{Column, letters};
@@ -11,10 +12,6 @@ use super::numbers::plain;
 use super::problems::{Findings, Kind, Place};
 use super::units::{CellUnit, find};
 
-/// Height \[m\]: a paperweight to a tank of three storeys.
-const HEIGHT_M: std::ops::RangeInclusive<f64> = 0.05..=12.0;
-/// Either side \[m\].
-const SIDE_M: std::ops::RangeInclusive<f64> = 0.01..=6.0;
 /// Height over the shorter side: a pole without a base.
 const MAX_SLENDERNESS: f64 = 40.0;
 /// Density of the box around an object \[kg/m³\]: nothing is heavier than gold, and no box is as light
@@ -167,6 +164,6 @@ pub(super) fn is_possible(column: Column, value_m: f64) -> bool {
     range(column).contains(&value_m)
 }
 
-fn range(column: Column) -> &'static std::ops::RangeInclusive<f64> {
-    if column == Column::Height { &HEIGHT_M } else { &SIDE_M }
+fn range(column: Column) -> std::ops::RangeInclusive<f64> {
+    if column == Column::Height { HEIGHT_M } else { SIDE_M }
 }

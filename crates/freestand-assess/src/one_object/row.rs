@@ -4,6 +4,7 @@ use std::path::Path;
 
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_study::shape::Sizes;
 use freestand_study::study::{FirstFloor, Study};
 
 use super::{Earthquake, FloorPlace, Object, ObjectRequest, RestsOn};
@@ -40,7 +41,9 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
     })?;
     // A problem of the list is that of the flag whose value it is; the path has no meaning.
     let mut problems = Problems::default();
-    let mut warnings = Vec::new();
+    let Object { height_m, thickness_m, width_m, .. } = request.object;
+    // In place of what a list says of such sizes: there is no cell to confirm.
+    let mut warnings = Sizes { height_m, thickness_m, width_m }.check()?;
     for finding in reading.inventory.findings.iter().filter(|one| one.kind != Kind::ImplausibleSize) {
         let problem = problem(finding, request, study);
         match finding.severity {
@@ -52,7 +55,7 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
         }
     }
     let mut item = problems.finish(reading.inventory.items.into_iter().next())?;
-    // Who gives one object with its units means it; what is unusual about it is said.
+    // Who gives one object with its units means what is only unusual.
     item.to_confirm.clear();
     item.doubts.retain(|doubt| *doubt != Kind::ImplausibleSize);
     if let Earthquake::Motions { .. } = request.earthquake {

@@ -10,6 +10,7 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{counted, number};
 use freestand_study::places::{Confidence, Place, near};
+use freestand_study::recorded::refuse_copies;
 use freestand_study::resolve::{Overrides, load, nothing_stated, resolve_with};
 use freestand_study::study::assessment::{Settings, Spread};
 use freestand_study::study::{Ground, Level, Study};
@@ -81,6 +82,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             of_study(made(text, hazard.clone())?, true, Some("the study".to_owned()))
         }
         Earthquake::Motions { motions, .. } => {
+            refuse_copies(motions.iter().map(|read| read.motion.samples()))?;
             let mut study = nothing_stated(&overrides(Words::default()))?;
             let mut warnings = Vec::new();
             let mut levels = Vec::new();

@@ -23,7 +23,7 @@ use freestand_input::quantity::{UnitSystem, shorten};
 use freestand_input::words::{counted, number};
 use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
 use freestand_study::places::Place;
-use freestand_study::shape::Shape;
+use freestand_study::shape::{Shape, Sizes};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
 use freestand_study::target::Target;
@@ -203,7 +203,9 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         check_factors(&request, target.as_ref(), &mut problems);
     }
     let found = blocks.zip(target).zip(floor).zip(kind);
-    let (((blocks, target), floor), kind) = problems.finish(found)?;
+    let sizes = Sizes { height_m: request.height_m, thickness_m: request.thickness_m, width_m: request.width_m };
+    let sizes = problems.keep(sizes.check());
+    let ((((blocks, target), floor), kind), doubts) = problems.finish(found.zip(sizes))?;
     let Floor { level_ratio, building_height_m, words: floor, mut assumptions } = floor;
     let object = HeldObject::new(request.mass_kg, level_ratio, kind.is_critical, kind.component, &blocks);
     let question = match &request.hazard {
@@ -254,6 +256,7 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         (RestrainHazard::Study(_), Some(target)) => target.place.and_then(Place::doubt).into_iter().collect(),
         (_, target) => target.iter().flat_map(|target| target.warnings.iter().cloned()).collect(),
     };
+    warnings.extend(doubts);
     if own.force.anchor_tension_n <= 0.0 && own.source.kind == RestraintKind::OwnCode {
         warnings.push(NO_TENSION.to_owned());
         own.source.remarks.insert(0, NO_TENSION.to_owned());

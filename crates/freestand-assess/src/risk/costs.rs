@@ -167,6 +167,7 @@ pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Prob
         CostRow {
             line: usize::try_from(item.row).unwrap_or(0),
             quantity: f64::from(item.quantity),
+            has_quantity: true,
             repair,
             replacement,
             downtime_days,

@@ -206,7 +206,7 @@ impl RunArgs {
                 "give one vertical record for each horizontal one, in the same order, or none",
             ));
         }
-        let verticals = self.vertically.reading(&self.read)?.read_all(&self.vertical)?;
+        let verticals = self.vertically.read_all(&self.read, &self.vertical)?;
         for (motion, read) in motions.iter_mut().zip(verticals) {
             files.push(InputFile { path: read.motion.path.clone(), sha256: read.motion.sha256.clone() });
             notes.extend(read.notes.iter().map(|note| format!("vertical {}: {note}", read.motion.name)));

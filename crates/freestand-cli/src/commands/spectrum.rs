@@ -363,7 +363,7 @@ fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     if args.vertical.is_empty() {
         return Ok(reading);
     }
-    let verticals = args.vertically.reading(&args.read)?.read_all(&args.vertical)?;
+    let verticals = args.vertically.read_all(&args.read, &args.vertical)?;
     for ((motion, processed), read) in reading.motions.iter_mut().zip(&mut reading.processing).zip(verticals) {
         let named = |text: &String| format!("vertical {}: {text}", read.motion.name);
         reading.warnings.extend(read.notes.iter().map(named));

@@ -491,7 +491,7 @@ fn edits_are_read_in_place_of_cells() {
     assert_eq!(status, 400);
     assert!(refused["error"]["message"].as_str().unwrap().contains("D1 cannot be changed"), "{refused}");
     let (status, refused) = page.run(&json!({"command": "validate", "edits": [{"cell": "D1", "value": "x"}]}));
-    assert_eq!((status, &refused["error"]["message"]), (400, &json!("validate has no option “Edit”")));
+    assert_eq!((status, &refused["error"]["message"]), (400, &json!("validate has no option --edit")));
 }
 
 #[cfg(unix)]
@@ -615,21 +615,20 @@ fn options_that_name_files_are_refused() {
 }
 
 #[test]
-fn the_messages_are_those_of_the_command_line_with_its_fields() {
+fn the_messages_are_those_of_the_command_line() {
     let page = Page::open();
     let size = json!({"height": "2 apples", "thickness": "0.5 m", "mass": "100 kg"});
     let error = page.refused(&with_options("shock", &size));
     assert_eq!(error["key"], "height");
-    assert!(message(&error).starts_with("“Height”: "), "{error}");
+    assert!(message(&error).starts_with("--height: "), "{error}");
     let error = page.refused(&with_options("shock", &json!({"depth": 1})));
-    assert!(message(&error).contains("no option “Depth”"), "{error}");
+    assert!(message(&error).contains("no option --depth"), "{error}");
     assert_eq!(error["key"], "depth");
 }
 
-/// Who fills in a form has no command line: no message of the page names a flag, a usage line or the
-/// error of a parser.
+/// Whatever is wrong with a field is said without the errors of a parser, and with what the user typed as it is.
 #[test]
-fn no_message_speaks_command_line() {
+fn no_message_is_that_of_a_parser() {
     let page = Page::open();
     let good = json!({"height": "1.8 m", "thickness": "0.4 m", "place": "Melbourne", "worlds": 1});
     let names = [
@@ -660,7 +659,7 @@ fn no_message_speaks_command_line() {
         "scales",
         "unit",
     ];
-    let wrong = ["x", "1,8 m", "3 apples", "--help"];
+    let wrong = ["x", "1,8 m", "3 apples", "0.4 m --out x"];
     let mut requests = vec![
         with_options("object", &json!({})),
         with_options("object", &json!({"height": "1.8 m", "thickness": "0.4 m"})),
@@ -693,11 +692,8 @@ fn no_message_speaks_command_line() {
         for told in told {
             for text in [&told["message"], &told["hint"]] {
                 let text = text.as_str().unwrap();
-                let flags = text.split("\"--help\"").collect::<String>();
-                assert!(!flags.contains("--"), "{request}: {text}");
-                for word in ["invalid digit", "usage:", "see freestand", "freestand place"] {
-                    assert!(!text.contains(word), "{request}: {text}");
-                }
+                assert!(!text.contains("invalid digit"), "{request}: {text}");
+                assert!(!text.contains('“'), "{request}: {text}");
             }
         }
     }

@@ -154,6 +154,25 @@ pub(crate) fn extreme_note(component: &Component) -> Option<String> {
     })
 }
 
+/// A note if the time step is longer than that of any record of shaking: times in ms were read as s, or most samples are
+/// missing.
+pub(crate) fn coarse_note(component: &Component) -> Option<String> {
+    const LONGEST_S: f64 = 0.1;
+    let dt_s = component.motion.dt_s();
+    (dt_s > LONGEST_S).then(|| {
+        format!(
+            "{}: a time step of {dt_s} s is too long for a record of an earthquake: check the unit of its times",
+            shorten(&component.name)
+        )
+    })
+}
+
+/// A note if nothing moves.
+pub(crate) fn still_note(component: &Component) -> Option<String> {
+    let is_still = component.motion.peak_m_s2() == 0.0;
+    is_still.then(|| format!("{}: all values are zero, so nothing moves", shorten(&component.name)))
+}
+
 /// A note if the values lie about another level than zero: an instrument that shows gravity, or an offset that was not
 /// removed. A floor that accelerates by a constant is a slope for everything that stands on it.
 ///

@@ -5,7 +5,8 @@ mod found;
 pub use crate::text::direction::Direction;
 pub(crate) use found::check_step;
 pub(crate) use found::{
-    Found, channels_note, end_note, extreme_note, length_note, motion, offset_note, peak_note, peak_note_of, tell_apart,
+    Found, channels_note, coarse_note, end_note, extreme_note, length_note, motion, offset_note, peak_note,
+    peak_note_of, still_note, tell_apart,
 };
 
 use crate::text::units;

@@ -1,5 +1,6 @@
 //! Ground motions from record files: reads them, chooses components, scales and names them.
 
+mod copies;
 mod folder;
 mod pairing;
 
@@ -10,6 +11,7 @@ use freestand::motion::Motion;
 use freestand::rocking::Base;
 use freestand::signal::rotate::Pair;
 
+pub use copies::refuse_copies;
 pub(crate) use folder::{Folder, read_folder};
 
 use crate::rock;
@@ -23,7 +25,8 @@ use freestand_input::words::number;
 use freestand_output::facts::Facts;
 use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit};
 use freestand_records::processing::{
-    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process, process_file, process_pair,
+    Processed, Processing, Scale, moves_on, not_perpendicular, pair_of_one, parse_step, process, process_file,
+    process_pair,
 };
 
 /// Files whose motions are used.
@@ -80,6 +83,9 @@ pub enum Upward {
     /// It is not used.
     #[default]
     None,
+    /// It may be the motion itself: whoever reads it does not shake a floor sideways with it. With the key that
+    /// chooses a component of its file.
+    Itself(&'static str),
     /// In the same file.
     SameFile,
     /// In these files, one for each of the first.
@@ -183,7 +189,7 @@ fn read_one(index: usize, path: &Path, files: &MotionFiles) -> Result<ReadMotion
         }
     };
     match &files.vertical {
-        Upward::None => {}
+        Upward::None | Upward::Itself(_) => {}
         Upward::SameFile => read.motion.vertical = Some(loaded.vertical(None, &read.motion, files)?),
         Upward::Files(paths) => {
             let Some(vertical_path) = paths.get(index) else { return Err(missing("vertical").into()) };
@@ -225,6 +231,7 @@ impl Loaded {
         let in_file = |problem: Problem| problem.in_file(path);
         let (processed, chosen, across) = match used {
             Used::Chosen => {
+                self.check_direction(files)?;
                 let (processed, chosen) =
                     process_file(file, files.component.as_deref(), &files.processing).map_err(in_file)?;
                 (processed, chosen, None)
@@ -268,8 +275,35 @@ impl Loaded {
         // Two components that were turned to an azimuth are of one file and have the same unit.
         let component = file.select(files.component.as_deref()).ok().or(file.components.first());
         let unit = component.map_or("m/s2", |component| component.unit);
-        let notes = file.notes.iter().cloned().chain(processed.notes).collect();
+        let mut notes: Vec<String> = file.notes.iter().cloned().chain(processed.notes).collect();
+        if !files.read.is_shock {
+            notes.extend(
+                [Some(&motion.motion), motion.across.as_ref().map(|one| &one.motion)]
+                    .into_iter()
+                    .flatten()
+                    .filter_map(moves_on),
+            );
+        }
         Ok(ReadMotion { motion, notes, start_note: start_note(file), unit })
+    }
+
+    /// Refuses a vertical component where a floor is shaken sideways.
+    fn check_direction(&self, files: &MotionFiles) -> Result<(), Problem> {
+        if files.processing.azimuth_deg.is_some() {
+            return Ok(());
+        }
+        let chosen = self.file.select(files.component.as_deref());
+        match files.vertical {
+            Upward::Itself(key) => chosen.map(|_| ()).map_err(|problem| {
+                let hint = format!("choose one by name or number with `{key}`");
+                problem.hint(hint)
+            }),
+            _ => horizontal(chosen?).map_err(|problem| {
+                problem
+                    .in_file(&self.file.path)
+                    .hint("choose a horizontal one with `component`; a vertical motion is given with `vertical`")
+            }),
+        }
     }
 
     /// The vertical component that belongs to a horizontal motion: of this file, or of another one.
@@ -303,6 +337,14 @@ impl Loaded {
     }
 }
 
+/// Refuses a vertical component.
+fn horizontal(component: &Component) -> Result<(), Problem> {
+    if component.direction != Some(Direction::Up) {
+        return Ok(());
+    }
+    Err(Problem::value(format!("component {} is vertical", shorten(&component.name)), "name two horizontal components"))
+}
+
 /// Both components processed; the steps of the second follow those of the first.
 fn both(
     first: &Component,
@@ -310,10 +352,7 @@ fn both(
     names: (&str, &str),
     files: &MotionFiles,
 ) -> Result<(Processed, Motion), Problem> {
-    if let Some(up) = [first, second].into_iter().find(|one| one.direction == Some(Direction::Up)) {
-        return Err(Problem::new(ProblemKind::Value, format!("component {} is vertical", shorten(&up.name)))
-            .hint("name two horizontal components"));
-    }
+    [first, second].into_iter().try_for_each(horizontal)?;
     if files.processing.azimuth_deg.is_some() {
         return Err(Problem::new(ProblemKind::Value, "two components are used in all directions, not turned to one")
             .hint("leave the azimuth out, or the second component"));
@@ -358,6 +397,29 @@ pub(crate) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A floor is shaken sideways; only who says so reads a vertical component alone.
+    #[test]
+    fn a_vertical_component_is_no_floor_motion() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("three.csv");
+        std::fs::write(&path, "time [s],N [g],E [g],UD [g]\n0,0,0,0\n0.01,0.5,0.4,0.3\n").unwrap();
+        let read = |component: Option<&str>, vertical| {
+            let words = freestand_input::keys::Words::default();
+            let files = MotionFiles::read(&mut WordReader::new(&words), Path::new(""));
+            let component = component.map(str::to_owned);
+            read_all(&MotionFiles { paths: vec![path.clone()], component, vertical, ..files })
+        };
+        for component in ["UD", "3"] {
+            let refused = read(Some(component), Upward::None).unwrap_err();
+            assert_eq!(refused.problems[0].message, "component UD is vertical");
+            assert!(read(Some(component), Upward::Itself("vertical_component")).is_ok());
+        }
+        assert!(read(Some("E"), Upward::None).is_ok());
+        let unclear = read(None, Upward::Itself("vertical_component")).unwrap_err();
+        let hint = unclear.problems[0].hint.as_deref();
+        assert_eq!(hint, Some("choose one by name or number with `vertical_component`"));
+    }
 
     /// A pipe gives its bytes once: they are read and fingerprinted from one reading, as they came.
     #[cfg(unix)]

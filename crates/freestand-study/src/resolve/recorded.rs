@@ -1,7 +1,7 @@
 //! Reads motions of the ground and of floors from files, as the keys of `[ground]` say.
 
 use crate::options::{BuildingOptions, ComponentsOption, GroundOptions, VerticalOption};
-use crate::recorded::{MotionFiles, Second, Upward, read_recorded};
+use crate::recorded::{MotionFiles, Second, Upward, read_recorded, refuse_copies};
 use crate::study::{Level, RecordedMotion};
 use freestand_input::toml_reader::Written;
 use freestand_input::word_reader::WordReader;
@@ -130,6 +130,13 @@ impl Resolver<'_> {
         }
         for motion in &motions {
             self.warnings.extend(motion.notes.iter().map(|note| format!("{}: {note}", motion.motion.name)));
+        }
+        if let Err(problem) = refuse_copies(motions.iter().map(|read| read.motion.samples())) {
+            match lines {
+                Some(lines) => self.fault(lines.first().copied(), "motions", problem),
+                None => self.problems.push(problem),
+            }
+            return None;
         }
         all_read.then(|| motions.into_iter().map(|read| read.motion).collect())
     }

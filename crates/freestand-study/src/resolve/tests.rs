@@ -218,8 +218,8 @@ fn a_table_lies_beside_the_study() {
 fn recorded_motions_are_named_and_fingerprinted() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::create_dir(folder.path().join("b")).unwrap();
-    for name in ["quake one.csv", "b/quake one.csv"] {
-        std::fs::write(folder.path().join(name), "time [s],a [g]\n0,0\n0.01,0.5\n").unwrap();
+    for (name, end) in [("quake one.csv", ""), ("b/quake one.csv", "0.02,0.1\n")] {
+        std::fs::write(folder.path().join(name), format!("time [s],a [g]\n0,0\n0.01,0.5\n{end}")).unwrap();
     }
     let path = folder.path().join("study.toml");
     std::fs::write(&path, "[ground]\nmotions = [\n  \"quake one.csv\",\n  \"b/quake one.csv\",\n]\nscale = -2\n")
@@ -321,11 +321,11 @@ fn a_study_has_the_station_xml_among_its_inputs() {
     copy("station_xml/one.xml", "a.xml");
     let sha256 = freestand_input::file::sha256_hex(&std::fs::read(folder.path().join("a.xml")).unwrap());
     for key in ["", "station_xml = \"a.xml\"\n"] {
-        let text = format!("[ground]\nmotions = [\"a.mseed\", \"a.mseed\"]\n{key}");
+        let text = format!("[ground]\nmotions = [\"a.mseed\"]\n{key}");
         let study = resolve(&text, Some(Path::new("s.toml")), folder.path()).unwrap();
         let inputs = crate::report::provenance(&study).inputs;
-        assert_eq!((inputs.len(), &inputs[2]), (3, &("a.xml".to_owned(), sha256.clone())));
-        assert_eq!(motion_paths(&study)[2], folder.path().join("a.xml"));
+        assert_eq!((inputs.len(), &inputs[1]), (2, &("a.xml".to_owned(), sha256.clone())));
+        assert_eq!(motion_paths(&study)[1], folder.path().join("a.xml"));
     }
 }
 
@@ -335,8 +335,9 @@ fn a_study_has_the_station_xml_among_its_inputs() {
 fn files_are_not_read_without_what_was_refused() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("bare.txt"), "0\n1\n2\n").unwrap();
+    std::fs::write(folder.path().join("other.txt"), "0\n2\n1\n").unwrap();
     let found = |keys: &str| {
-        let text = format!("[ground]\nmotions = [\"bare.txt\", \"bare.txt\"]\n{keys}");
+        let text = format!("[ground]\nmotions = [\"bare.txt\", \"other.txt\"]\n{keys}");
         let error = resolve(&text, Some(Path::new("s.toml")), folder.path()).map(|_| ()).unwrap_err();
         error.problems.iter().map(ToString::to_string).collect::<Vec<_>>()
     };

@@ -53,7 +53,7 @@ fn files(path: PathBuf, read: ReadOptions, component: Option<String>) -> MotionF
         read,
         component,
         second: freestand_study::recorded::Second::None,
-        vertical: Default::default(),
+        vertical: freestand_study::recorded::Upward::Itself("component"),
         processing: Processing::default(),
     }
 }

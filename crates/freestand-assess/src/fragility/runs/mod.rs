@@ -30,7 +30,9 @@ use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::cushion::EdgeCushion;
+use freestand_study::recorded::refuse_copies;
 use freestand_study::run::{Progress, Stage, Step};
+use freestand_study::shape::Sizes;
 use freestand_study::study::Study;
 use rayon::prelude::*;
 
@@ -442,6 +444,9 @@ fn fit(
         report.outcomes.push(outcomes);
     }
     report.warnings = report.all_warnings();
+    if let RunObjects::Given(object) = &request.objects {
+        report.warnings.extend(Sizes::of(&object.block).doubts());
+    }
     Ok(report)
 }
 
@@ -535,6 +540,13 @@ fn prepare(
             if object.motions.is_empty() {
                 return Err(Problem::value("there are no motions to run", "give `motion`, one or more files").into());
             }
+            Sizes::of(&object.block).check()?;
+            refuse_copies(
+                object
+                    .motions
+                    .iter()
+                    .map(|motion| (motion.name.as_str(), [Some(&motion.horizontal), motion.vertical.as_ref()])),
+            )?;
             let tolerance = Some(object.limits.tolerance()).filter(|_| object.limits != Limits::default());
             let nominal = Nominal::of_block(object.block, object.restitution, object.body.as_ref(), tolerance.as_ref());
             if nominal.lacks_shock() {

@@ -80,7 +80,7 @@ impl From<Integrals> for Traces {
 }
 
 pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
-    let read = args.read.read_all(&args.files)?;
+    let read = args.read.read_any(&args.files)?;
     if global.out.is_none() && !global.json && read.len() > 1 {
         return Err(Failure::usage("several files cannot share standard output", "name a folder with --out"));
     }

@@ -64,7 +64,7 @@ pub(crate) fn run(args: &SpectrumArgs, global: &GlobalArgs, printer: &Printer) -
     let periods_s = super::periods(&args.periods, &mut values);
     values.finish()?;
     let target = args.plot.target(global)?;
-    let read = args.read.read_one(&args.file)?;
+    let read = args.read.read_one(&args.file, ReadArgs::read_any)?;
     let report = spectrum(&read, &SpectrumRequest { damping_ratios, periods_s, upsample: args.upsample.get() })?;
     let inputs = args.read.inputs([&args.file]);
     let files = Files::with_tables(global, &inputs, &args.tables, SCHEMA, None)?;

@@ -127,7 +127,7 @@ fn options(args: &LayoutArgs) -> Result<SynthesisOptions, Failure> {
 pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     let target = args.target.matched_target()?;
     let pga_g = args.peak.pga_g(&target)?;
-    let read = args.read.read_one(&args.file)?;
+    let read = args.read.read_one(&args.file, ReadArgs::read_any)?;
     let files = Files::begin(global, &args.read.inputs(std::iter::once(&args.file).chain(&args.target.inputs())))?;
     let name = format!("{}-matched", name_of(&args.file));
     let request = MatchRequest { target, record: &read.motion.motion, name, method: args.method, pga_g };

@@ -5,6 +5,7 @@ mod sliding;
 mod spatial;
 mod stack;
 
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -12,7 +13,8 @@ use freestand::G0_M_S2;
 use freestand::motion::Motion;
 use freestand::rocking::RockingOptions;
 use freestand_input::problem::Problem;
-use freestand_input::quantity::Dimension;
+use freestand_input::quantity::{Dimension, parse_positive, shorten};
+use freestand_input::words::number;
 use freestand_output::facts::Facts;
 use freestand_output::table::Table;
 use freestand_study::drawn::{DrawnHistory, drawn};
@@ -125,7 +127,7 @@ pub(crate) struct RockArgs {
     #[arg(long, any = Dimension::AngularVelocity, help_heading = "The rocking")]
     initial_velocity: Option<Given>,
     /// Gravity [default: 1 g]
-    #[arg(long, positive = Dimension::Acceleration, help_heading = "The rocking")]
+    #[arg(long, value_name = "ACCELERATION", read = gravity, help_heading = "The rocking")]
     gravity: Option<Given>,
     /// Time at which to stop, whether or not the object has come to rest; the floor does not move after
     /// the last sample [default: when the object rests or lies, at most 120 s after the last sample]
@@ -254,6 +256,17 @@ struct Reading {
     inputs: Vec<PathBuf>,
 }
 
+/// Gravity, as small as on a minor planet and as large as where anything stands: 9.81 g is a slip.
+fn gravity(text: &str) -> Result<f64, Problem> {
+    const BELIEVED_M_S2: RangeInclusive<f64> = 0.1..=30.0;
+    let value_m_s2 = parse_positive(text, Dimension::Acceleration, "the value")?;
+    if BELIEVED_M_S2.contains(&value_m_s2) {
+        return Ok(value_m_s2);
+    }
+    let message = format!("\"{}\" is {} m/s2, which is no gravity", shorten(text), number(value_m_s2, 4));
+    Err(Problem::value(message, "write \"9.81 m/s2\" or \"1 g\""))
+}
+
 impl Reading {
     fn of(args: &RockArgs) -> Result<Self, Failure> {
         let mut reading = Self::without_horizontal(args)?;
@@ -268,14 +281,15 @@ impl Reading {
     fn without_horizontal(args: &RockArgs) -> Result<Self, Failure> {
         let inputs = args.read.inputs(args.motion.iter().chain(&args.vertical).chain(&args.cushion.inputs()));
         let mut reading = Self { inputs, ..Self::default() };
-        let vertically = args.vertically.reading(&args.read)?;
-        reading.vertical =
-            args.vertical.as_ref().map(|path| reading.read(&vertically, path)).transpose()?.map(|named| named.1);
+        for read in args.vertically.read_all(&args.read, args.vertical.as_slice())? {
+            reading.enter(&read);
+            reading.vertical = Some(read.motion.motion);
+        }
         Ok(reading)
     }
 
     fn read(&mut self, args: &ReadArgs, path: &Path) -> Result<(String, Motion), Failure> {
-        let read = args.read_one(path)?;
+        let read = args.read_one(path, ReadArgs::read_all)?;
         self.enter(&read);
         Ok((read.motion.name.clone(), read.motion.motion))
     }

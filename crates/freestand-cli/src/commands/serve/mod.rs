@@ -1,6 +1,5 @@
 //! `freestand serve`: the local page.
 
-mod fields;
 mod request;
 
 use std::path::PathBuf;

@@ -19,12 +19,11 @@ use freestand_page::{
     Reply, Request, Shape, Status, columns,
 };
 use freestand_study::places::places;
-use freestand_study::recorded::{MotionFiles, read_all};
+use freestand_study::recorded::{MotionFiles, Upward, read_all};
 use freestand_study::resolve::{Overrides, load};
 use serde_json::{Map, Value, json};
 use tempfile::TempDir;
 
-use super::fields;
 use crate::commands::Cli;
 use crate::failure::{self, Failure};
 use crate::printer::{Printer, hint_of};
@@ -171,6 +170,7 @@ fn kind(path: &Path) -> Kind {
     let words = Words::default();
     let files = MotionFiles {
         paths: vec![path.to_path_buf()],
+        vertical: Upward::Itself("component"),
         ..MotionFiles::read(&mut WordReader::new(&words), Path::new(""))
     };
     if read_all(&files).is_ok() { Kind::Record } else { Kind::Unknown }
@@ -493,7 +493,7 @@ impl Seen {
         let message = shown(&problem.message);
         // A flag is named at the beginning of what is said about its value.
         let flag = message.strip_prefix("--").and_then(|rest| rest.split([':', ' ']).next()).map(str::to_owned);
-        let (message, hint) = (fields::named(&message), fields::hint(&shown(hint_of(problem))));
+        let hint = shown(hint_of(problem));
         let key = problem.keys.first().map(|key| KeyStyle::Flag.name(key).trim_start_matches('-').to_owned());
         Refusal {
             key: key.or(flag).map(String::into_boxed_str),

@@ -21,4 +21,6 @@ it('names no flag, known or not', () => {
   expect(sentence('freestand place list shows all places; give --place')).toBe(`Give “${t('place')}”.`);
   expect(plain('`cg_height` is odd')).toBe(`“${t('cg-height')}” is odd`);
   expect(plain('sheet--old.csv, 3 -- 4')).toBe('sheet--old.csv, 3 -- 4');
+  expect(sentence('usage: freestand object; see --help')).toBe('');
+  expect(plain('--height: "0.4 m --out x" is not a length')).toBe(`“${t('height')}”: "0.4 m --out x" is not a length`);
 });

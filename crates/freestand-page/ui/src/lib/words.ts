@@ -17,8 +17,10 @@ export function ordinal(n: number): string {
 
 /** A message of the program with names of fields in place of flags and keys: who fills in a form has no command line. */
 export function plain(text: string): string {
-  return text.replace(/'--([a-z-]+) <\w+>'|(?<![\w-])--([a-z][a-z-]*)|`([a-z][a-z_]*)`/g, (_, whole?: string, bare?: string, key?: string) => {
-    const name = whole ?? bare ?? key?.replaceAll('_', '-') ?? '';
+  return text.replace(/"[^"]*"|'--([a-z-]+) <\w+>'|(?<![\w-])--([a-z][a-z-]*)|`([a-z][a-z_]*)`/g, (found, whole?: string, bare?: string, key?: string) => {
+    const name = whole ?? bare ?? key?.replaceAll('_', '-');
+    // What the user typed stands in quotes.
+    if (name === undefined) return found;
     const word = name === 'floor' ? 'level' : name;
     const label = word in en ? t(word as Word).replace(/:.*/, '') : name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
     return `“${label}”`;
@@ -28,7 +30,7 @@ export function plain(text: string): string {
 /** A message of the program as a sentence. */
 export function sentence(text: string): string {
   // The page cannot show the help of a command.
-  const parts = text.split('; ').filter((part) => !/(?<![\w-])--help\b|\bfreestand [a-z]/.test(part));
+  const parts = text.split('; ').filter((part) => !/(?<![\w-])--help\b|^usage:|\bfreestand [a-z]/.test(part));
   const named = plain(parts.join('; '));
   if (!named) return '';
   const first = /^[a-z]+[ ,]/.test(named) ? named.charAt(0).toUpperCase() + named.slice(1) : named;
