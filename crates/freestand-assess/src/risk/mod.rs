@@ -467,7 +467,7 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
         [|gap| matches!(gap, Gap::Below(_)), |gap| matches!(gap, Gap::Between(..)), |gap| matches!(gap, Gap::Above(_))];
     let open = |object: &'_ ObjectRisk| object.states.iter().filter_map(|one| one.open).collect::<Vec<Open>>();
     let said = kinds.into_iter().filter_map(|is_kind| {
-        let gap = |object: &ObjectRisk| open(object).into_iter().map(|one| one.gap).find(|gap| is_kind(*gap));
+        let gap = |object: &ObjectRisk| open(object).into_iter().filter_map(|one| one.gap).find(|gap| is_kind(*gap));
         let open: Vec<(&str, Gap)> =
             objects.iter().filter_map(|object| Some((object.id.as_str(), gap(object)?))).collect();
         let (id, gap) = *open.first()?;
@@ -488,7 +488,9 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
         ))
     });
     let mut said: Vec<String> = said.collect();
-    if let Some(levels) = objects.iter().flat_map(open).filter_map(|one| one.levels).reduce(Levels::with) {
+    // Also those that tell the other rates, so that none is lost.
+    let levels = objects.iter().flat_map(open).filter_map(|one| one.levels).reduce(Levels::with);
+    if let Some(levels) = levels.filter(|_| !said.is_empty()) {
         // A little outwards, so that rounding leaves out none.
         let (from, to) = (words(0.999 * levels.from), words(1.001 * levels.to));
         said.push(format!("runs that are likely to tell these rates: `scales = \"{from}:{to}:{}\"`", levels.count()));

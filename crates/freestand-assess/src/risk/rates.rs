@@ -34,7 +34,7 @@ pub(super) struct Levels {
 /// What the runs leave open of a rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Open {
-    pub(super) gap: Gap,
+    pub(super) gap: Option<Gap>,
     /// Intensities that would tell it, where they are known.
     pub(super) levels: Option<Levels>,
 }
@@ -97,7 +97,7 @@ fn of_curve(hazard: &Hazard, limit_state: LimitState, kind: CurveKind, found: &[
             ..by_curve
         },
     };
-    let open = what_is_open(hazard, by_curve, most, found);
+    let open = Some(what_is_open(hazard, by_curve, most, found));
     StateRates { limit_state, rates, by_runs: Some(bounds(AboveLast::Continued)), most: None, open }
 }
 
@@ -124,7 +124,7 @@ fn bounds_by_runs(
 
 /// Where the largest part of a rate is open, if that is more than a tenth of it, and the intensities that
 /// would tell it.
-fn what_is_open(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Option<Open> {
+fn what_is_open(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Open {
     let rate = |x: Option<f64>| x.map_or(0.0, |x| hazard.annual_rate(x));
     let all = by_curve.annual_rate.or(most);
     // Those below the lowest intensity belong together.
@@ -141,8 +141,8 @@ fn what_is_open(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found
         Some((open(one), one.to.map_or(Gap::Above(from), |to| Gap::Between(from, to))))
     });
     let largest = below.into_iter().chain(between).max_by(|a, b| a.0.total_cmp(&b.0));
-    let (_, gap) = largest.filter(|(part, _)| all.is_none_or(|all| *part > RESOLVED * all))?;
-    Some(Open { gap, levels: all.and_then(|all| Levels::that_may_tell(hazard, found, RESOLVED * all)) })
+    let gap = largest.filter(|(part, _)| all.is_none_or(|all| *part > RESOLVED * all)).map(|(_, gap)| gap);
+    Open { gap, levels: all.and_then(|all| Levels::that_may_tell(hazard, found, RESOLVED * all)) }
 }
 
 /// The most parts into which an interval of intensities is divided, and the most steps above the highest.
@@ -269,6 +269,6 @@ mod tests {
         let count = open(&[0.2, 0.4, 0.8]).unwrap().levels.unwrap().count();
         let level = |i: usize| from * (to / from).powf(i as f64 / (count - 1) as f64);
         assert!((10..100).contains(&count), "{count}");
-        assert_eq!(open(&(0..count).map(level).collect::<Vec<_>>()), None, "{from} {to} {count}");
+        assert_eq!(open(&(0..count).map(level).collect::<Vec<_>>()).unwrap().gap, None, "{from} {to} {count}");
     }
 }
