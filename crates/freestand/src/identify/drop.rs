@@ -3,7 +3,8 @@
 use super::contact::{self, Pulse, smooth_peak};
 use super::direct::{Flank, Touch};
 use super::filter::Poles;
-use super::fit::{Data, Fit};
+use super::fit::{Data, Fit, Measured};
+use super::model::Elastic;
 use super::{
     Candidate, DropError, DropSetup, DropTest, FittedLaw, Flag, Identified, ImpactVelocity, LoopPoint,
     StiffnessEstimates,
@@ -17,13 +18,12 @@ const MIN_SAMPLES: f64 = 24.5;
 /// beginning (Hertz).
 const ROUGH_SHARE: f64 = 0.8;
 /// Smallest product of low-pass corner and contact time: a two-pole filter at 3 lowers the stiffness of a fit that
-/// ignores it by up to 5 %, one at 6 by up to 1 %.
+/// ignores it by up to 5 %.
 const MIN_CORNER: f64 = 6.0;
 /// Above this product a filter does nothing but delay the pulse.
 const FREE_CORNER: f64 = 30.0;
-/// The reduction in the sum of squares that one more parameter must bring; one law in two thousand
-/// reaches it by chance.
-const WORTH: f64 = 12.0;
+/// −2 ln of the probability of the samples by which a law outweighs a simpler one: a factor of 20.
+const OUTWEIGHED: f64 = 6.0;
 /// The gain above which the weight is assumed not to act. With a stated velocity and peaks up to
 /// 75 g the gain is −3 or less for pulses with weight, and +3 or more for pulses without it; above
 /// 75 g the two cannot be told apart, and the weight is assumed to act.
@@ -64,8 +64,8 @@ const ROUNDING: f64 = 0.05;
 /// line is the mean before the contact. The pulses of F = kd, Kdⁿ, kd + cḋ, Kdⁿ(1 + Λḋ), kd + k₃d³ and
 /// of a curve without a formula are fitted to the samples by least squares over first contact, impact
 /// velocity, zero line and the parameters of the law, each behind the filter of the instrument. The
-/// simplest law that no other improves on clearly is chosen; the differences to the others, weighted
-/// after Schwarz, are part of the error. Known values of impact velocity and zero line are priors, so
+/// simplest law that no other outweighs is chosen; the differences to the others, weighted by how
+/// likely they are, are part of the error. Known values of impact velocity and zero line are priors, so
 /// the pulse can correct a wrong height. The compression is the double integral over the contact alone.
 /// F/d of the samples integrated from the touch that their own flank shows is a check without a law.
 ///
@@ -79,7 +79,7 @@ const ROUNDING: f64 = 0.05;
 /// the secant is recovered to 1e-3.
 ///
 /// # Reference
-/// Schwarz (1978) for the weights of the laws.
+/// Tierney and Kadane (1986) for the weights of the laws, by the method of Laplace.
 ///
 /// # Errors
 /// A mass, time step or velocity that is not positive, fewer than 20 samples, or a sample that is
@@ -344,8 +344,7 @@ impl<'a> Contact<'a> {
         }
     }
 
-    /// Fits every law with and without gravity, and chooses the simplest that no other improves on
-    /// clearly.
+    /// Fits every law with and without gravity, and chooses the simplest that no other outweighs.
     fn choose(&self) -> Option<Choice> {
         let gravity = self.setup.gravity_m_s2;
         let with = self.fits(gravity);
@@ -360,8 +359,7 @@ impl<'a> Contact<'a> {
             return Some(Choice { best, others, has_gravity: true, gravity_error: 0.0 });
         };
         let scale = (best.chi_squared.min(best_without.chi_squared) / best.degrees).max(1.0);
-        let score = |fit: &Fit| fit.chi_squared / scale + WORTH * fit.numbers();
-        let gain = score(&best) - score(&best_without);
+        let gain = best.unlikeliness(scale) - best_without.unlikeliness(scale);
         let apart = (best.secant_n_m / best_without.secant_n_m).ln().abs();
         let gravity_error = if gain.abs() > DECISIVE { 0.0 } else { apart };
         let has_gravity = gain <= LIKELY;
@@ -376,30 +374,27 @@ impl<'a> Contact<'a> {
         let all =
             [FittedLaw::Linear, FittedLaw::Power, FittedLaw::KelvinVoigt, FittedLaw::HuntCrossley, FittedLaw::Cubic];
         let mut fits: Vec<Fit> = all.iter().filter_map(|&law| data.fit(law)).collect();
-        // The curve contains the cubic law and the damped linear one.
-        let nested = fits.iter().filter(|fit| matches!(fit.law, FittedLaw::Cubic | FittedLaw::KelvinVoigt));
-        let curve = nested
-            .filter_map(|fit| data.extend(FittedLaw::Tabulated, fit))
-            .min_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared));
+        let curve = data.curve(&fits, self.measured(&data).as_ref());
         fits.extend(curve);
         fits
     }
 
     /// Adds what the samples allow about the filter: one that nobody stated, or one of another order.
     fn with_filters(&self, mut fits: Vec<Fit>, gravity_m_s2: f64) -> Vec<Fit> {
-        let mut data = self.data(gravity_m_s2);
+        let data = self.data(gravity_m_s2);
+        let behind = |poles| Data { poles, ..data.clone() };
         let more: Vec<Fit> = match data.corner_hz {
             None => {
                 let simple = |fit: &&Fit| fit.law != FittedLaw::Tabulated && fit.law != FittedLaw::HuntCrossley;
-                let hidden = fits.iter().filter(simple).filter_map(|fit| data.behind_filter(fit));
                 let slow = |fit: &Fit| {
                     fit.fitted_corner_hz().is_some_and(|corner| corner * fit.predicted.contact_s < MIN_CORNER)
                 };
-                hidden.filter(slow).collect()
+                let of = |poles| fits.iter().filter(simple).filter_map(move |fit| behind(poles).behind_filter(fit));
+                Poles::ALL.into_iter().flat_map(of).filter(slow).collect()
             }
             Some(corner_hz) if corner_hz * self.rough_s < FREE_CORNER => {
-                data.poles = Poles::Four;
-                fits.iter().filter_map(|fit| data.refit(fit)).collect()
+                let others = Poles::ALL.into_iter().filter(|poles| *poles != data.poles);
+                others.flat_map(|poles| fits.iter().filter_map(move |fit| behind(poles).refit(fit))).collect()
             }
             Some(_) => Vec::new(),
         };
@@ -407,39 +402,33 @@ impl<'a> Contact<'a> {
         fits
     }
 
-    /// The best by sum of squares and a penalty for every parameter; a law with negative damping is
-    /// excluded. What the other laws make of the samples is part of its error, by their weights.
+    /// The simplest law that no other outweighs; a law with negative damping is excluded. What the other laws make of the
+    /// samples is part of its error, each as much as it is likely.
     fn simplest(&self, mut fits: Vec<Fit>) -> Option<(Fit, Vec<Fit>)> {
         let least = fits.iter().map(|fit| fit.chi_squared / fit.degrees).fold(f64::INFINITY, f64::min).max(1.0);
-        let score = |fit: &Fit| fit.chi_squared / least + WORTH * fit.numbers();
         let is_wanted = |fit: &Fit| match self.setup.law {
             Some(law) => fit.law == law,
             None => fit.is_law(),
         };
-        let best = fits
-            .iter()
-            .enumerate()
-            .filter(|(_, fit)| is_wanted(fit))
-            .min_by(|a, b| score(a.1).total_cmp(&score(b.1)))
+        let wanted = || fits.iter().enumerate().filter(|(_, fit)| is_wanted(fit));
+        let likeliest = wanted().map(|(_, fit)| fit.unlikeliness(least)).fold(f64::INFINITY, f64::min);
+        let best = wanted()
+            .filter(|(_, fit)| fit.unlikeliness(least) <= likeliest + OUTWEIGHED)
+            .min_by(|a, b| a.1.simpler(b.1, least))
             .map(|(index, _)| index)?;
         let mut chosen = fits.remove(best);
-        // After Schwarz: ln of the number of samples for each parameter.
-        let worth = |fit: &Fit| fit.chi_squared / least + fit.degrees.max(2.0).ln() * fit.numbers();
         let all = || std::iter::once(&chosen).chain(fits.iter().filter(|fit| fit.is_law()));
-        let lowest = all().map(worth).fold(f64::INFINITY, f64::min);
-        let (mut sum, mut total) = (0.0, 0.0);
-        for fit in all() {
-            let weight = (0.5 * (lowest - worth(fit))).exp();
-            let apart = (fit.secant_n_m / chosen.secant_n_m).ln();
-            sum += weight * (fit.secant_error_ratio.powi(2) + apart * apart);
-            total += weight;
-        }
+        let likely = chosen.error_among(all(), least);
+        // No pad follows a formula exactly: a curve counts no less than all of them.
+        let curves = all().filter(|fit| fit.law == FittedLaw::Tabulated);
+        let curved = chosen.error_among(curves, least);
+        let even = if curved.is_finite() { (0.5 * (likely * likely + curved * curved)).sqrt() } else { likely };
         // A law that the others outweigh is no more certain for that.
-        chosen.secant_error_ratio = chosen.secant_error_ratio.max((sum / total).sqrt());
+        chosen.secant_error_ratio = chosen.secant_error_ratio.max(likely).max(even);
         if chosen.fitted_corner_hz().is_some() {
             // Nobody stated this filter: without it, the samples give this.
             let plain = fits.iter().filter(|fit| fit.fitted_corner_hz().is_none() && is_wanted(fit));
-            let plain = plain.min_by(|a, b| score(a).total_cmp(&score(b)));
+            let plain = plain.min_by(|a, b| a.unlikeliness(least).total_cmp(&b.unlikeliness(least)));
             let apart = plain.map_or(0.0, |fit| (fit.secant_n_m / chosen.secant_n_m).ln());
             chosen.secant_error_ratio = chosen.secant_error_ratio.hypot(apart);
         }
@@ -488,22 +477,21 @@ impl<'a> Contact<'a> {
             test.flags.push(Flag::Clipped);
             return;
         }
+        test.points = points;
         let is_more = best.chi_squared > POOR_CHI * best.degrees && best.residual_ratio > VISIBLE_RESIDUAL;
-        if !best.converged || is_more || best.residual_ratio > POOR_RESIDUAL.max(2.0 * self.pulse.noise_m_s2 / a) {
+        if is_more || best.residual_ratio > POOR_RESIDUAL.max(2.0 * self.pulse.noise_m_s2 / a) {
             test.flags.push(Flag::PoorFit);
-        }
-        let fit_error = best.secant_error_ratio.hypot(gravity_error).hypot(FLOOR);
-        let mut error_ratio = fit_error;
-        if let Some(Integrated { secant_n_m, error_ratio: own }) = integrated {
-            let apart = (secant_n_m / best.secant_n_m).ln().abs();
-            if apart > APART + APART_ERRORS * own.hypot(fit_error) {
-                test.flags.push(Flag::Integration);
+            // No pad that the laws know gives this pulse: an interval would say nothing about the error of the laws. That
+            // of a law which was asked for includes the others.
+            if self.setup.law.is_none() {
+                return;
             }
-            // What the error of the integration does not explain is that of the law. A curved law hides where it
-            // begins, so that less of the difference is credited to the integration.
-            let is_straight = matches!(best.law, FittedLaw::Linear | FittedLaw::KelvinVoigt);
-            let explained = if is_straight { own } else { 0.5 * own };
-            error_ratio = fit_error.hypot((apart * apart - explained * explained).max(0.0).sqrt());
+        }
+        let error_ratio = best.secant_error_ratio.hypot(gravity_error).hypot(FLOOR);
+        if let Some(Integrated { secant_n_m, error_ratio: own }) = integrated
+            && (secant_n_m / best.secant_n_m).ln().abs() > APART + APART_ERRORS * own.hypot(error_ratio)
+        {
+            test.flags.push(Flag::Integration);
         }
         if let ImpactVelocity::Known { speed_m_s, error_ratio } = self.setup.impact_velocity
             && (best.model.speed_m_s / speed_m_s).ln().abs() > 3.0 * error_ratio
@@ -520,9 +508,12 @@ impl<'a> Contact<'a> {
             stiffness,
             error_ratio,
             initial_stiffness_n_m: best.model.initial_n_m(),
-            cubic_n_m3: (best.law == FittedLaw::Cubic).then(|| best.model.cubic_n_m3()),
+            cubic_n_m3: match best.model.elastic {
+                Elastic::Cubic { cubic_n_m3, .. } => Some(cubic_n_m3),
+                Elastic::Power { .. } | Elastic::Curve { .. } => None,
+            },
             filter_corner_hz: best.fitted_corner_hz(),
-            exponent: free.as_ref().map_or(best.model.exponent, |fit| fit.model.exponent),
+            exponent: free.as_ref().map_or(best.model.exponent(), |fit| fit.model.exponent()),
             exponent_error: free.as_ref().and_then(|fit| fit.exponent_error),
             exponent_by_identity: 2.0 * a * d / (speed * speed) - 1.0,
             damping_ratio: damping_ratio(&best),
@@ -531,15 +522,15 @@ impl<'a> Contact<'a> {
             has_gravity,
             residual_ratio: best.residual_ratio,
         });
-        test.points = points;
     }
 
     /// Whether a law with a clipped top fits clearly better than the best law without one: the
     /// sensor reached the end of its range, and noise that was added later hides the flat top.
     fn is_cut(&self, data: &Data, best: &Fit, others: &[Fit]) -> bool {
-        let price = |fit: &Fit| WORTH * fit.numbers();
-        let limit = best.chi_squared + price(best) - CLEARLY_CUT;
-        std::iter::once(best).chain(others).any(|fit| data.cut(fit).is_some_and(|cost| cost + price(fit) < limit))
+        let all = || std::iter::once(best).chain(others);
+        let likeliest = all().map(|fit| fit.unlikeliness(1.0)).fold(f64::INFINITY, f64::min);
+        let gain = |fit: &Fit| Some(fit.chi_squared - data.cut(fit)? - (fit.unlikeliness(1.0) - likeliest));
+        all().any(|fit| gain(fit).is_some_and(|gain| gain > CLEARLY_CUT))
     }
 
     /// F/d at the largest compression, from the samples integrated twice after the touch that their flank shows. Behind
@@ -560,15 +551,30 @@ impl<'a> Contact<'a> {
         (secant_n_m > 0.0 && secant_n_m.is_finite()).then_some(Integrated { secant_n_m, ..known })
     }
 
-    /// The stiffness of a pulse from two integrations, and how its flank begins.
-    fn twice(&self, accel: &[f64], speed: f64, gravity: f64, beginning: Option<usize>) -> Option<(Integrated, usize)> {
-        let flank = Flank {
+    fn flank<'b>(&self, accel: &'b [f64]) -> Flank<'b> {
+        Flank {
             accel,
             before: self.pulse.before,
             contact: self.rough_s / self.dt_s,
             peak: self.peak_m_s2,
             noise: self.pulse.noise_m_s2,
-        };
+        }
+    }
+
+    /// Force and compression of the samples, integrated from the touch that their flank shows.
+    fn measured(&self, data: &Data) -> Option<Measured> {
+        let Touch { at, .. } = self.flank(self.accel).touch(None)?;
+        let start = Start { touch_s: at * self.dt_s, speed_m_s: data.speed_m_s, jump_m_s2: 0.0 };
+        let loaded = self.integrate(self.accel, &start, 1.2 * self.rough_s, data.gravity_m_s2);
+        let loaded = loaded.iter().take_while(|point| point.speed_m_s > 0.0);
+        let points: Vec<(f64, f64)> = loaded.map(|point| (point.compression_m, point.force_n)).collect();
+        let depth_m = points.last().filter(|last| last.0 > 0.0 && last.1 > 0.0)?.0;
+        Some(Measured { touch: at - (self.pulse.before as f64 + 0.5 - data.touch), depth_m, points })
+    }
+
+    /// The stiffness of a pulse from two integrations, and how its flank begins.
+    fn twice(&self, accel: &[f64], speed: f64, gravity: f64, beginning: Option<usize>) -> Option<(Integrated, usize)> {
+        let flank = self.flank(accel);
         let Touch { at, error, beginning } = flank.touch(beginning)?;
         let start = Start { touch_s: at * self.dt_s, speed_m_s: speed, jump_m_s2: 0.0 };
         let points = self.integrate(accel, &start, 1.2 * self.rough_s, gravity);
@@ -594,7 +600,7 @@ impl<'a> Contact<'a> {
                 .filter(|fit| fit.law == FittedLaw::Power)
                 .min_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared))
                 .cloned()
-                .or_else(|| self.data(gravity).extend(FittedLaw::Power, best)),
+                .or_else(|| self.data(gravity).fit(FittedLaw::Power)),
             FittedLaw::KelvinVoigt => self.data(gravity).extend(FittedLaw::DampedPower, best),
             _ => Some(best.clone()),
         }
@@ -642,7 +648,7 @@ fn candidate(fit: &Fit) -> Candidate {
     Candidate {
         law: fit.law,
         secant_n_m: fit.secant_n_m,
-        exponent: fit.model.exponent,
+        exponent: fit.model.exponent(),
         damping_ratio: fit.damping_ratio,
         residual_ratio: fit.residual_ratio,
         chi_squared: fit.chi_squared,
@@ -651,7 +657,7 @@ fn candidate(fit: &Fit) -> Candidate {
 
 fn law_of(fit: &Fit) -> ContactLaw {
     let model = &fit.model;
-    let (coefficient_n_mn, exponent) = (model.coefficient_n_mn, model.exponent);
+    let Elastic::Power { coefficient_n_mn, exponent } = model.elastic else { return table_of(fit) };
     match fit.law {
         FittedLaw::Linear => ContactLaw::Linear { stiffness_n_m: coefficient_n_mn },
         FittedLaw::KelvinVoigt => {

@@ -2,26 +2,33 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-/// A Butterworth low-pass filter.
+/// A low-pass filter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct LowPass {
     pub(super) corner_hz: f64,
     pub(super) poles: Poles,
 }
 
-/// Its order.
+/// Its poles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Poles {
+    /// Butterworth.
     Two,
+    /// Butterworth.
     Four,
+    /// Two equal real poles, as two RC stages have them; the corner is that of each.
+    Real,
 }
 
 impl Poles {
-    /// 1/Q of its pairs of poles: √2, or 2 sin(π/8) and 2 sin(3π/8).
+    pub(super) const ALL: [Self; 3] = [Self::Two, Self::Four, Self::Real];
+
+    /// 1/Q of its pairs of poles: √2; 2 sin(π/8) and 2 sin(3π/8); 2.
     fn pairs(self) -> &'static [f64] {
         match self {
             Self::Two => &[SQRT_2],
             Self::Four => &[0.765_366_864_730_179_6, 1.847_759_065_022_573_5],
+            Self::Real => &[2.0],
         }
     }
 }

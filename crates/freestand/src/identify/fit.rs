@@ -3,7 +3,8 @@
 
 use super::FittedLaw;
 use super::filter::{LowPass, Poles};
-use super::model::{Model, Predicted, SHAPES};
+use super::model::{Elastic, Model, PIECES, Predicted};
+use std::cmp::Ordering;
 
 /// Accuracy of the predicted pulse and of printed samples, as a share of the peak.
 const FLOOR_SHARE: f64 = 2e-4;
@@ -12,12 +13,13 @@ const ENOUGH: f64 = 1e-3;
 /// Iterations of Levenberg–Marquardt.
 const ROUNDS: usize = 60;
 /// Number of parameters.
-const P: usize = 9 + SHAPES;
+const P: usize = 12 + PIECES;
 /// Largest change of the first contact in one iteration, in contact times: a toe below the noise
 /// can be a large part of a contact.
 const TOUCH_SHARE: f64 = 0.1;
 /// First contact in samples; ln v; ln k; n; ζ; Λv; zero line over peak; level of a clipped top over
-/// peak; ln of the corner of the filter; q₂ to q₅ of a curve.
+/// peak; ln of the corner of the filter; the part of k₃d² in k; the compression at which k is the secant; how much the
+/// tangent of a curve changes from piece to piece, 0 without a curve; ln of its tangents over the first one.
 type Parameters = [f64; P];
 const TOUCH: usize = 0;
 const SPEED: usize = 1;
@@ -28,11 +30,28 @@ const DISSIPATION: usize = 5;
 const OFFSET: usize = 6;
 const TOP: usize = 7;
 const CORNER: usize = 8;
-const SHAPE: usize = 9;
-/// q₃, which is k₃.
-const CUBE: usize = SHAPE + 1;
-/// Steps of the numerical derivatives.
-const STEPS: Parameters = [1e-3, 1e-5, 1e-5, 1e-4, 1e-4, 1e-4, 1e-5, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4];
+const CUBE: usize = 9;
+const DEPTH: usize = 10;
+const ROUGHNESS: usize = 11;
+const CURVE: usize = 12;
+/// Step of the numerical derivative by a parameter.
+fn step_of(which: usize) -> f64 {
+    match which {
+        TOUCH => 1e-3,
+        SPEED | STIFFNESS | OFFSET => 1e-5,
+        _ => 1e-4,
+    }
+}
+/// What is tried for the standard deviation of ln of the tangent from piece to piece, of pads between one that is nearly
+/// linear and one with sharp kinks. The search goes from smooth to rough.
+const ROUGHNESSES: [f64; 4] = [0.07, 0.2, 0.6, 1.8];
+/// The tangent at which the search for a curve begins is at least this share of the secant.
+const LEAST_TANGENT: f64 = 0.05;
+/// First contacts that are tried to each side, and the −2 ln of a probability at which they end.
+const MOST_TOUCHES: usize = 12;
+const UNLIKELY: f64 = 9.0;
+/// ln of the largest and smallest tangent over the first one.
+const MOST_CHANGE: f64 = 7.0;
 /// Corner times contact time above which a filter does nothing but delay the pulse.
 const FAST_CORNER: f64 = 30.0;
 /// Corner times contact time below which a pulse shows its filter more than its pad.
@@ -64,6 +83,26 @@ pub(super) struct Data<'a> {
     pub(super) contact: f64,
 }
 
+/// What the samples say about the pad without any law.
+#[derive(Debug, Clone)]
+pub(super) struct Measured {
+    /// First contact, in samples of the data.
+    pub(super) touch: f64,
+    /// The largest compression.
+    pub(super) depth_m: f64,
+    /// Compression and force up to it.
+    pub(super) points: Vec<(f64, f64)>,
+}
+
+impl Measured {
+    fn force_n(&self, d: f64) -> f64 {
+        let next = self.points.partition_point(|point| point.0 < d);
+        let before = next.checked_sub(1).and_then(|before| self.points.get(before)).copied().unwrap_or_default();
+        let Some(after) = self.points.get(next) else { return before.1 };
+        before.1 + (after.1 - before.1) * (d - before.0) / (after.0 - before.0)
+    }
+}
+
 /// One law, fitted.
 #[derive(Debug, Clone)]
 pub(super) struct Fit {
@@ -75,6 +114,8 @@ pub(super) struct Fit {
     pub(super) predicted: Predicted,
     /// First contact, from the first sample of the data.
     pub(super) touch_s: f64,
+    /// Its standard deviation, in samples.
+    touch_error: f64,
     /// F/d at the largest compression, without damping.
     pub(super) secant_n_m: f64,
     /// Standard deviation of its logarithm.
@@ -84,11 +125,11 @@ pub(super) struct Fit {
     pub(super) damping_ratio: f64,
     /// Standard deviation of ζ, or of Λv.
     damping_error: Option<f64>,
+    /// ln of the determinant of the normal equations.
+    log_information: f64,
     /// Sum of squares in units of the noise.
     pub(super) chi_squared: f64,
     pub(super) degrees: f64,
-    /// Whether the search converged.
-    pub(super) converged: bool,
     /// Root mean square of the residuals divided by the peak.
     pub(super) residual_ratio: f64,
 }
@@ -97,35 +138,37 @@ fn free_of(law: FittedLaw) -> Vec<usize> {
     let more: &[usize] = match law {
         FittedLaw::Linear => &[],
         FittedLaw::Power => &[EXPONENT],
-        FittedLaw::KelvinVoigt => &[DAMPING],
+        FittedLaw::KelvinVoigt | FittedLaw::Tabulated => &[DAMPING],
         FittedLaw::HuntCrossley => &[EXPONENT, DISSIPATION],
         FittedLaw::DampedPower => &[EXPONENT, DAMPING],
         FittedLaw::Cubic => &[CUBE],
-        FittedLaw::Tabulated => &[SHAPE, CUBE, SHAPE + 2, SHAPE + 3, DAMPING],
     };
-    [TOUCH, SPEED, STIFFNESS, OFFSET].iter().chain(more).copied().collect()
+    let curve = if law == FittedLaw::Tabulated { CURVE..CURVE + PIECES } else { 0..0 };
+    [TOUCH, SPEED, STIFFNESS, OFFSET].iter().chain(more).copied().chain(curve).collect()
 }
 
 impl Data<'_> {
-    /// The compression at which `k` is the secant: constant, so that k and n are nearly
-    /// independent.
-    fn reference_m(&self) -> f64 {
-        self.speed_m_s * self.contact * self.dt_s / std::f64::consts::PI
-    }
-
     fn model(&self, p: &Parameters) -> Model {
         let k = p[STIFFNESS].exp();
         let speed_m_s = p[SPEED].exp();
+        let depth_m = p[DEPTH];
+        let elastic = if p[ROUGHNESS] > 0.0 {
+            let mut ratios = [1.0; PIECES + 1];
+            ratios.iter_mut().skip(1).zip(&p[CURVE..]).for_each(|(ratio, q)| *ratio = q.exp());
+            Elastic::curve(k, depth_m, &ratios)
+        } else if p[CUBE] != 0.0 {
+            Elastic::Cubic { initial_n_m: k * (1.0 - p[CUBE]), cubic_n_m3: k * p[CUBE] / (depth_m * depth_m) }
+        } else {
+            Elastic::Power { coefficient_n_mn: k * depth_m.powf(1.0 - p[EXPONENT]), exponent: p[EXPONENT] }
+        };
         Model {
             mass_kg: self.mass_kg,
             gravity_m_s2: self.gravity_m_s2,
             speed_m_s,
-            coefficient_n_mn: k * self.reference_m().powf(1.0 - p[EXPONENT]),
-            exponent: p[EXPONENT],
+            elastic,
             damping_n_s_m: 2.0 * p[DAMPING] * (k * self.mass_kg).sqrt(),
             dissipation_s_m: p[DISSIPATION] / speed_m_s,
-            shape: [p[SHAPE], p[CUBE], p[SHAPE + 2], p[SHAPE + 3]],
-            reference_m: self.reference_m(),
+            reference_m: depth_m,
             filter: p[CORNER].is_finite().then(|| LowPass { corner_hz: p[CORNER].exp(), poles: self.poles }),
         }
     }
@@ -152,7 +195,10 @@ impl Data<'_> {
             (p[SPEED] - self.speed_m_s.ln()) / self.speed_error_ratio,
             offset / self.zero_error_m_s2.max(1e-6 * self.peak_m_s2),
         ];
-        left.chain(priors).collect()
+        // The tangent of a curve changes from piece to piece by no more than it must.
+        let curve = if p[ROUGHNESS] > 0.0 { &p[CURVE..] } else { &[] };
+        let changes = curve.iter().zip(std::iter::once(&0.0).chain(curve));
+        left.chain(priors).chain(changes.map(|(q, before)| (q - before) / p[ROUGHNESS])).collect()
     }
 
     fn start(&self, touch: f64, exponent: f64) -> Parameters {
@@ -160,6 +206,8 @@ impl Data<'_> {
         let mut p = [0.0; P];
         (p[TOUCH], p[SPEED], p[STIFFNESS]) = (touch, self.speed_m_s.ln(), (self.mass_kg * omega * omega).ln());
         (p[EXPONENT], p[TOP], p[CORNER]) = (exponent, f64::INFINITY, f64::INFINITY);
+        // Constant, so that k and n are nearly independent.
+        p[DEPTH] = self.speed_m_s / omega;
         if let Some(corner_hz) = self.corner_hz.map(f64::ln).filter(|corner| *corner < self.corner(FAST_CORNER)) {
             p[CORNER] = corner_hz;
             p[TOUCH] -= LowPass { corner_hz: corner_hz.exp(), poles: self.poles }.delay_s() / self.dt_s;
@@ -200,6 +248,63 @@ impl Data<'_> {
         self.finished(law, &self.between_samples(found, &free), free)
     }
 
+    /// The fit of a curve without a formula: the likeliest roughness. It is started from the nearest law and from
+    /// the samples themselves; its error includes what the other roughnesses make of the samples.
+    pub(super) fn curve(&self, laws: &[Fit], measured: Option<&Measured>) -> Option<Fit> {
+        let free = free_of(FittedLaw::Tabulated);
+        let of_law = |from: &Fit| curved(from.parameters, from.predicted.compression_m, |d| from.model.elastic_n(d));
+        let of_samples = measured.map(|measured| {
+            let p = self.start(measured.touch, 1.0);
+            curved(p, measured.depth_m, |d| measured.force_n(d))
+        });
+        let nearest = laws.iter().min_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared));
+        let mut starts: Vec<Parameters> = nearest.map(of_law).into_iter().chain(of_samples).collect();
+        let mut fits: Vec<Fit> = Vec::new();
+        for roughness in ROUGHNESSES {
+            let mut best: Option<Descent> = None;
+            for p in &mut starts {
+                p[ROUGHNESS] = roughness;
+                keep_better(&mut best, self.descend(*p, &free, None));
+            }
+            let found = best?;
+            starts = vec![found.p];
+            fits.extend(self.finished(FittedLaw::Tabulated, &found, free.clone()));
+        }
+        let likeliest =
+            fits.iter().enumerate().min_by(|a, b| a.1.unlikeliness(1.0).total_cmp(&b.1.unlikeliness(1.0)))?.0;
+        let chosen = self.over_touches(fits.swap_remove(likeliest))?;
+        let error = chosen.error_among(std::iter::once(&chosen).chain(&fits), 1.0);
+        Some(Fit { secant_error_ratio: error, ..chosen })
+    }
+
+    /// The likeliest of the same curve with other first contacts, with an error that includes all of them. What a toe below
+    /// the noise allows is no neighbourhood of one minimum: whenever the first contact passes a sample, the curve changes.
+    fn over_touches(&self, from: Fit) -> Option<Fit> {
+        let held: Vec<usize> = from.free.iter().copied().filter(|&which| which != TOUCH).collect();
+        let middle = Descent { p: from.parameters, cost: from.chi_squared };
+        let mut fits: Vec<Fit> = self.finished(from.law, &middle, held.clone()).into_iter().collect();
+        for step in [-from.touch_error, from.touch_error] {
+            let mut p = from.parameters;
+            for _ in 0..MOST_TOUCHES {
+                p[TOUCH] += step;
+                let found = self.descend(p, &held, None);
+                p = found.p;
+                let Some(fit) = self.finished(from.law, &found, held.clone()) else { break };
+                let likeliest = fits.iter().map(|fit| fit.unlikeliness(1.0)).fold(f64::INFINITY, f64::min);
+                let is_far = fit.unlikeliness(1.0) > likeliest + UNLIKELY;
+                fits.push(fit);
+                if is_far {
+                    break;
+                }
+            }
+        }
+        let best = fits.iter().min_by(|a, b| a.unlikeliness(1.0).total_cmp(&b.unlikeliness(1.0)))?;
+        let error = best.error_among(&fits, 1.0);
+        let best = Descent { p: best.parameters, cost: best.chi_squared };
+        let fit = self.finished(from.law, &best, from.free)?;
+        Some(Fit { secant_error_ratio: error.max(fit.secant_error_ratio), ..fit })
+    }
+
     /// The fit of a law behind a filter whose corner is not known either.
     pub(super) fn behind_filter(&self, from: &Fit) -> Option<Fit> {
         let mut free = free_of(from.law);
@@ -230,9 +335,10 @@ impl Data<'_> {
     pub(super) fn cut(&self, from: &Fit) -> Option<f64> {
         let mut free = from.free.clone();
         free.push(TOP);
+        let data = Self { poles: from.model.filter.map_or(self.poles, |filter| filter.poles), ..self.clone() };
         let mut p = from.parameters;
         p[TOP] = 0.97 * from.predicted.peak_m_s2() / self.peak_m_s2;
-        let found = self.descend(p, &free, None);
+        let found = data.descend(p, &free, None);
         (found.cost < 2.0 * from.degrees).then_some(found.cost)
     }
 
@@ -269,7 +375,6 @@ impl Data<'_> {
         let mut r = self.residuals(&p);
         let mut cost = square(&r);
         let mut damping = 1e-3;
-        let mut converged = false;
         for _ in 0..ROUNDS {
             let (mut normal, mut gradient) = self.normal(&p, &r, free);
             hold_at_bound(&mut normal, &mut gradient, p[TOUCH], bounds);
@@ -301,11 +406,10 @@ impl Data<'_> {
                 damping *= 5.0;
             }
             if gained < ENOUGH + 1e-7 * cost {
-                converged = true;
                 break;
             }
         }
-        Descent { p, cost, converged }
+        Descent { p, cost }
     }
 
     /// JᵀJ and −Jᵀr over the free parameters.
@@ -322,15 +426,32 @@ impl Data<'_> {
         (normal, columns.iter().map(|a| -dot(a, r)).collect())
     }
 
+    /// The number of parameters of a curve that its priors fix: the trace of the covariance times their part of the
+    /// normal equations.
+    fn fixed_by_priors(&self, p: &Parameters, free: &[usize], covariance: &[Vec<f64>]) -> f64 {
+        let places: Vec<usize> = (0..free.len()).filter(|&at| free[at] >= CURVE).collect();
+        let mut sum = 0.0;
+        for (i, &at) in places.iter().enumerate() {
+            let last = i + 1 == places.len();
+            sum += covariance[at][at] * if last { 1.0 } else { 2.0 };
+            if let Some(&next) = places.get(i + 1) {
+                sum -= 2.0 * covariance[at][next];
+            }
+        }
+        if places.is_empty() { 0.0 } else { sum / p[ROUGHNESS].powi(2) }
+    }
+
     fn finished(&self, law: FittedLaw, found: &Descent, free: Vec<usize>) -> Option<Fit> {
-        let Descent { p, cost, converged } = found;
+        let Descent { p, cost } = found;
         let cost = *cost;
         let r = self.residuals(p);
-        let degrees = (self.accel_m_s2.len() + 2 - free.len()) as f64;
-        // Residuals in excess of the noise make every parameter less certain.
-        let scale = (cost / degrees).max(1.0);
         let (normal, _) = self.normal(p, &r, &free);
         let covariance = inverse(&normal)?;
+        // What the priors of a curve fix is no parameter.
+        let numbers = free.len() as f64 - self.fixed_by_priors(p, &free, &covariance);
+        let degrees = (self.accel_m_s2.len() + 2) as f64 - numbers;
+        // Residuals in excess of the noise make every parameter less certain.
+        let scale = (cost / degrees).max(1.0);
         let secant = |p: &Parameters| {
             let model = self.model(p);
             let d = model.predict().compression_m;
@@ -351,6 +472,7 @@ impl Data<'_> {
             let at = free.iter().position(|&i| i == which)?;
             Some((covariance[at][at] * scale).max(0.0).sqrt())
         };
+        let touch_error = of(TOUCH).unwrap_or(0.0);
         let (exponent_error, damping_error) = (of(EXPONENT), of(DAMPING).or_else(|| of(DISSIPATION)));
         let samples = &r[..self.accel_m_s2.len()];
         let model = self.model(p);
@@ -361,14 +483,15 @@ impl Data<'_> {
             model,
             predicted: model.predict(),
             touch_s: p[TOUCH] * self.dt_s,
+            touch_error,
             secant_n_m: secant(p).exp(),
             secant_error_ratio: (variance * scale).max(0.0).sqrt(),
             exponent_error,
             damping_ratio: p[DAMPING],
             damping_error,
             chi_squared: cost,
+            log_information: log_determinant(&normal)?,
             degrees,
-            converged: *converged,
             residual_ratio: (square(samples) / samples.len() as f64).sqrt() * self.sigma() / self.peak_m_s2,
         };
         let sound = fit.secant_n_m.is_finite() && fit.secant_error_ratio.is_finite() && fit.predicted.contact_s > 0.0;
@@ -382,9 +505,53 @@ const NEGATIVE_ERRORS: f64 = 3.0;
 const NEGATIVE_DAMPING: f64 = 0.005;
 
 impl Fit {
-    /// Number of parameters besides first contact, velocity, stiffness and zero line.
-    pub(super) fn numbers(&self) -> f64 {
-        self.free.len() as f64 - 4.0
+    /// −2 ln of the probability of the samples, up to a constant, by the method of Laplace: a law that must choose its
+    /// numbers narrowly out of what they may be has a small one. `scale` is the variance of the samples over their noise.
+    pub(super) fn unlikeliness(&self, scale: f64) -> f64 {
+        let extra = self.free.iter().map(|&which| {
+            let (expected, width) = self.expected(which);
+            let off = (self.parameters[which] - expected) / width;
+            // Those of a curve are among the residuals.
+            2.0 * width.ln() + if which < CURVE { off * off } else { 0.0 }
+        });
+        let count = self.free.len() as f64;
+        self.chi_squared / scale + self.log_information - count * scale.ln() + extra.sum::<f64>()
+    }
+
+    /// Whether a fit has fewer parameters than another one, or as many and is likelier.
+    pub(super) fn simpler(&self, other: &Self, scale: f64) -> Ordering {
+        let parameters = self.free.len().cmp(&other.free.len());
+        parameters.then(self.unlikeliness(scale).total_cmp(&other.unlikeliness(scale)))
+    }
+
+    /// Where a parameter is expected and how far from there it may be: about a linear pad. Of the parameters that every
+    /// law has, nothing is expected here.
+    fn expected(&self, which: usize) -> (f64, f64) {
+        match which {
+            EXPONENT => (1.0, 0.5),
+            CUBE => (0.0, 0.5),
+            DAMPING => (0.0, 0.1),
+            DISSIPATION => (0.0, 0.2),
+            CURVE.. => (0.0, self.parameters[ROUGHNESS]),
+            _ => (self.parameters[which], 1.0),
+        }
+    }
+
+    /// The standard deviation of ln k about this fit, by what all fits make of the samples, each as much as it is likely.
+    pub(super) fn error_among<'a>(&self, fits: impl IntoIterator<Item = &'a Self>, scale: f64) -> f64 {
+        let of = |fit: &Self| {
+            let apart = (fit.secant_n_m / self.secant_n_m).ln();
+            (fit.unlikeliness(scale), fit.secant_error_ratio.powi(2) + apart * apart)
+        };
+        let variances: Vec<(f64, f64)> = fits.into_iter().map(of).collect();
+        let lowest = variances.iter().map(|(unlikeliness, _)| *unlikeliness).fold(f64::INFINITY, f64::min);
+        let (mut sum, mut total) = (0.0, 0.0);
+        for (unlikeliness, variance) in variances {
+            let weight = (0.5 * (lowest - unlikeliness)).exp();
+            sum += weight * variance;
+            total += weight;
+        }
+        (sum / total).sqrt()
     }
 
     /// The zero line of the fit, above that of the samples.
@@ -418,7 +585,6 @@ impl Fit {
 struct Descent {
     p: Parameters,
     cost: f64,
-    converged: bool,
 }
 
 fn keep_better(best: &mut Option<Descent>, found: Descent) {
@@ -427,12 +593,26 @@ fn keep_better(best: &mut Option<Descent>, found: Descent) {
     }
 }
 
+/// The curve of a force up to a compression.
+fn curved(mut p: Parameters, depth_m: f64, force_n: impl Fn(f64) -> f64) -> Parameters {
+    let secant_n_m = force_n(depth_m) / depth_m;
+    (p[DEPTH], p[STIFFNESS], p[EXPONENT], p[CUBE], p[DISSIPATION]) = (depth_m, secant_n_m.ln(), 1.0, 0.0, 0.0);
+    let step_m = depth_m / PIECES as f64;
+    let tangent = |i: usize| {
+        let [low, high] = [i as f64 - 0.5, i as f64 + 0.5].map(|x| x.clamp(0.0, PIECES as f64) * step_m);
+        ((force_n(high) - force_n(low)) / (high - low)).max(LEAST_TANGENT * secant_n_m)
+    };
+    (0..PIECES).for_each(|i| p[CURVE + i] = (tangent(i + 1) / tangent(0)).ln());
+    p
+}
+
 /// A point next to p for the derivative by one parameter, and its distance. The first contact does
 /// not pass a sample, where the force of a damped pad jumps.
 fn perturbed(p: &Parameters, i: usize) -> (Parameters, f64) {
     let mut q = *p;
-    let passes = i == TOUCH && (p[i] + STEPS[i]).ceil() != p[i].ceil();
-    let h = if passes { -STEPS[i] } else { STEPS[i] };
+    let step = step_of(i);
+    let passes = i == TOUCH && (p[i] + step).ceil() != p[i].ceil();
+    let h = if passes { -step } else { step };
     q[i] += h;
     (q, h)
 }
@@ -465,6 +645,7 @@ fn moved(p: &Parameters, free: &[usize], step: &[f64], touch: f64) -> Parameters
         };
         next[i] += s.clamp(-most, most);
     }
+    next.iter_mut().skip(CURVE).for_each(|q| *q = q.clamp(-MOST_CHANGE, MOST_CHANGE));
     next[EXPONENT] = next[EXPONENT].clamp(0.3, 8.0);
     next[DAMPING] = next[DAMPING].clamp(-0.2, 2.0);
     next[DISSIPATION] = next[DISSIPATION].clamp(-0.3, 20.0);
@@ -497,6 +678,27 @@ pub(super) fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
         b[k] = (b[k] - known) / a[k][k];
     }
     b.iter().all(|x| x.is_finite()).then_some(b)
+}
+
+/// ln of the determinant of a positive definite matrix (Cholesky).
+fn log_determinant(a: &[Vec<f64>]) -> Option<f64> {
+    let mut rows: Vec<Vec<f64>> = Vec::with_capacity(a.len());
+    let mut sum = 0.0;
+    for (i, given) in a.iter().enumerate() {
+        let mut row: Vec<f64> = Vec::with_capacity(i + 1);
+        for j in 0..i {
+            let known: f64 = row.iter().zip(&rows[j]).map(|(x, y)| x * y).sum();
+            row.push((given[j] - known) / rows[j][j]);
+        }
+        let rest = given[i] - row.iter().map(|x| x * x).sum::<f64>();
+        if rest.is_nan() || rest <= 0.0 {
+            return None;
+        }
+        sum += rest.ln();
+        row.push(rest.sqrt());
+        rows.push(row);
+    }
+    Some(sum)
 }
 
 fn inverse(a: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {

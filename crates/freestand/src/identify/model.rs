@@ -1,24 +1,62 @@
 //! The pulse that a law predicts, calculated fast enough for a fit.
 
 use super::filter::LowPass;
+use std::cmp::Ordering;
 
-/// Terms of a curve beyond the first: x² to x⁵.
-pub(super) const SHAPES: usize = 4;
+/// Pieces of a curve without a formula.
+pub(super) const PIECES: usize = 24;
 
-/// A landing on F = f(d) (1 + Λḋ) + c ḋ, never below zero, as an instrument shows it. f is K dⁿ, or with n = 1
-/// the polynomial K D (x + Σ qⱼ (xʲ − x)) in x = d/D, whose secant at D is K for any q.
+/// The elastic force f(d) of a pad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Elastic {
+    /// K dⁿ.
+    Power { coefficient_n_mn: f64, exponent: f64 },
+    /// k d + k₃ d³.
+    Cubic { initial_n_m: f64, cubic_n_m3: f64 },
+    /// The tangent stiffness at equal distances, linear between them and constant after the last, and the force there.
+    Curve { step_m: f64, tangents_n_m: [f64; PIECES + 1], forces_n: [f64; PIECES + 1] },
+}
+
+impl Elastic {
+    /// A curve whose tangents have these ratios, and whose secant at its last point is `secant_n_m`.
+    pub(super) fn curve(secant_n_m: f64, depth_m: f64, ratios: &[f64; PIECES + 1]) -> Self {
+        let step_m = depth_m / PIECES as f64;
+        let means = ratios.windows(2).map(|pair| 0.5 * pair.iter().sum::<f64>());
+        let scale = secant_n_m * PIECES as f64 / means.clone().sum::<f64>();
+        let mut forces_n = [0.0; PIECES + 1];
+        let mut sum = 0.0;
+        for (force_n, mean) in forces_n.iter_mut().skip(1).zip(means) {
+            sum += scale * mean * step_m;
+            *force_n = sum;
+        }
+        Self::Curve { step_m, tangents_n_m: ratios.map(|ratio| scale * ratio), forces_n }
+    }
+
+    fn force_n(&self, d: f64) -> f64 {
+        match self {
+            Self::Power { coefficient_n_mn, exponent: 1.0 } => coefficient_n_mn * d,
+            Self::Power { coefficient_n_mn, exponent } => coefficient_n_mn * d.powf(*exponent),
+            Self::Cubic { initial_n_m, cubic_n_m3 } => d * (initial_n_m + cubic_n_m3 * d * d),
+            Self::Curve { step_m, tangents_n_m, forces_n } => {
+                let piece = ((d / step_m) as usize).min(PIECES);
+                let into = d - piece as f64 * step_m;
+                let [tangent, next] = [piece, (piece + 1).min(PIECES)].map(|i| tangents_n_m[i]);
+                forces_n[piece] + into * (tangent + 0.5 * (next - tangent) * into / step_m)
+            }
+        }
+    }
+}
+
+/// A landing on F = f(d) (1 + Λḋ) + c ḋ, never below zero, as an instrument shows it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Model {
     pub(super) mass_kg: f64,
     pub(super) gravity_m_s2: f64,
     pub(super) speed_m_s: f64,
-    pub(super) coefficient_n_mn: f64,
-    pub(super) exponent: f64,
+    pub(super) elastic: Elastic,
     pub(super) damping_n_s_m: f64,
     pub(super) dissipation_s_m: f64,
-    /// q₂ to q₅, for n = 1.
-    pub(super) shape: [f64; SHAPES],
-    /// D.
+    /// About the largest compression.
     pub(super) reference_m: f64,
     pub(super) filter: Option<LowPass>,
 }
@@ -57,31 +95,35 @@ impl Model {
 
     /// f(d).
     pub(super) fn elastic_n(&self, d: f64) -> f64 {
-        if self.exponent != 1.0 {
-            return self.coefficient_n_mn * d.powf(self.exponent);
+        self.elastic.force_n(d)
+    }
+
+    /// n of a power law; 1 of every other one.
+    pub(super) fn exponent(&self) -> f64 {
+        match self.elastic {
+            Elastic::Power { exponent, .. } => exponent,
+            Elastic::Cubic { .. } | Elastic::Curve { .. } => 1.0,
         }
-        let x = d / self.reference_m;
-        let shape = self.shape.iter().rev().fold(0.0, |sum, q| (sum + q) * x);
-        self.coefficient_n_mn * d * (1.0 - self.shape.iter().sum::<f64>() + shape)
     }
 
     /// df/dd at the origin; `None` where it is infinite.
     pub(super) fn initial_n_m(&self) -> Option<f64> {
-        if self.exponent != 1.0 {
-            return (self.exponent > 1.0).then_some(0.0);
+        match self.elastic {
+            Elastic::Power { coefficient_n_mn, exponent } => match exponent.total_cmp(&1.0) {
+                Ordering::Less => None,
+                Ordering::Equal => Some(coefficient_n_mn),
+                Ordering::Greater => Some(0.0),
+            },
+            Elastic::Cubic { initial_n_m, .. } => Some(initial_n_m),
+            Elastic::Curve { tangents_n_m, .. } => tangents_n_m.first().copied(),
         }
-        Some(self.coefficient_n_mn * (1.0 - self.shape.iter().sum::<f64>()))
-    }
-
-    /// k₃ of f = k d + k₃ d³.
-    pub(super) fn cubic_n_m3(&self) -> f64 {
-        self.coefficient_n_mn * self.shape[1] / (self.reference_m * self.reference_m)
     }
 
     /// Approximate contact time: that of the undamped power law, Cₙ ≈ 3.
     fn scale_s(&self) -> f64 {
-        let n = self.exponent;
-        let energy = 0.5 * (n + 1.0) * self.mass_kg * self.speed_m_s.powi(2) / self.coefficient_n_mn;
+        let n = self.exponent();
+        let coefficient_n_mn = self.elastic_n(self.reference_m) / self.reference_m.powf(n);
+        let energy = 0.5 * (n + 1.0) * self.mass_kg * self.speed_m_s.powi(2) / coefficient_n_mn;
         3.0 * energy.powf(1.0 / (n + 1.0)) / self.speed_m_s
     }
 

@@ -87,7 +87,7 @@ fn truth_n_m(pad: &Cushion) -> f64 {
 }
 
 /// Drops with a stated velocity that is wrong by 1 %, as 12 bits of a range of twice the peak.
-fn score(pad: &Cushion, recorder: &Recorder, drops: u64, states_corner: bool) -> Score {
+fn score(pad: &Cushion, recorder: &Recorder, seed: u64, drops: u64, states_corner: bool) -> Score {
     let truth = truth_n_m(pad);
     let contact_s = pad.land(MASS_KG, fall_m_s()).duration_s;
     let mut score = Score::default();
@@ -99,7 +99,7 @@ fn score(pad: &Cushion, recorder: &Recorder, drops: u64, states_corner: bool) ->
             bias_m_s2: 0.3 * G0_M_S2,
             filter_corner_hz,
             speed_error_ratio: 0.01,
-            seed: 11,
+            seed,
             index,
             ..VirtualDropOptions::from_height(pad, MASS_KG, 0.1)
         };
@@ -129,11 +129,14 @@ fn score(pad: &Cushion, recorder: &Recorder, drops: u64, states_corner: bool) ->
 
 /// Drops of each pad on each recorder.
 const CAMPAIGN_DROPS: u64 = 100;
+/// Another than that of the tests.
+const CAMPAIGN_SEED: u64 = 777;
+const TEST_SEED: u64 = 11;
 
 fn campaign(drops: u64, states_corner: bool) {
     for (name, pad) in pads() {
         for recorder in RECORDERS.iter().filter(|recorder| states_corner || recorder.corner.is_some()) {
-            let s = score(&pad, recorder, drops, states_corner);
+            let s = score(&pad, recorder, CAMPAIGN_SEED, drops, states_corner);
             let mean = s.errors.iter().sum::<f64>() / s.errors.len().max(1) as f64;
             println!(
                 "{name:26} {:4} {:6} {:?}: given {} held {} flagged {} | half-width {:.4} mean error {mean:+.4}",
@@ -150,17 +153,16 @@ fn campaign(drops: u64, states_corner: bool) {
 }
 
 /// A part of the campaign below: the intervals hold the truth, and are no excuse. Of 24 drops with intervals of 95 %, 20
-/// or fewer are held with a probability of 1 in 170; the half-width is twice the largest of the campaign. Behind a filter,
-/// a kink does not show, so that a pad with one is not among them there.
+/// or fewer are held with a probability of 1 in 170; the half-width is twice the largest of the campaign.
 #[test]
 fn pads_that_follow_no_law_are_inside_their_intervals() {
-    for (recorder, last) in [(&RECORDERS[0], "table, kink up"), (&RECORDERS[4], "hardening weakly")] {
-        let wanted = ["hardening", "softening", "tangent", last];
+    let wanted = ["hardening", "softening", "tangent", "table, kink up"];
+    for recorder in [&RECORDERS[0], &RECORDERS[4]] {
         let (mut held, mut given) = (0, 0);
-        for (name, pad) in pads().into_iter().filter(|(name, _)| wanted.contains(name)) {
-            let s = score(&pad, recorder, 6, true);
+        for (name, pad) in pads() {
+            let s = score(&pad, recorder, TEST_SEED, 6, true);
             (held, given) = (held + s.held, given + s.given);
-            assert!(median(&s.halves) < 0.2, "{name} {recorder:?}: {s:?}");
+            assert!(median(&s.halves) < 0.06, "{name} {recorder:?}: {s:?}");
         }
         assert!(held > 20 && given > 21, "{recorder:?}: {held} of {given}");
     }
@@ -172,9 +174,9 @@ fn pads_that_follow_no_law_are_inside_their_intervals() {
 fn a_slow_filter_is_noticed() {
     let pad = Cushion::linear(7.6e5).unwrap();
     let slow = Recorder { per_contact: 100.0, noise_ratio: 0.003, corner: Some(2.4) };
-    let s = score(&pad, &slow, 4, false);
+    let s = score(&pad, &slow, TEST_SEED, 4, false);
     assert!(s.flagged == 4 && s.held == s.given && s.given > 2, "{s:?}");
-    let stated = score(&pad, &slow, 4, true);
+    let stated = score(&pad, &slow, TEST_SEED, 4, true);
     // Behind the stated filter the pad is as well known as without one: noise and the velocity.
     assert!(stated.held > 2 && median(&stated.halves) < 0.05, "{stated:?}");
 }
@@ -183,7 +185,7 @@ fn a_slow_filter_is_noticed() {
 #[test]
 fn a_hardening_pad_is_no_power_law() {
     let pad = dense(|d| 1.19e6 * d + 6e12 * d.powi(3), 2e-3);
-    let s = score(&pad, &RECORDERS[1], 3, true);
+    let s = score(&pad, &RECORDERS[1], TEST_SEED, 3, true);
     // Noise of 0.1 % and the velocity, of 1 %, decide: 1 % is three times the half-width of the campaign.
     assert!(s.held == 3 && s.errors.iter().all(|off| off.abs() < 0.01) && s.flagged == 0, "{s:?}");
 }
