@@ -129,7 +129,7 @@ kinds! {
         "write it in one of the usual words, or leave the cell empty if it is not known";
     AnchoredUnclear Doubt "anchored-unclear" "does not clearly say that it is anchored; it was assessed as free"
         "write yes or no";
-    Round Doubt "round" "is the name of a round object; the square prism around it is calculated, which may stand where it falls"
+    Round Doubt "round" "is the name of a round object; the calculation uses the square prism around it, which may stand where the round object falls"
         "if it is not round, write box in a column shape";
     Example Doubt "example" "is an example of the template"
         "delete the row";

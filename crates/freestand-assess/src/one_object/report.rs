@@ -324,7 +324,7 @@ fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
     let mut said = Vec::new();
     let Some(answers) = &found.answers else { return said };
     if let Some(why) = answers.too_mild {
-        said.push(format!("it is {}: it may fall where it stands there", why.words()));
+        said.push(format!("it is {}: the real object may fall where the calculated one stands", why.words()));
     }
     if let Some(needed) = answers.worlds_needed.filter(|_| !is_given) {
         let accepted = percent_significant(found.accepted_ratio, 2);

@@ -252,7 +252,7 @@ impl Answer {
                 0 => format!("none of {asked} {} overturns", self.earthquake.noun()),
                 _ => self.count(overturned, asked, verb),
             };
-            return format!("it is {}; {counted} it there, and it may fall where it stands there", why.words());
+            return format!("it is {}; in that calculation {counted} it, but the real object may fall", why.words());
         }
         match self.kind {
             // A peak may pass the threshold on its way to no uplift: across an edge, or on pads.

@@ -493,7 +493,10 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
     if let Some(levels) = levels.filter(|_| !said.is_empty()) {
         // A little outwards, so that rounding leaves out none.
         let (from, to) = (words(0.999 * levels.from), words(1.001 * levels.to));
-        said.push(format!("runs that are likely to tell these rates: `scales = \"{from}:{to}:{}\"`", levels.count()));
+        said.push(format!(
+            "runs at these intensities would probably tell these rates: `scales = \"{from}:{to}:{}\"`",
+            levels.count()
+        ));
     }
     said
 }

@@ -145,7 +145,8 @@ fn mild(why: TooMild, case: &Case, p: Probability) -> String {
     let (worlds, limit) = (counted(case.answers.worlds as usize, "world"), percent(case.accepted_ratio));
     let verdict = if case.answers.falls == FallsAnswer::Falls { "too often" } else { "too close to call" };
     format!(
-        "It is {}. There it falls in {} of {worlds} (accepted {limit}), and it may fall where it stands there: {verdict}.",
+        "It is {}. In that calculation it falls in {} of {worlds} (accepted {limit}), and the real object may fall more \
+         often: {verdict}.",
         why.words(),
         spread(p)
     )

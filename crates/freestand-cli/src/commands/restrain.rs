@@ -115,7 +115,7 @@ pub(crate) struct RestrainArgs {
 
     /// What the object is, for the tables of ASCE 7 and table 4.4 of EN 1998-1: cabinet, shelving,
     /// generator, engine, switchgear, computer, air-side, wet-side, isolated, other, or its name in
-    /// words, such as "emergency generator" [default: other, the most cautious row]
+    /// words, such as "emergency generator" [default: other, the row for other components]
     #[arg(long, value_name = "NAME")]
     component: Option<String>,
     /// Distance of the anchors from the edge that they hold down, inwards [default: assumed, 75 mm or

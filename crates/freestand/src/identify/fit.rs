@@ -248,8 +248,8 @@ impl Data<'_> {
         self.finished(law, &self.between_samples(found, &free), free)
     }
 
-    /// The fit of a curve without a formula: the likeliest roughness. It is started from the nearest law and from
-    /// the samples themselves; its error includes what the other roughnesses make of the samples.
+    /// The fit of a curve without a formula: the likeliest roughness. It is started from every law and from the
+    /// samples themselves; its error includes what the other roughnesses make of the samples.
     pub(super) fn curve(&self, laws: &[Fit], measured: Option<&Measured>) -> Option<Fit> {
         let free = free_of(FittedLaw::Tabulated);
         let of_law = |from: &Fit| curved(from.parameters, from.predicted.compression_m, |d| from.model.elastic_n(d));
@@ -257,8 +257,8 @@ impl Data<'_> {
             let p = self.start(measured.touch, 1.0);
             curved(p, measured.depth_m, |d| measured.force_n(d))
         });
-        let nearest = laws.iter().min_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared));
-        let mut starts: Vec<Parameters> = nearest.map(of_law).into_iter().chain(of_samples).collect();
+        // The first touch has several minima: each law begins at its own.
+        let mut starts: Vec<Parameters> = laws.iter().map(of_law).chain(of_samples).collect();
         let mut fits: Vec<Fit> = Vec::new();
         for roughness in ROUGHNESSES {
             let mut best: Option<Descent> = None;

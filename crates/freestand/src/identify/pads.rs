@@ -159,7 +159,7 @@ fn pads_that_follow_no_law_are_inside_their_intervals() {
     let wanted = ["hardening", "softening", "tangent", "table, kink up"];
     for recorder in [&RECORDERS[0], &RECORDERS[4]] {
         let (mut held, mut given) = (0, 0);
-        for (name, pad) in pads() {
+        for (name, pad) in pads().into_iter().filter(|(name, _)| wanted.contains(name)) {
             let s = score(&pad, recorder, TEST_SEED, 6, true);
             (held, given) = (held + s.held, given + s.given);
             assert!(median(&s.halves) < 0.06, "{name} {recorder:?}: {s:?}");
