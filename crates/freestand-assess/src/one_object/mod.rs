@@ -266,7 +266,8 @@ fn in_study(
 
 /// Everything that the parts of a request contradict.
 fn check(request: &ObjectRequest) -> Result<(), Problems> {
-    let Object { height_m, thickness_m, width_m, mass_kg, rests_on, tolerance, surroundings, .. } = &request.object;
+    let Object { height_m, thickness_m, width_m, is_round, mass_kg, rests_on, tolerance, surroundings, .. } =
+        &request.object;
     let mut problems = Problems::default();
     let mut note = |message: &str, hint: &str| problems.push(Problem::value(message, hint));
     if thickness_m > height_m {
@@ -275,6 +276,9 @@ fn check(request: &ObjectRequest) -> Result<(), Problems> {
             "`thickness` is the smaller horizontal size; objects that are lower than thick are assessed in a list, \
              with freestand assess",
         );
+    }
+    if *is_round && width_m.is_some_and(|width_m| width_m != *thickness_m) {
+        note("`width` of a cylinder is its `thickness`, the diameter", "leave `width` out");
     }
     surroundings_agree(surroundings, *width_m, &mut note);
     if let Some(upper) = &surroundings.upper
@@ -367,6 +371,9 @@ fn unused(object: &Object, subject: &Subject) -> Vec<String> {
         warnings.push(
             "`clearance` has no effect on an object that rocks: for a wall beside it, give `wall_gap`".to_owned(),
         );
+    }
+    if around.casters == Some(Casters::Free) && object.friction_ratio.is_some() {
+        warnings.push("`friction` has no effect on free casters: they roll by `rolling_resistance`".to_owned());
     }
     if around.wall_stiffness_n_m.is_some() && object.mass_kg.is_none() {
         warnings.push("`wall_stiffness` has no effect without `mass`: the shock at a wall needs both".to_owned());

@@ -38,6 +38,9 @@ const NO_TENSION: &str = "No tension does not mean that the object stands withou
                           reduced for ductility, and an earthquake may lift the object all the same. freestand assess \
                           simulates that.";
 
+/// Factors of any code.
+const FACTORS: std::ops::RangeInclusive<f64> = 0.1..=20.0;
+
 /// Most storeys of a building.
 const MAX_STOREYS: usize = 500;
 
@@ -131,19 +134,27 @@ impl RestrainFactors {
         }
     }
 
-    /// The names of the factors that are stated and that this source has none of.
-    fn strangers(&self, of: FactorsOf) -> Vec<&'static str> {
+    /// Every factor by name: its value where it is stated, and whether this source has it.
+    fn stated(&self, of: FactorsOf) -> [(&'static str, Option<f64>, bool); 6] {
         let asce7_22 = of == FactorsOf::Asce7_22;
         let floor = of == FactorsOf::Floor;
-        let known = [
+        [
             ("importance", self.importance_ratio, !floor),
             ("amplification", self.amplification_ratio, !asce7_22),
             ("response", self.response_ratio, !asce7_22 && !floor),
             ("resonance", self.resonance_ratio, asce7_22),
             ("strength", self.strength_ratio, asce7_22),
             ("building_ductility", self.building_ductility_ratio, asce7_22),
-        ];
-        known.into_iter().filter(|(_, stated, is_known)| stated.is_some() && !is_known).map(|(name, ..)| name).collect()
+        ]
+    }
+
+    /// The names of the factors that are stated and that this source has none of.
+    fn strangers(&self, of: FactorsOf) -> Vec<&'static str> {
+        self.stated(of)
+            .into_iter()
+            .filter(|(_, stated, is_known)| stated.is_some() && !is_known)
+            .map(|(name, ..)| name)
+            .collect()
     }
 }
 
@@ -257,6 +268,11 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         (_, target) => target.iter().flat_map(|target| target.warnings.iter().cloned()).collect(),
     };
     warnings.extend(doubts);
+    let is_asce7 = |target: &Target| matches!(target.spectrum, CodeSpectrum::Asce7(_));
+    if request.component.is_some() && !request.is_compared && !target.as_ref().is_some_and(is_asce7) {
+        let by = target.as_ref().map_or("F = m a", |target| target.spectrum.name());
+        warnings.push(format!("`component` is not used by {by}: its tables are those of ASCE 7"));
+    }
     if own.force.anchor_tension_n <= 0.0 && own.source.kind == RestraintKind::OwnCode {
         warnings.push(NO_TENSION.to_owned());
         own.source.remarks.insert(0, NO_TENSION.to_owned());
@@ -328,6 +344,12 @@ fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &
     if request.factors.building_ductility_ratio.is_some_and(|ratio| ratio < LEAST_BUILDING_DUCTILITY_RATIO) {
         let message = format!("`building_ductility` must be at least {LEAST_BUILDING_DUCTILITY_RATIO}");
         problems.push(Problem::value(message, "leave it out: 1.3 stands for a building that is not known"));
+    }
+    for (name, ratio, _) in request.factors.stated(FactorsOf::OtherCode) {
+        if ratio.is_some_and(|ratio| !FACTORS.contains(&ratio)) {
+            let message = format!("`{name}` must be between {} and {}", FACTORS.start(), FACTORS.end());
+            problems.push(Problem::value(message, "give the factor of the code, or leave it out"));
+        }
     }
     if request.is_compared {
         return;

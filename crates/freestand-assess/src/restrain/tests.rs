@@ -338,6 +338,11 @@ fn bad_requests_say_what_is_wrong() {
         with(RestrainFactors { strength_ratio: Some(1.5), ..none }).contains("`strength` is not a factor of AS 1170.4")
     );
     assert!(with(RestrainFactors { building_ductility_ratio: Some(1.0), ..none }).contains("at least 1.3"));
+    assert!(with(RestrainFactors { importance_ratio: Some(0.01), ..none }).contains("`importance` must be between"));
+    let sized = |height_m| problems(RestrainRequest { height_m, ..cabinet(melbourne(), None) });
+    assert!(sized(1.8e6).contains("no object has 1800000 m"));
+    let told = restrain(cabinet(melbourne(), None)).unwrap().warnings;
+    assert!(told.iter().any(|warning| warning.starts_with("`component` is not used by AS 1170.4")), "{told:?}");
     let newer = code(&[("code", "asce7"), ("sds", "1 g")]);
     let factors = RestrainFactors { response_ratio: Some(2.5), ..none };
     assert!(

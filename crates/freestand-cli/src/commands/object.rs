@@ -208,7 +208,10 @@ impl AroundArgs {
 /// One ratio, or the two ends of a range: `0.4`, `0.3-0.5`, `0.3 to 0.5`.
 fn ratios(text: &str) -> Result<(f64, f64), Problem> {
     let positive = |text: &str| quantity::parse_positive(text, Dimension::Ratio, "the value");
-    let (low, high) = text.split_once(" to ").or_else(|| text.split_once('-')).unwrap_or((text, text));
+    let (low, high) = text
+        .split_once(" to ")
+        .or_else(|| text.split_once('-').filter(|(low, _)| !low.is_empty()))
+        .unwrap_or((text, text));
     let (low, high) = (positive(low)?, positive(high)?);
     if low > high {
         return Err(Problem::value(format!("the range from {low} to {high} falls"), "write the smaller value first"));

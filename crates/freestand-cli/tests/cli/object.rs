@@ -39,6 +39,12 @@ fn bad_input_is_refused() {
             with(&["--motion", "gone.csv", "lost.csv"]),
             with(&["--motion", RECORD, "--scales", "1, 0"]),
             with(&["--motion", RECORD, "--floor", "3", "--worlds", "20"]),
+            with(&["--motion", RECORD, RECORD]),
+            with(&["--pga", "0.3g", "--friction=-1"]),
+            with(&["--pga", "0.3g", "--shape", "cylinder", "--width", "0.9m"]),
+            with(&["--pga", "0.3g", "--floor", "2", "--storeys", "3", "--storey-height", "300m"]),
+            freestand_in(&root(), &["object", "--height", "1mm", "--thickness", "500km", "--pga", "0.3g"]),
+            with(&["--study", "list.csv"]),
             with(&["--study", "gone.toml"]),
             with(&["--study", "examples/hospital/study.toml", "--storeys", "6", "--floor", "2"]),
             with(&[
@@ -75,13 +81,15 @@ fn what_has_no_effect_is_said() {
         let output = execute(&root(), &[&size[..], flags].concat());
         let said = String::from_utf8(output.stderr).unwrap();
         assert!(output.status.success(), "{said}");
-        ["--clearance has no effect", "--wall-stiffness has no effect without --mass"].map(|text| said.contains(text))
+        ["--clearance has no effect", "--wall-stiffness has no effect without --mass", "--friction has no effect"]
+            .map(|text| said.contains(text))
     };
     let soft_wall = ["--wall-gap", "0 mm", "--wall-stiffness", "1000 N/mm"];
-    assert_eq!(warned(&["--clearance", "100mm"]), [true, false]);
-    assert_eq!(warned(&["--clearance", "100mm", "--casters", "free"]), [false, false]);
-    assert_eq!(warned(&soft_wall), [false, true]);
-    assert_eq!(warned(&[&soft_wall[..], &["--mass", "80kg"]].concat()), [false, false]);
+    assert_eq!(warned(&["--clearance", "100mm"]), [true, false, false]);
+    assert_eq!(warned(&["--clearance", "100mm", "--casters", "free"]), [false, false, false]);
+    assert_eq!(warned(&["--friction", "0.5", "--casters", "free"]), [false, false, true]);
+    assert_eq!(warned(&soft_wall), [false, true, false]);
+    assert_eq!(warned(&[&soft_wall[..], &["--mass", "80kg"]].concat()), [false, false, false]);
 }
 
 /// US and SI units give the same answer; the document has the keys that programs rely on, and

@@ -142,7 +142,7 @@ fn a_history_and_a_figure_of_the_slide_are_written() {
     assert_eq!((Some(last[0]), Some(last[1])), (got["end_time_s"].as_f64(), got["slide_final_m"].as_f64()));
     let svg = std::fs::read_to_string(&svg).unwrap();
     assert!(svg.contains("Slide (mm)") && svg.contains("clearance"));
-    assert_eq!(got["warnings"][2], "the rolling resistance of 0.02 is assumed: `rolling_resistance` replaces it");
+    assert_eq!(got["warnings"][3], "the rolling resistance of 0.02 is assumed: `rolling_resistance` replaces it");
 }
 
 /// v √(k_s/m) at the first clearance, with the values given.

@@ -195,6 +195,7 @@ static UNITS: &[Unit] = &[
         aliases: &["centimetre", "centimetres", "centimeter", "centimeters"],
         ..unit("cm", Dimension::Length, -2, true)
     },
+    unit("dm", Dimension::Length, -1, true),
     unit("km", Dimension::Length, 3, true),
     customary("in", Dimension::Length, INCH_E4, -4, &["inch", "inches", "\"", "''"]),
     customary("ft", Dimension::Length, FOOT_E4, -4, &["feet", "foot", "'"]),

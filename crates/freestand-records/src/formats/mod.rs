@@ -32,7 +32,7 @@ pub use crate::write::{write_at2, write_csv, write_pair_csv};
 
 use std::path::Path;
 
-use crate::motion_file::{Reading, coarse_note, extreme_note, offset_note, still_note};
+use crate::motion_file::{Reading, coarse_note, extreme_note, offset_note};
 use crate::text::lines::check_text;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, Problems};
@@ -69,7 +69,6 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
         notes.extend(components.iter().filter_map(extreme_note));
         notes.extend(components.iter().filter_map(offset_note));
         notes.extend(components.iter().filter_map(coarse_note));
-        notes.extend(components.iter().filter_map(still_note));
     }
     // What a header holds goes to terminals and into tables.
     for component in &mut components {

@@ -167,12 +167,6 @@ pub(crate) fn coarse_note(component: &Component) -> Option<String> {
     })
 }
 
-/// A note if nothing moves.
-pub(crate) fn still_note(component: &Component) -> Option<String> {
-    let is_still = component.motion.peak_m_s2() == 0.0;
-    is_still.then(|| format!("{}: all values are zero, so nothing moves", shorten(&component.name)))
-}
-
 /// A note if the values lie about another level than zero: an instrument that shows gravity, or an offset that was not
 /// removed. A floor that accelerates by a constant is a slope for everything that stands on it.
 ///

@@ -6,7 +6,7 @@ pub use crate::text::direction::Direction;
 pub(crate) use found::check_step;
 pub(crate) use found::{
     Found, channels_note, coarse_note, end_note, extreme_note, length_note, motion, offset_note, peak_note,
-    peak_note_of, still_note, tell_apart,
+    peak_note_of, tell_apart,
 };
 
 use crate::text::units;

@@ -26,7 +26,7 @@ use raw::without_mean;
 pub use pair::{Bearing, horizontal_pair, not_perpendicular, pair_of_one, process_pair, turned, with_azimuths};
 pub use short_period::short_period_warning;
 pub use short_period::{few_steps, samples_needed};
-pub use standstill::moves_on;
+pub use standstill::standstill_note;
 pub use target::{TargetSource, TargetSpectrum, parse_target, read_target};
 pub use written::{azimuth_deg, parse_baseline, parse_sa_target, parse_step, parse_target_source};
 

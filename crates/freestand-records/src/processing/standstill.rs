@@ -4,20 +4,21 @@ use freestand::measures::cumulative_trapezoid;
 use freestand::motion::Motion;
 use freestand_input::words::number;
 
-/// A warning if the floor ends at a constant velocity: an offset within the shaking was integrated, and objects land on
+/// A warning if the floor never moves, or ends at a constant velocity: an offset within the shaking was integrated, and objects land on
 /// a floor that moves on for ever.
 ///
 /// # Example
 /// ```
 /// use freestand::motion::Motion;
-/// use freestand_records::processing::moves_on;
+/// use freestand_records::processing::standstill_note;
 /// let pulse = [vec![0.0], vec![2.0; 100], vec![0.0; 200]].concat();
-/// assert!(moves_on(&Motion::new(0.01, pulse)?).is_some());
+/// assert!(standstill_note(&Motion::new(0.01, pulse)?).is_some());
 /// let stopped = [vec![0.0], vec![2.0; 100], vec![-2.0; 100], vec![0.0; 200]].concat();
-/// assert_eq!(moves_on(&Motion::new(0.01, stopped)?), None);
+/// assert_eq!(standstill_note(&Motion::new(0.01, stopped)?), None);
+/// assert!(standstill_note(&Motion::new(0.01, vec![0.0; 9])?).is_some());
 /// # Ok::<(), freestand::motion::MotionError>(())
 /// ```
-pub fn moves_on(motion: &Motion) -> Option<String> {
+pub fn standstill_note(motion: &Motion) -> Option<String> {
     /// Of the record, counted from its end.
     const TAIL: f64 = 0.1;
     /// Of its peak velocity: integration and rounding leave less.
@@ -31,6 +32,9 @@ pub fn moves_on(motion: &Motion) -> Option<String> {
     let tail = velocity.get(count - (TAIL * count as f64).ceil() as usize..)?;
     let mean_m_s = tail.iter().sum::<f64>() / tail.len() as f64;
     let peak_m_s = velocity.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+    if motion.peak_m_s2() == 0.0 {
+        return Some("all values are zero: the floor does not move".to_owned());
+    }
     let is_steady = tail.iter().all(|v| (v - mean_m_s).abs() <= STEADY * mean_m_s.abs());
     (is_steady && tail.len() > 1 && mean_m_s.abs() > LEAST_M_S.max(SHARE * peak_m_s)).then(|| {
         format!(

@@ -69,9 +69,16 @@ fn filter_order(reader: &mut WordReader<'_>) -> u32 {
     order
 }
 
+/// Beyond this a factor is a slip: even a pulse of unit height in cm/s² becomes 10 g.
+const MAX_FACTOR: f64 = 1e4;
+
 fn scale(reader: &mut WordReader<'_>, base_dir: &Path) -> Scale {
-    let factor = ["a number other than 0", "other than 0, or leave it out to use the record as it is"];
-    let factor = reader.accepted("scale", Dimension::Ratio, |factor| factor != 0.0, factor);
+    let factor = [
+        "a number other than 0, up to 10000 either way",
+        "other than 0 and of at most 10000, or leave it out to use the record as it is",
+    ];
+    let is_factor = |factor: f64| factor != 0.0 && factor.abs() <= MAX_FACTOR;
+    let factor = reader.accepted("scale", Dimension::Ratio, is_factor, factor);
     let peak = reader.positive("scale_to", Dimension::Acceleration);
     let sa = reader.read("scale_to_sa", parse_sa_target);
     let spectrum = reader.read("scale_to_spectrum", parse_target_source).and_then(|source| {

@@ -7,6 +7,8 @@ pub(crate) struct Uneven {
     pub(crate) row: usize,
     pub(crate) message: String,
     pub(crate) hint: &'static str,
+    /// Whether interpolation mends it: the steps differ throughout, and nothing is missing.
+    pub(crate) is_mended_by_lines: bool,
 }
 
 /// Samples at `times_s[0] + i·dt_s`, up to the last time, on the straight lines between the points.
@@ -18,7 +20,8 @@ pub(crate) struct Uneven {
 /// A time that does not increase, a step that is not positive, more than `most` samples; the row
 /// counts from 0.
 pub(crate) fn on_even_grid(times_s: &[f64], values: &[f64], dt_s: f64, most: usize) -> Result<Vec<f64>, Uneven> {
-    let uneven = |row: usize, message: String, hint: &'static str| Uneven { row, message, hint };
+    let uneven =
+        |row: usize, message: String, hint: &'static str| Uneven { row, message, hint, is_mended_by_lines: false };
     let (Some(&first), Some(&last)) = (times_s.first(), times_s.last()) else {
         return Err(uneven(0, "there are no times".to_owned(), "a motion needs 2 samples or more"));
     };

@@ -28,7 +28,7 @@ pub(crate) fn step_of_rate(rate_hz: f64, line: usize) -> Result<f64, Problem> {
 pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, Uneven> {
     let (Some(&first), Some(&last)) = (times.first(), times.last()) else {
         let message = "there are no times".to_owned();
-        return Err(Uneven { row: 0, message, hint: "a motion needs 2 samples or more" });
+        return Err(Uneven { row: 0, message, hint: "a motion needs 2 samples or more", is_mended_by_lines: false });
     };
     let intervals = times.len().saturating_sub(1) as f64;
     if intervals == 0.0 {
@@ -36,6 +36,7 @@ pub(crate) fn time_step(times: &[f64], last_digit_exponent: i32) -> Result<f64, 
             row: 0,
             message: "one sample spans no time".to_owned(),
             hint: "a motion needs 2 samples or more",
+            is_mended_by_lines: false,
         });
     }
     let mean = (last - first) / intervals;
@@ -86,6 +87,7 @@ fn falling(times: &[f64], row: usize) -> Uneven {
         row,
         message: format!("the time does not increase: {} after {}", times[row], times[row - 1]),
         hint: "the first column must be the time; without a time column, give `dt`",
+        is_mended_by_lines: false,
     }
 }
 
@@ -102,9 +104,18 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
             row: found,
             message: format!("the times are printed too coarsely for a step of about {}", number(mean)),
             hint: "remove the time column and give `dt`",
+            is_mended_by_lines: false,
         };
     }
     let row = times.windows(2).position(|pair| is_odd(pair[1] - pair[0])).map_or(found, |i| i + 1);
+    let step = times[row] - times[row - 1];
+    // Where the other samples are even, a line over what is missing would be made up.
+    let is_gap = odd_steps * 100 <= steps.len() && step > 1.5 * usual;
+    let hint = match is_gap {
+        _ if step == 0.0 => "a record has one value at each time: remove the row that is too many",
+        true => "samples are missing: fetch the record again, or cut it before the gap",
+        false => "resample the record to equal time steps",
+    };
     Uneven {
         row,
         message: format!(
@@ -113,7 +124,8 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
             number(times[row - 1]),
             number(usual)
         ),
-        hint: "resample the record to equal time steps, or repair the gap",
+        hint,
+        is_mended_by_lines: !is_gap && step != 0.0,
     }
 }
 

@@ -12,6 +12,9 @@ use freestand_input::words::counted;
 /// it.
 const HEADER_LINES: usize = 20_000;
 
+/// Rows among which one shows the decimal sign.
+const SIGN_ROWS: usize = 100;
+
 /// How many of the lines above the numbers are kept, half of them from the top, where units and
 /// steps are stated, and half from the bottom, where headings are.
 const KEPT_LINES: usize = 1000;
@@ -97,6 +100,13 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Table, Problem> {
         } else if !line.is_blank() {
             keep(&mut header, (line.number, line.text().trim().to_owned()));
         }
+    };
+    // A first row of whole numbers does not show the decimal sign.
+    let shows_sign = |line: &Line| line.bytes.iter().any(|byte| matches!(byte, b',' | b'.'));
+    let below = rest.clone().filter(is_row).take(SIGN_ROWS).find(shows_sign).and_then(|line| dialect_of(line.bytes));
+    let dialect = match below {
+        Some(below) if !shows_sign(&first) && below.separator == dialect.separator => below,
+        _ => dialect,
     };
     check_not_a_broken_row(&dialect, &header, first.bytes)?;
     let rows = rest.filter(is_row);

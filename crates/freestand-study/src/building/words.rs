@@ -246,10 +246,18 @@ struct Storeys {
     height_m: Option<f64>,
 }
 
+/// Heights of one storey \[m\]: that of a hall at most.
+const STOREY_M: std::ops::RangeInclusive<f64> = 1.0..=30.0;
+
 /// Number and height of the storeys: as given, or from the height of the building.
 fn storeys(reader: &mut WordReader) -> Storeys {
     let count = whole(reader, "storeys", MAX_STOREYS);
-    let each_m = reader.positive("storey_height", Dimension::Length);
+    let each_m = reader.accepted(
+        "storey_height",
+        Dimension::Length,
+        |each_m| STOREY_M.contains(&each_m),
+        ["a height between 1 and 30 m", "such as \"3.2 m\", from floor to floor"],
+    );
     let Some(height_m) = reader.positive("height", Dimension::Length) else {
         let count = count.unwrap_or(DEFAULT_STOREYS);
         return Storeys { count, each_m: each_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M), height_m: None };

@@ -25,8 +25,8 @@ use freestand_input::words::number;
 use freestand_output::facts::Facts;
 use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit};
 use freestand_records::processing::{
-    Processed, Processing, Scale, moves_on, not_perpendicular, pair_of_one, parse_step, process, process_file,
-    process_pair,
+    Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process, process_file, process_pair,
+    standstill_note,
 };
 
 /// Files whose motions are used.
@@ -281,7 +281,7 @@ impl Loaded {
                 [Some(&motion.motion), motion.across.as_ref().map(|one| &one.motion)]
                     .into_iter()
                     .flatten()
-                    .filter_map(moves_on),
+                    .filter_map(standstill_note),
             );
         }
         Ok(ReadMotion { motion, notes, start_note: start_note(file), unit })

@@ -94,6 +94,11 @@ pub fn is_study_file(path: &Path) -> bool {
 }
 
 fn read_text(path: &Path) -> Result<String, Problem> {
+    const TABLES: [&str; 6] = ["csv", "tsv", "xlsx", "xls", "xlsm", "ods"];
+    if path.extension().is_some_and(|end| TABLES.iter().any(|table| end.eq_ignore_ascii_case(table))) {
+        let message = "is a list or a record, not a study";
+        return Err(Problem::value(message, "give a list with `inventory`, a record with `motion`").in_file(path));
+    }
     const MAX_BYTES: u64 = 16 << 20;
     const HINT: &str = "name a study: a short text file in TOML";
     let bytes = load_up_to(path, MAX_BYTES, "is too large for a study", HINT)?;

@@ -102,7 +102,7 @@ shear_flexure = -1\nmodes = 51\n\
         "s.toml:5: site \"X\" is not a class of AS 1170.4",
         "s.toml:6: count must be a whole number from 1 to 1000, not 0",
         "s.toml:8: storeys must be a whole number from 1 to 500, not 0",
-        "s.toml:9: storey_height must be positive, not \"-3 m\"",
+        "s.toml:9: storey_height must be a height between 1 and 30 m, not \"-3 m\"",
         "s.toml:10: frame \"wood\" is not known",
         "s.toml:11: period must be positive, not \"0 s\"",
         "s.toml:11: period and frame exclude each other",

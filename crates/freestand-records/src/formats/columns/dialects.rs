@@ -152,6 +152,28 @@ fn several_components() {
     assert_eq!(read(other.as_bytes(), &ReadOptions::default()).unwrap().components[0].motion.dt_s(), 0.01);
 }
 
+/// The first row is of whole numbers, so that only the second shows the decimal comma.
+#[test]
+fn a_first_row_of_zeros_does_not_hide_the_decimal_comma() {
+    for text in ["time [s];a [m/s2]\n0;0\n0,005;0,5\n0,01;-1,5\n", "time [s]\ta [m/s2]\n0\t0\n0,005\t0,5\n0,01\t-1,5\n"]
+    {
+        let file = read(text.as_bytes(), &ReadOptions::default()).unwrap();
+        assert_eq!(file.components[0].motion.accel_m_s2(), [0.0, 0.5, -1.5], "{text}");
+    }
+}
+
+/// A line over missing samples would be made up, and one over a repeated time cannot be drawn.
+#[test]
+fn a_gap_and_a_repeated_time_are_not_to_be_interpolated() {
+    let told = |skip: usize, by_s: f64| {
+        let row = |i: usize| format!("{:.2},{}\n", i as f64 * 0.01 + if i < skip { 0.0 } else { by_s }, i % 7);
+        let text = format!("time [s],a [m/s2]\n{}", (0..200).map(row).collect::<String>());
+        read(text.as_bytes(), &ReadOptions::default()).unwrap_err().hint.unwrap()
+    };
+    assert!(told(100, 1.0).starts_with("samples are missing"));
+    assert!(told(100, -0.01).contains("remove the row"));
+}
+
 #[test]
 fn uneven_times_are_interpolated_only_on_request() {
     let text = "time [ms],NS [m/s2],EW [m/s2]\n0,1,0\n10,3,0\n40,0,3\n50,5,1\n";
@@ -167,18 +189,14 @@ fn uneven_times_are_interpolated_only_on_request() {
     }
     assert_eq!((file.components[1].motion.accel_m_s2().len(), file.components[1].motion.dt_s()), (6, 0.01));
     assert_eq!(file.notes.len(), 1);
-    assert!(
-        file.notes[0].contains("4 points became 6 samples; steps were off by up to 2.000e-2 s"),
-        "{}",
-        file.notes[0]
-    );
+    assert!(file.notes[0].contains("4 points became 6 samples; steps were off by up to 0.02 s"), "{}", file.notes[0]);
     // A step that misses the largest value says so.
     let file = read(text.as_bytes(), &asked(0.02)).unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2(), [1.0, 2.0, 0.0]);
     assert!(file.notes[1].contains("reduced a peak from 5.00000 to 2.00000"), "{:?}", file.notes);
     // Even times stay as they are; times that fall are refused all the same.
-    let even = read(b"t [s],a [g]\n0,1\n0.5,2\n1,3\n", &asked(0.01)).unwrap();
-    assert_eq!((even.components[0].motion.dt_s(), even.notes.len()), (0.5, 0));
+    let even = read(b"t [s],a [g]\n0,1\n0.05,2\n0.1,3\n", &asked(0.01)).unwrap();
+    assert_eq!((even.components[0].motion.dt_s(), even.notes.len()), (0.05, 0));
     let falling = read(b"t [s],a [g]\n0,1\n0.5,2\n0.4,3\n0.6,3\n", &asked(0.01)).unwrap_err();
     assert!(falling.message.contains("does not increase") && falling.line == Some(4), "{falling}");
     let far = read(b"t [s],a [g]\n0,1\n0.5,2\n1e9,3\n", &asked(0.01)).unwrap_err();

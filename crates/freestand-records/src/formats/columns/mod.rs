@@ -13,6 +13,7 @@ use crate::text::units::{Stated, decide, missing, not_known, requested, unit_in_
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::words::number;
 use std::path::Path;
 
 /// What the lines above the numbers state.
@@ -335,13 +336,13 @@ fn spacing_of_column(
             return Ok(Spacing { dt_s, start_s: times_s.first().copied(), uneven_s: Some(times_s) });
         }
         (Err(uneven), None) => {
+            let is_mended_by_lines = uneven.is_mended_by_lines;
             let problem = uneven_problem(uneven, table, bytes);
             return Err(match even_step(&column.values, column.last_digit_exponent) {
-                Some(step) => problem.hint(format!(
-                    "interpolate on straight lines with `resample = \"{} s\"`, or repair the gap",
-                    to_si(step)
-                )),
-                None => problem,
+                Some(step) if is_mended_by_lines => {
+                    problem.hint(format!("interpolate on straight lines with `resample = \"{} s\"`", to_si(step)))
+                }
+                _ => problem,
             });
         }
     };
@@ -370,9 +371,10 @@ fn resampled(
     let furthest = times_s.windows(2).fold(0.0, |most: f64, pair| most.max((pair[1] - pair[0] - dt_s).abs()));
     let note = format!(
         "uneven times were interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps \
-         were off by up to {furthest:.3e} s",
+         were off by up to {} s",
         values.len(),
-        samples.len()
+        samples.len(),
+        number(furthest, 3)
     );
     // Components share their times, so the note is written once.
     if !notes.contains(&note) {

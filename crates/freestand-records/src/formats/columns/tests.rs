@@ -72,14 +72,14 @@ fn what_the_file_leaves_open_the_flags_say() {
     let file = parse("# units=g, dt = 5ms\n0\n1\n", &ReadOptions::default()).unwrap();
     assert_eq!((file.components[0].motion.dt_s(), file.components[0].motion.accel_m_s2()[1]), (0.005, G0_M_S2));
     // Prose states the unit.
-    let file = parse("Units: cm/s2\n0 1\n1 2\n", &ReadOptions::default()).unwrap();
+    let file = parse("Units: cm/s2\n0 1\n0.1 2\n", &ReadOptions::default()).unwrap();
     assert_eq!((file.components[0].unit, file.notes.len()), ("cm/s2", 2));
     // The first row is npts and dt.
     let file = parse("5 0.02\n1 2 3\n4 5\n", &options("m/s2", 0.0)).unwrap();
     assert_eq!(facts(&file), [("rec", "m/s2", 0.02, &[1.0, 2.0, 3.0, 4.0, 5.0][..])]);
     assert!(file.notes[0].contains("number of values"));
     // A velocity next to the acceleration is left out, with a note.
-    let file = parse("t[s],a[g],v[cm/s],disp,force [kN]\n0,1,1,1,1\n1,2,2,2,2\n", &ReadOptions::default()).unwrap();
+    let file = parse("t[s],a[g],v[cm/s],disp,force [kN]\n0,1,1,1,1\n0.1,2,2,2,2\n", &ReadOptions::default()).unwrap();
     assert_eq!((file.components.len(), file.notes.len()), (1, 3));
 }
 
