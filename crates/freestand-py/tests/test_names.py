@@ -18,7 +18,7 @@ def test_motions_without_a_name_get_numbers():
     assert fs.spectrum(bare[0], [1], [0.1]).column("motion").tolist() == ["motion"]
     assert fs.ida(fs.Block(1, 0.1), bare, [1]).motions == ["motion 1", "motion 2"]
     assert [one["motion"] for one in fs.floor(bare, storeys=2).to_dict()["motions"]] == ["motion 1", "motion 2"]
-    assert fs.check_object(1, 0.1, motions=bare).motions == 2
+    assert fs.check_object(1, 0.1, motions=[bare[0], bare[1].scale(2)]).motions == 2
     with pytest.raises(fs.BadValue, match="are called a"):
         fs.spectrum([mixed[0], mixed[0]], [1], [0.1])
 

@@ -120,7 +120,10 @@ pub(super) fn confirm(
             }
             let edit = cell.edit(usual.as_ref().map(|usual| usual.median_m));
             let at = Place { column: Some(column), index: Some(cell.index), heading: Some(&cell.heading) };
-            let said = format!("is hardly possible; \"{}\", for example, was read as {why}", shorten(cell.text.trim()));
+            let said = format!(
+                "such a size is hardly possible; \"{}\", for example, was read as {why}",
+                shorten(cell.text.trim())
+            );
             findings.add(Kind::ImplausibleSize, at, Some(cell.row), &cell.text, Some(said));
             findings.propose(Kind::ImplausibleSize, at, &edit);
             if !item.to_confirm.contains(&edit) {

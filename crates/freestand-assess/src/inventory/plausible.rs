@@ -55,7 +55,7 @@ pub(super) fn doubts(item: &Item) -> Vec<(Kind, Column)> {
         if height > MAX_SLENDERNESS * shorter {
             found.push((Kind::Slenderness, Column::Height));
         }
-        if height < LOW * shorter {
+        if height < LOW * shorter && is_possible(Column::Height, height) {
             found.push((Kind::Low, Column::Height));
         }
         // Without a width, the thickness stands for it.

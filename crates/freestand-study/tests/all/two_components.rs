@@ -113,8 +113,8 @@ fn given_floor_motions_are_those_of_the_building() {
 #[test]
 fn what_does_not_go_together_is_refused() {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["a.csv", "b.csv"] {
-        std::fs::write(folder.path().join(name), write_csv(&swing(1.0))).unwrap();
+    for (name, amplitude) in [("a.csv", 1.0), ("b.csv", 0.9)] {
+        std::fs::write(folder.path().join(name), write_csv(&swing(amplitude))).unwrap();
     }
     std::fs::write(folder.path().join("short.csv"), write_csv(&Motion::new(0.02, vec![0.0, 1.0, 0.0]).unwrap()))
         .unwrap();

@@ -8,6 +8,10 @@ pub(super) const PIECES: usize = 24;
 
 /// The elastic force f(d) of a pad.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a few live at a time, and a copy is cheaper than an allocation in every step"
+)]
 pub(super) enum Elastic {
     /// K dⁿ.
     Power { coefficient_n_mn: f64, exponent: f64 },
