@@ -72,6 +72,17 @@ impl Page {
         self.post("/api/v1/run", "application/json", request.to_string().as_bytes())
     }
 
+    /// A file of a job when it has ended.
+    pub(crate) fn job(&self, request: &Value, file: &str) -> String {
+        let (status, job) = self.post("/api/v1/jobs", "application/json", request.to_string().as_bytes());
+        assert_eq!(status, 202, "{job}");
+        let at = format!("/api/v1/jobs/{}", job["id"].as_str().unwrap());
+        let events = unchunked(&self.get(&format!("{at}/events")));
+        assert!(events.contains("event: done\n"), "{events}");
+        let answer = String::from_utf8(self.get(&format!("{at}/files/{file}"))).unwrap();
+        answer.split_once("\r\n\r\n").unwrap().1.to_owned()
+    }
+
     /// Uploads a file and returns its id.
     pub(crate) fn upload(&self, path: &Path) -> Value {
         let name = path.file_name().unwrap().to_str().unwrap();
