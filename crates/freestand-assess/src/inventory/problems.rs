@@ -359,7 +359,8 @@ impl Findings {
                 format!("read {cell} otherwise by `edit = \"{edit}\"`, or confirm it by `edit = \"{cell}={same}\"`")
             };
         } else if finding.edits.len() < 3 {
-            finding.hint.push_str(&format!("; and by `edit = \"{edit}\"`"));
+            let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
+            finding.hint.push_str(&format!("; read {cell} otherwise by `edit = \"{edit}\"`"));
         }
         finding.edits.push(edit.to_owned());
     }
