@@ -22,5 +22,6 @@ pub mod validate;
 mod accepted;
 mod assumed;
 mod kept_motions;
+mod two_spectra;
 mod verdict;
 mod worlds;

@@ -1,6 +1,6 @@
 //! The result for one object: everything that its row, its page and the workbook show.
 
-use freestand_input::words::number;
+use freestand_input::quantity::UnitSystem;
 use serde::{Deserialize, Serialize};
 
 pub use freestand_study::result::Ranked;
@@ -332,11 +332,11 @@ pub struct BeforeWall {
 impl Rolled {
     /// How far it goes in words: no farther than its stop, and `at least` where one component of the floor
     /// is all that is known.
-    pub(crate) fn reach_words(&self) -> String {
+    pub(crate) fn reach_words(&self, units: UnitSystem) -> String {
         let to_stop_m = self.clearance_m.filter(|_| self.stop_share > 0.0).unwrap_or(f64::INFINITY);
         let reach_m = self.travel_m_p84.min(to_stop_m);
         let at_least = if self.is_at_least && reach_m < to_stop_m { "at least " } else { "" };
-        format!("{at_least}{} mm", number((1e3 * reach_m).ceil(), 6))
+        format!("{at_least}{}", units.reach(reach_m))
     }
 
     /// Trip speed over the speed at the stop; above 1 the stop does not overturn it.

@@ -1,5 +1,6 @@
 //! One object: whether it falls over, and how strongly it must be held.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
@@ -9,7 +10,8 @@ use freestand_assess::one_object::{
     Earthquake, Floor, FloorPlace, Object, ObjectRequest, RestsOn, SCHEMA, StudySource, Withstood, one_object,
 };
 use freestand_assess::restrain::{
-    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain as restrained,
+    DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListRequest, RestrainRequest,
+    restrain as restrained, restrain_list as restrained_list,
 };
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
@@ -162,39 +164,70 @@ pub(crate) fn check_object(
         floor: Floor { place, storeys, storey_height_m },
         worlds,
         seed,
+        units: UnitSystem::Si,
     };
     let report = watched(py, threads, |stop| one_object(&request, &|| stop.load(Ordering::Relaxed)))?;
     let report = report.map_err(|problems| raised_by(ARGUMENTS, problems))?;
     told(SCHEMA, &report.facts, &report.warnings)
 }
 
+/// What shakes objects that are held, and the factors of the clause.
+struct Shaken<'py> {
+    values: Bound<'py, PyDict>,
+    hazard: Words,
+    acceleration_g: Option<f64>,
+    floor: RestrainFloor,
+    factors: RestrainFactors,
+}
+
+impl<'py> Shaken<'py> {
+    fn read(given: &mut Given<'_, 'py>, values: &Bound<'py, PyDict>) -> PyResult<Self> {
+        let hazard = given.words("hazard");
+        let acceleration_g = given.positive("floor_acceleration_g");
+        let has_study = has_study(values)?;
+        let named = [
+            ("place or code", !hazard.is_empty() && !has_study),
+            ("study", has_study),
+            ("floor_acceleration_g", acceleration_g.is_some()),
+        ];
+        check_one(given, &named);
+        let floor = RestrainFloor {
+            name: given.text("floor"),
+            level_ratio: given.number("level_ratio"),
+            storeys: given.count("storeys"),
+            storey_height_m: given.positive("storey_height_m"),
+        };
+        let factors = RestrainFactors {
+            importance_ratio: given.positive("importance_ratio"),
+            amplification_ratio: given.positive("amplification_ratio"),
+            response_ratio: given.positive("response_ratio"),
+            resonance_ratio: given.positive("resonance_ratio"),
+            strength_ratio: given.positive("strength_ratio"),
+            building_ductility_ratio: given.positive("building_ductility_ratio"),
+        };
+        Ok(Self { values: values.clone(), hazard, acceleration_g, floor, factors })
+    }
+
+    /// The hazard; what is wrong with the values was told before.
+    fn hazard(&self) -> PyResult<RestrainHazard> {
+        if has_study(&self.values)? {
+            let overrides = Overrides { hazard: self.hazard.clone(), ..Overrides::default() };
+            return Ok(RestrainHazard::Study(Arc::new(study_of(&self.values, &overrides)?)));
+        }
+        let code = || RestrainHazard::Code(self.hazard.clone());
+        Ok(self.acceleration_g.map_or_else(code, RestrainHazard::FloorAcceleration))
+    }
+}
+
+fn has_study(values: &Bound<'_, PyDict>) -> PyResult<bool> {
+    Ok(values.contains("study")? || values.contains("study_text")?)
+}
+
 /// The force that a restraint has to carry: the document, and a sheet to print (HTML).
 #[pyfunction]
 pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(String, String)> {
     let mut given = Given::new(values);
-    let hazard = given.words("hazard");
-    let acceleration_g = given.positive("floor_acceleration_g");
-    let has_study = values.contains("study")? || values.contains("study_text")?;
-    let named = [
-        ("place or code", !hazard.is_empty() && !has_study),
-        ("study", has_study),
-        ("floor_acceleration_g", acceleration_g.is_some()),
-    ];
-    check_one(&mut given, &named);
-    let floor = RestrainFloor {
-        name: given.text("floor"),
-        level_ratio: given.number("level_ratio"),
-        storeys: given.count("storeys"),
-        storey_height_m: given.positive("storey_height_m"),
-    };
-    let factors = RestrainFactors {
-        importance_ratio: given.positive("importance_ratio"),
-        amplification_ratio: given.positive("amplification_ratio"),
-        response_ratio: given.positive("response_ratio"),
-        resonance_ratio: given.positive("resonance_ratio"),
-        strength_ratio: given.positive("strength_ratio"),
-        building_ductility_ratio: given.positive("building_ductility_ratio"),
-    };
+    let shaken = Shaken::read(&mut given, values)?;
     let (mass, height, thickness) =
         (given.positive("mass_kg"), given.positive("height_m"), given.positive("thickness_m"));
     let (width_m, cg_height_m) = (given.positive("width_m"), given.positive("cg_height_m"));
@@ -206,21 +239,15 @@ pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(
         let hint = "give mass_kg, height_m and thickness_m";
         return Err(raised(Problem::value("the mass or the size of the object is missing", hint)));
     };
-    let hazard = if has_study {
-        let overrides = Overrides { hazard, ..Overrides::default() };
-        RestrainHazard::Study(Arc::new(study_of(values, &overrides)?))
-    } else {
-        acceleration_g.map_or(RestrainHazard::Code(hazard), RestrainHazard::FloorAcceleration)
-    };
     let request = RestrainRequest {
         mass_kg,
         height_m,
         thickness_m,
         width_m,
         cg_height_m,
-        hazard,
-        floor,
-        factors,
+        hazard: shaken.hazard()?,
+        floor: shaken.floor,
+        factors: shaken.factors,
         component,
         anchor_inset_m,
         units: UnitSystem::Si,
@@ -230,4 +257,27 @@ pub(crate) fn restrain(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<(
     let report = watched(py, None, |_| restrained(request))?.map_err(raised_all)?;
     let document = report.facts.clone().key("sheet", None::<String>);
     Ok((told("freestand.restrain/1", &document, &report.warnings)?, report.sheet))
+}
+
+/// The forces that the restraints of all objects of a list have to carry.
+#[pyfunction]
+pub(crate) fn restrain_list(py: Python<'_>, list: PathBuf, values: &Bound<'_, PyDict>) -> PyResult<String> {
+    let mut given = Given::new(values);
+    let shaken = Shaken::read(&mut given, values)?;
+    let cells = given.cells();
+    let anchors_per_edge = given.count("anchors_per_edge").unwrap_or(DEFAULT_ANCHORS_PER_EDGE.get());
+    let anchor_inset_m = given.non_negative("anchor_inset_m");
+    given.finish()?;
+    let request = RestrainListRequest {
+        list,
+        cells,
+        hazard: shaken.hazard()?,
+        floor: shaken.floor,
+        factors: shaken.factors,
+        anchor_inset_m,
+        anchors_per_edge,
+        units: Some(UnitSystem::Si),
+    };
+    let report = watched(py, None, |_| restrained_list(&request))?.map_err(raised_all)?;
+    told("freestand.restrain/1", &report.facts(), &report.warnings)
 }

@@ -146,6 +146,16 @@ def test_restrain(tmp_path):
     same(fs.restrain(360, 1.8, 0.6, width_m=0.9, code="asce7", edition=2022, sds_g=1, level_ratio=0.5).to_dict(), theirs)
 
 
+def test_restrain_a_list():
+    """The rows are those of the command, as a table."""
+    theirs = told("restrain", "examples/hospital/inventory.csv", "--place", "Wellington", "--storeys", 4, "--units", "si")
+    ours = fs.restrain_list("examples/hospital/inventory.csv", place="Wellington", storeys=4)
+    same(ours.to_dict(), theirs)
+    assert ours.table.num_rows == ours.objects and 0 < ours.held <= ours.objects
+    with pytest.raises(fs.BadValue):
+        fs.restrain_list(None, floor_acceleration_g=0.5)
+
+
 def test_check_object_with_a_study():
     """A path, its text and its tables are one study."""
     tables = {"ground": {"code": "eurocode8", "spectrum_type": 1, "site": "B", "ground_acceleration": "0.3 g", "count": 4}}

@@ -44,26 +44,18 @@ pub(super) struct Facts {
     sheets: Vec<(String, String)>,
     /// Members by their ids.
     members: Vec<(String, String)>,
-    /// Members with hidden rows: their number, and the first of them.
-    hidden: Vec<(String, HiddenRows)>,
-}
-
-/// Rows of a sheet that a spreadsheet does not show: hidden, or left out by a filter.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct HiddenRows {
-    pub(super) count: usize,
-    /// The first of them.
-    pub(super) first: Vec<u32>,
+    /// Members with rows that a spreadsheet does not show: hidden, or left out by a filter.
+    hidden: Vec<(String, Vec<u32>)>,
 }
 
 impl Facts {
     /// The rows of a sheet that are not shown.
-    pub(super) fn hidden_rows(&self, sheet: &str) -> Option<&HiddenRows> {
+    pub(super) fn hidden_rows(&self, sheet: &str) -> Option<&[u32]> {
         let (_, id) = self.sheets.iter().find(|(name, _)| name == sheet)?;
         let (_, target) = self.members.iter().find(|(other, _)| other == id)?;
         let end = target.rsplit('/').next()?;
         let is_member = |name: &str| name.rsplit('/').next() == Some(end) && name.contains("worksheets/");
-        self.hidden.iter().find(|(name, _)| is_member(name)).map(|(_, rows)| rows)
+        self.hidden.iter().find(|(name, _)| is_member(name)).map(|(_, rows)| rows.as_slice())
     }
 }
 
@@ -124,7 +116,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
             if name.ends_with("workbook.xml.rels") {
                 facts.members.extend(tags.members);
             }
-            if tags.hidden.count > 0 {
+            if !tags.hidden.is_empty() {
                 facts.hidden.push((name.to_owned(), tags.hidden));
             }
         }
@@ -177,11 +169,8 @@ struct Tags {
     has_merges: bool,
     sheets: Vec<(String, String)>,
     members: Vec<(String, String)>,
-    hidden: HiddenRows,
+    hidden: Vec<u32>,
 }
-
-/// Hidden rows that are named.
-const NAMED_HIDDEN: usize = 5;
 
 /// Parts that are skipped: their beginnings and their ends.
 const SKIPPED: [(&[u8], &[u8]); 3] = [(b"<!--", b"-->"), (b"<![CDATA[", b"]]>"), (b"<?", b"?>")];
@@ -246,11 +235,8 @@ impl Tags {
         let name = name.rsplit(|&byte| byte == b':').next().unwrap_or_default();
         match name {
             b"row" if matches!(attribute(inner, b"hidden"), Some(b"1" | b"true")) => {
-                self.hidden.count += 1;
                 let row = attribute(inner, b"r").map(check_place).transpose()?;
-                if let Some((_, row)) = row.filter(|_| self.hidden.first.len() < NAMED_HIDDEN) {
-                    self.hidden.first.push(row);
-                }
+                self.hidden.extend(row.map(|(_, row)| row));
                 Ok(())
             }
             b"sheet" => {

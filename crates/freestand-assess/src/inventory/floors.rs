@@ -245,7 +245,11 @@ fn numbered(text: &str, words: &str) -> Option<Storey> {
         }
         ("", "ug" | "untergeschoss" | "u g" | "sous sol" | "sotano") => Some(Storey::Below),
         ("", "og" | "o g" | "obergeschoss" | "ober") | ("og" | "obergeschoss" | "r", "") => pick(Storey::Above(number)),
-        ("", "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock" | "stockwerk")
+        (
+            "",
+            "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock" | "stockwerk" | "e"
+            | "er" | "eme" | "ere" | "ieme",
+        )
         | ("etage" | "kat" | "andar", "")
         | ("", "kat" | "o andar" | "andar" | "a kat") => pick(Storey::Above(number)),
         ("piano" | "planta", "") | ("", "o piano" | "piano" | "a planta" | "planta") => pick(Storey::Above(number)),
@@ -257,8 +261,9 @@ fn numbered(text: &str, words: &str) -> Option<Storey> {
         )
         | (
             "",
-            "st fl" | "nd fl" | "rd fl" | "th fl" | "st level" | "nd level" | "rd level" | "th level" | "geschoss"
-            | "piso" | "o piso" | "livello" | "niveau" | "st storey" | "nd storey" | "rd storey" | "th storey",
+            "st fl" | "nd fl" | "rd fl" | "th fl" | "st flr" | "nd flr" | "rd flr" | "th flr" | "st level" | "nd level"
+            | "rd level" | "th level" | "geschoss" | "piso" | "o piso" | "livello" | "niveau" | "st storey"
+            | "nd storey" | "rd storey" | "th storey",
         )
         | (
             "l" | "lv" | "lvl" | "level" | "floor" | "fl" | "flr" | "f" | "storey" | "story" | "no" | "geschoss"

@@ -20,7 +20,7 @@ const HEADINGS: &[(Column, [&str; 6])] = &[
                    object id|object no|item no|item number|item id|ref|ref no|reference|barcode|serial|serial no|serial number|code|inventory no|\
                    inventory number|inv no|no|number|num",
         "Inv.-Nr.|Inventarnummer|Inventar-Nr.|Gerätenummer|Geräte-Nr.|Objektnummer|Kennung|Kennzeichen|Nr.|Nummer|lfd. Nr.|Pos.|Pos.-Nr.",
-        "N° d'inventaire|numéro d'inventaire|référence|réf.|repère|N°|numéro", "código|nº de inventario|número de inventario|referencia|nº|núm.",
+        "N° d'inventaire|N° inventaire|numéro d'inventaire|référence|réf.|repère|N°|numéro", "código|nº de inventario|número de inventario|referencia|nº|núm.",
         "matricola|codice|numero inventario|n. inventario|n.", "管理番号|番号|資産番号|備品番号"]),
     (Column::Item, ["item|nonstructural item|nonstructural component|description|component|object|name|equipment|item description|equipment description|\
                      asset description|equipment name|item name|asset name|object name|article",
@@ -542,12 +542,11 @@ pub(super) fn order_of(text: &str) -> Option<Vec<char>> {
     for part in head.split(['x', 'X', '×', '*', '/']).map(str::trim).filter(|part| !part.is_empty()) {
         let word = part.split(' ').next().unwrap_or_default();
         let letter = match canonical(word).as_str() {
-            "h" | "height" | "hohe" | "hauteur" | "a" | "alto" | "altura" | "altezza" | "yukseklik" | "高さ" | "高" => {
-                'H'
-            }
+            "h" | "height" | "hohe" | "hauteur" | "a" | "alto" | "altura" | "altezza" | "yukseklik" | "y" | "高さ"
+            | "高" => 'H',
             "w" | "width" | "b" | "breite" | "ancho" | "largeur" | "larghezza" | "largura" | "genislik" | "g"
             | "宽" | "幅" => 'W',
-            "l" | "length" | "lange" | "longueur" | "largo" | "lunghezza" | "長さ" => 'L',
+            "l" | "length" | "lange" | "longueur" | "largo" | "lunghezza" | "長さ" | "长" => 'L',
             "d" | "depth" | "t" | "tiefe" | "p" | "profondeur" | "profundidad" | "profondita" | "f" | "fondo"
             | "derinlik" | "profundidade" | "深" | "奥行" => 'D',
             _ => return None,

@@ -88,6 +88,9 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
     let red = Format::new().set_background_color("#F8B4B4");
     let yellow = Format::new().set_background_color("#FFF2A8");
     let plain = Format::new();
+    // What the spreadsheet did not show is struck through.
+    let [struck, struck_red, struck_yellow] =
+        [&plain, &red, &yellow].map(|format| format.clone().set_font_strikethrough());
     for merged in &sheet.merges.all {
         let (first, last) = (merged.rows.0.saturating_sub(1), merged.rows.1.saturating_sub(1));
         let (left, right) = (u16::try_from(merged.columns.0), u16::try_from(merged.columns.1));
@@ -101,9 +104,13 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
         for (column, cell) in &row.cells {
             let Ok(index) = u16::try_from(*column) else { continue };
             let mark = marks.get(&(row.number, *column)).map(|(severity, _)| *severity);
+            let is_hidden = sheet.hidden.binary_search(&row.number).is_ok();
             let format = match mark {
+                Some(Severity::Error) if is_hidden => &struck_red,
+                Some(Severity::Doubt) if is_hidden => &struck_yellow,
                 Some(Severity::Error) => &red,
                 Some(Severity::Doubt) => &yellow,
+                None if is_hidden => &struck,
                 None if row.number == sheet.header.row => &bold,
                 None => &plain,
             };

@@ -5,7 +5,7 @@ use super::columns::Column;
 /// The headings of a column: Turkish, Portuguese, Chinese; `|` between two.
 #[rustfmt::skip]
 pub(super) const MORE_HEADINGS: &[(Column, [&str; 3])] = &[
-    (Column::Id, ["Demirbaş No|Demirbaş|Envanter No|Sicil No|Kod|Sıra No|No|Seri No", "Nº de inventário|Nº de patrimônio|Patrimônio|Inventário|Código|Nº de série",
+    (Column::Id, ["Demirbaş No|Demirbaş|Envanter No|Sicil No|Kod|Sıra No|No|Seri No", "Nº de inventário|Nº inventário|Nº de patrimônio|Nº patrimônio|Patrimônio|Inventário|Código|Nº de série",
         "编号|資產編號|资产编号|序号|设备编号|設備編號|代码"]),
     (Column::Item, ["Tanım|Ekipman|Cihaz|Cihaz adı|Malzeme|Açıklama|Ad|Adı|Eşya|Nesne", "Descrição|Item|Objeto|Equipamento|Nome|Designação", "名称|名稱|设备名称|設備名稱|物品|描述|品名"]),
     (Column::Quantity, ["Adet|Miktar|Sayı|Sayısı", "Quantidade|Qtd|Qtde|Quant", "数量|數量|台数|件数"]),
@@ -18,7 +18,7 @@ pub(super) const MORE_HEADINGS: &[(Column, [&str; 3])] = &[
     (Column::Width, ["Genişlik|En|Uzunluk|Gen.", "Largura|Larg.|Comprimento", "宽度|寬度|宽|长度"]),
     (Column::Mass, ["Ağırlık|Kütle|Ağ.", "Peso|Massa", "重量|质量|質量"]),
     (Column::CgHeight, ["Ağırlık merkezi yüksekliği|Ağırlık merkezi", "Altura do centro de gravidade|Centro de gravidade", "重心高度|重心"]),
-    (Column::Anchored, ["Sabit mi|Sabit|Sabitlenmiş|Ankrajlı|Ankraj|Bağlı", "Fixado|Ancorado|Fixo|Aparafusado|Fixação", "固定|是否固定|锚固"]),
+    (Column::Anchored, ["Sabit mi|Sabit|Sabitlenmiş|Sabitlenmiş mi|Sabitli mi|Ankrajlı|Ankraj|Bağlı", "Fixado|Ancorado|Fixo|Aparafusado|Fixação", "固定|是否固定|锚固"]),
     (Column::Casters, ["Tekerlek|Tekerlekli|Tekerlekler|Teker", "Rodas|Rodízios|Rodinhas", "轮子|脚轮|輪子"]),
     (Column::RestsOn, ["Ayak|Ayaklar|Taban|Zemin", "Pés|Apoio|Base", "支脚|底座"]),
     (Column::WallGap, ["Duvara mesafe|Duvar mesafesi|Duvara uzaklık", "Distância à parede|Distância da parede", "离墙距离|与墙距离|距墙"]),

@@ -131,6 +131,8 @@ kinds! {
         "write yes or no";
     Round Doubt "round" "is the name of a round object; the calculation uses the square prism around it, which may stand where the round object falls"
         "if it is not round, write box in a column shape";
+    HiddenRow Doubt "hidden-row" "is not shown by a spreadsheet, because it is hidden or a filter leaves it out; it was read like the others"
+        "show the row, or delete it if the object is no longer there";
     Example Doubt "example" "is an example of the template"
         "delete the row";
 }
@@ -356,6 +358,9 @@ impl Findings {
             } else {
                 format!("read {cell} otherwise by `edit = \"{edit}\"`, or confirm it by `edit = \"{cell}={same}\"`")
             };
+        } else if finding.edits.len() < 3 {
+            let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
+            finding.hint.push_str(&format!("; read {cell} otherwise by `edit = \"{edit}\"`"));
         }
         finding.edits.push(edit.to_owned());
     }

@@ -233,6 +233,10 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
         item.carried.resize(carried.len(), String::new());
     }
     tell_duplicates(&mut items, &tables, &understood, &mut findings);
+    for item in items.iter_mut().filter(|item| sheet.hidden.binary_search(&item.row).is_ok()) {
+        findings.add(Kind::HiddenRow, Place::ROW, Some(item.row), "", None);
+        item.doubts.push(Kind::HiddenRow);
+    }
     let cell = |item: &Item, column: Column| size_cell(item, column, &sheet, &tables, &understood);
     confirm(&mut items, options.edits, &mut findings, &cell);
     warnings.extend(same_floors.warning());

@@ -34,6 +34,8 @@ pub(super) struct Sheet {
     /// What separates the cells, in a CSV.
     pub(super) separator: Option<u8>,
     pub(super) formulas: Formulas,
+    /// Rows that a spreadsheet does not show: hidden, or left out by a filter.
+    pub(super) hidden: Vec<u32>,
     pub(super) warnings: Vec<String>,
 }
 
@@ -130,6 +132,7 @@ impl Sheet {
             header,
             separator: Some(separator),
             formulas: Formulas::default(),
+            hidden: Vec::new(),
             warnings: Vec::from_iter(warning),
         })
     }
@@ -193,9 +196,8 @@ impl Sheet {
         let formulas = workbook.rows(name, &mut |row| all.take(row))?;
         let rows = all.finish()?;
         let merges = workbook.merges(name)?;
-        let mut warnings = warnings;
-        warnings.extend(workbook.hidden_warning(name));
-        Ok(Self { name: Some(name.to_owned()), rows, merges, header, separator: None, formulas, warnings })
+        let hidden = workbook.hidden_rows(name);
+        Ok(Self { name: Some(name.to_owned()), rows, merges, header, separator: None, formulas, hidden, warnings })
     }
 
     /// A warning about rows above the headings.

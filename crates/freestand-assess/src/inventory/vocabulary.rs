@@ -397,16 +397,50 @@ pub(super) fn casters(text: &str) -> Wheels {
         "frei ",
         "ungebremst ",
         "libre",
-        "libero ",
-        "libera ",
+        "liber",
         "livre",
         "serbest",
         "kilitsiz",
         "フリー",
+        "自由",
     ];
-    const NOT_BRAKED: [&str; 5] = ["not locked ", "not braked ", "nicht gebremst ", "non bloqu", "non frein"];
+    const NOT_BRAKED: [&str; 19] = [
+        "not locked ",
+        "not braked ",
+        "nicht gebremst ",
+        "non bloqu",
+        "non frein",
+        "no brake",
+        "without brake",
+        "brake not used ",
+        "brakes not used ",
+        "ohne bremse",
+        "sans frein",
+        "sin freno",
+        "senza fren",
+        "sem frei",
+        "sem trava",
+        "frensiz",
+        "无刹车",
+        "不带刹车",
+        "ブレーキなし",
+    ];
+    // Wheels that have brakes: whether they are set is not said.
+    const BRAKES: [&str; 11] = [
+        "brake",
+        "lockable ",
+        "bremse",
+        "feststell",
+        "freno",
+        "freni ",
+        "freio",
+        "fren ",
+        "travas ",
+        "刹车",
+        "ブレーキ",
+    ];
     // With one of these words a cell says something else about its brakes, or about some of them.
-    const NOT: [&str; 22] = [
+    const NOT: [&str; 32] = [
         "no",
         "not",
         "without",
@@ -429,6 +463,16 @@ pub(super) fn casters(text: &str) -> Wheels {
         "senza",
         "sem",
         "degil",
+        "of",
+        "davon",
+        "von",
+        "dont",
+        "sur",
+        "some",
+        "two",
+        "half",
+        "teilweise",
+        "when",
     ];
     const OTHER: [&str; 26] = [
         "feet",
@@ -475,10 +519,21 @@ pub(super) fn casters(text: &str) -> Wheels {
             return if is_turned { Wheels::Some } else { Wheels::Said(casters) };
         }
     }
+    let is_number = words.parse::<u32>().is_ok_and(|count| count > 1);
+    if is_number || says(&BRAKES) && !is_asked {
+        return Wheels::Some;
+    }
+    if matches!(words.as_str(), "without" | "ohne" | "sans" | "aucune" | "aucun" | "sin" | "sem" | "senza" | "nessuna")
+    {
+        return Wheels::Said(Casters::None);
+    }
     if names_wheels(text) {
         let first = words.split(' ').next().unwrap_or_default();
-        let is_none =
-            !is_asked && matches!(first, "no" | "not" | "nein" | "keine" | "ohne" | "without" | "sans" | "sin");
+        let is_none = !is_asked
+            && matches!(
+                first,
+                "no" | "not" | "nein" | "keine" | "ohne" | "without" | "sans" | "sin" | "sem" | "senza" | "aucune"
+            );
         return if is_none { Wheels::Said(Casters::None) } else { Wheels::Some };
     }
     match yes_or_no(text) {
@@ -684,8 +739,26 @@ mod tests {
             ("castors unlocked", Wheels::Said(Free)),
             ("nicht gebremst", Wheels::Said(Free)),
             ("freins serrés", Wheels::Said(Braked)),
-            ("no brakes on castors", Wheels::Some),
-            ("without brakes, on wheels", Wheels::Some),
+            ("no brakes", Wheels::Said(Free)),
+            ("no brakes on castors", Wheels::Said(Free)),
+            ("without brakes, on wheels", Wheels::Said(Free)),
+            ("ohne Bremse", Wheels::Said(Free)),
+            ("frensiz", Wheels::Said(Free)),
+            ("无刹车", Wheels::Said(Free)),
+            ("libere", Wheels::Said(Free)),
+            // Brakes that nobody says are set, or that some of the wheels have.
+            ("with brakes", Wheels::Some),
+            ("4, 2 with brakes", Wheels::Some),
+            ("4, davon 2 gebremst", Wheels::Some),
+            ("2 of 4 locked", Wheels::Some),
+            ("braked when parked", Wheels::Some),
+            ("lockable", Wheels::Some),
+            ("brakes broken", Wheels::Some),
+            ("con freno", Wheels::Some),
+            ("带刹车", Wheels::Some),
+            ("4", Wheels::Some),
+            ("sem rodízios", Wheels::Said(No)),
+            ("senza", Wheels::Said(No)),
             ("brake only on two castors", Wheels::Some),
             ("wheels, not parked", Wheels::Some),
             ("roues non freinées", Wheels::Said(Free)),

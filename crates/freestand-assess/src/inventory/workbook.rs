@@ -111,20 +111,11 @@ impl Workbook {
         Ok(formulas)
     }
 
-    /// A warning about the rows of a sheet that a spreadsheet does not show.
-    pub(super) fn hidden_warning(&self, sheet: &str) -> Option<String> {
-        let hidden = self.facts.hidden_rows(sheet)?;
-        let rows: Vec<String> = hidden.first.iter().map(u32::to_string).collect();
-        let more = hidden.count - rows.len();
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        let (noun, verb) = if hidden.count == 1 { ("row", "is") } else { ("rows", "are") };
-        Some(format!(
-            "sheet \"{}\": {} {noun} that a spreadsheet does not show (hidden, or left out by a filter) {verb} read like \
-             the others: {}{more}; delete what is no longer there",
-            shorten(sheet),
-            hidden.count,
-            rows.join(", ")
-        ))
+    /// The rows of a sheet that a spreadsheet does not show.
+    pub(super) fn hidden_rows(&self, sheet: &str) -> Vec<u32> {
+        let mut rows = self.facts.hidden_rows(sheet).unwrap_or_default().to_vec();
+        rows.sort_unstable();
+        rows
     }
 
     /// Cells of a sheet that are merged with one before them.

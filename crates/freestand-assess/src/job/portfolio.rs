@@ -9,6 +9,7 @@ use crate::output::words::listed;
 use crate::output::{JsonRows, Lived, Row};
 use crate::rank::Urgency;
 use crate::result::{Assessment, Decision};
+use crate::two_spectra::{refuse_outcomes, worse};
 use crate::verdict::{Context, Member, Subject, assess_group, blank, restraint_of};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -92,9 +93,7 @@ pub(super) fn assess<'a>(
         worlds: None,
     };
     let alternative = study.alternative();
-    if wants_outcomes && alternative.is_some() {
-        return Err(two_spectra().into());
-    }
+    refuse_outcomes(wants_outcomes, alternative.as_ref())?;
     let mut assessor =
         Assessor::new((study, total), (wants_outcomes, motions), &wants_to_stop).beside(alternative.as_ref());
     let mut list = Vec::with_capacity(total);
@@ -219,7 +218,9 @@ impl<'a: 's, 's> Assessor<'a, 's> {
                     empty.insert(Context::new(study, shake(study, None, progress)?, self.total, self.wants_to_stop))
                 }
             };
-            found = worse(items, found, assess_part(other, items, None)?);
+            let by_other = assess_part(other, items, None)?;
+            let triples = items.iter().zip(found).zip(by_other);
+            found = triples.map(|((item, one), by_other)| worse(item, study, one, by_other)).collect();
         }
         if let Some(rows) = rows {
             store.write_outcomes(part, &rows)?;
@@ -227,29 +228,6 @@ impl<'a: 's, 's> Assessor<'a, 's> {
         store.write(part, &found)?;
         Ok(Assessed { found, is_stored: false })
     }
-}
-
-/// The outcomes of worlds by two spectra cannot stand in one table.
-pub(super) fn two_spectra() -> Problem {
-    let hint = "add `spectrum_type = 1` or `spectrum_type = 2` to [ground], and run once with each";
-    Problem::value("`outcomes` are those of one spectrum, but the national annex of this place has two", hint)
-}
-
-/// Of each object the result by the spectrum of type 1 or of type 2, whichever is more urgent.
-fn worse(items: &[Item], by_type_1: Vec<Assessment>, by_type_2: Vec<Assessment>) -> Vec<Assessment> {
-    let pairs = items.iter().zip(by_type_1.into_iter().zip(by_type_2));
-    pairs
-        .map(|(item, (one, mut two))| {
-            if Urgency::new(item, &two).cmp(&Urgency::new(item, &one)).is_lt() {
-                two.why.push_str(
-                    " The spectrum of type 2 of the national annex decides: it is the worse for this object.",
-                );
-                two
-            } else {
-                one
-            }
-        })
-        .collect()
 }
 
 /// The worlds of a study; with `motions`, their ground motions are kept in this folder.

@@ -13,12 +13,14 @@ use std::path::PathBuf;
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::quantity::UnitSystem;
 use freestand_output::facts::Facts;
 use freestand_study::recorded::ReadMotion;
 
-use crate::inventory::{Casters, Surroundings};
+use crate::inventory::{Casters, Item, Surroundings};
 use crate::output::words::listed;
 use crate::result::Assessment;
+use crate::two_spectra::{decides, is_worse};
 use crate::verdict::{Context, Member, Subject, Tally, assess_one};
 pub use crate::verdict::{Follow, Shown, ShownEarthquake};
 pub use crate::worlds::Memory;
@@ -48,6 +50,8 @@ pub struct ObjectRequest {
     pub worlds: Option<u32>,
     /// Replaces every seed.
     pub seed: Option<u64>,
+    /// The units of the texts; those of names such as `uplift_m_max` do not change.
+    pub units: UnitSystem,
 }
 
 /// An object as its owner describes it.
@@ -208,22 +212,31 @@ pub fn one_object_shown(
 ) -> Result<(ObjectReport, Option<Shown>), Problems> {
     check(request)?;
     let shaken = shaking::shaken(request)?;
-    let Some(with_type_2) = shaken.alternative() else {
-        return in_study(request, shaken, memory, follow, wants_to_stop);
-    };
-    // The national annex has two spectra. The worse counts; motions of one must not serve for the other.
-    let one = in_study(request, shaken, memory, follow, wants_to_stop)?;
-    let mut two = in_study(request, with_type_2, &Memory::default(), follow, wants_to_stop)?;
-    let falls = |report: &ObjectReport| report.facts.number("p_overturn").unwrap_or(0.0);
-    let exceeds = |report: &ObjectReport| report.facts.number("p_exceed").unwrap_or(0.0);
-    let is_worse = (falls(&two.0), exceeds(&two.0)) > (falls(&one.0), exceeds(&one.0));
-    if is_worse {
-        two.0
-            .warnings
-            .push("the spectrum of type 2 of the national annex decides: it is the worse for this object".to_owned());
-        return Ok(two);
+    let other = shaken.alternative();
+    let mut one = in_study(request, shaken, memory, follow, wants_to_stop)?;
+    let Some(other) = other else { return Ok(one.told()) };
+    let decides = decides(&other.study);
+    // Motions of one spectrum must not serve for the other.
+    let mut other = in_study(request, other, &Memory::default(), follow, wants_to_stop)?;
+    if is_worse(&other.item, &one.found, &other.found) {
+        other.report.warnings.push(format!("the {decides}"));
+        one = other;
     }
-    Ok(one)
+    Ok(one.told())
+}
+
+/// One object in one study.
+struct InStudy {
+    item: Item,
+    found: Assessment,
+    report: ObjectReport,
+    shown: Option<Shown>,
+}
+
+impl InStudy {
+    fn told(self) -> (ObjectReport, Option<Shown>) {
+        (self.report, self.shown)
+    }
 }
 
 /// As [`one_object_shown`], in one study.
@@ -233,7 +246,7 @@ fn in_study(
     memory: &Memory,
     follow: Option<&Follow>,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
-) -> Result<(ObjectReport, Option<Shown>), Problems> {
+) -> Result<InStudy, Problems> {
     let mut row = row::row(request, &shaken.study)?;
     let settings = &shaken.study.assessment;
     let mut subject = Subject::new(&row.item, settings)
@@ -261,7 +274,8 @@ fn in_study(
             scales.push((*scale, (found, tally)));
         }
     }
-    Ok((report::report(request, &shaken, &row, (found, tally), scales), shown))
+    let report = report::report(request, &shaken, &row, (found.clone(), tally), scales);
+    Ok(InStudy { item: row.item, found, report, shown })
 }
 
 /// Everything that the parts of a request contradict.

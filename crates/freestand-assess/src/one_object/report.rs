@@ -3,6 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{number, percent_significant};
 use freestand_output::facts::{Facts, Value};
 use freestand_study::places::Place;
@@ -37,6 +38,7 @@ pub(super) fn report(
         counts,
         probability: found.p_overturn,
         withstands,
+        units: request.units,
     };
     let mut warnings = shaken.warnings.clone();
     warnings.extend(row.warnings.iter().cloned());
@@ -57,7 +59,7 @@ pub(super) fn report(
     let sentence = answer.sentence();
     let level_ratio = row.item.level_ratio.filter(|_| !is_given);
     let is_above = level_ratio.is_some_and(|ratio| ratio > 0.0);
-    let building = building_words(&shaken.study).filter(|_| is_above);
+    let building = building_words(&shaken.study, request.units).filter(|_| is_above);
     let target = shaken.study.ground.code_spectrum();
     let place = target.and_then(|target| target.place).map(Place::facts);
     let assumptions = assumptions(request, (row, &shaken.study), &found, is_given);
@@ -66,7 +68,7 @@ pub(super) fn report(
         .key("answer_kind", answer.kind.name())
         .fact("earthquake", "earthquake", shaken.words.clone())
         .fact("building", "building", building)
-        .and(numbers(&found, &tally, withstands, shaken.told.noun()))
+        .and(numbers((&found, &tally), withstands, shaken.told.noun(), request.units))
         .key("level_ratio", level_ratio)
         .key("place", place)
         .key("scales", (!scales.is_empty()).then(|| scales.clone()))
@@ -138,7 +140,12 @@ fn floor(request: &ObjectRequest, row: &Row, study: &Study) -> ToldFloor {
 }
 
 /// The numbers: those with the names of `objects.csv` are the same.
-fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, noun: &'static str) -> Facts<'static> {
+fn numbers(
+    (found, tally): (&Assessment, &Tally),
+    withstands: Option<Withstands>,
+    noun: &'static str,
+    units: UnitSystem,
+) -> Facts<'static> {
     let answers = found.answers.as_ref();
     let confidence = answers.map(|answers| answers.confidence);
     let interval = |p: Option<Probability>| {
@@ -167,12 +174,9 @@ fn numbers(found: &Assessment, tally: &Tally, withstands: Option<Withstands>, no
         .key("accepted_for", found.accepted_for.name())
         .key("confidence", confidence)
         .fact("floor_acceleration_g", "", floor_acceleration(found))
-        .and(around(found, tally))
+        .and(around(found, tally, units))
         .key("uplift_m_max", tally.uplift_m_max)
-        .line(
-            "largest uplift without a fall",
-            tally.uplift_m_max.map(|most_m| format!("{} mm", number(1e3 * most_m, 3))),
-        )
+        .line("largest uplift without a fall", tally.uplift_m_max.map(|most_m| units.distance(most_m, 3)))
         .key("uplift_m_median", ranked(response.map(|response| response.uplift_m[1])))
         .key("rotation_ratio_median", ranked(response.map(|response| response.rotation_ratio[1])))
         .key("edge_acceleration_g_median", ranked(shock.map(|shock| shock.edge_acceleration_g[1])))
@@ -209,9 +213,8 @@ fn lift_g(found: &Assessment, tally: &Tally) -> f64 {
 }
 
 /// Its model, its wall and its casters, with the names of `objects.csv`.
-fn around(found: &Assessment, tally: &Tally) -> Facts<'static> {
+fn around(found: &Assessment, tally: &Tally, units: UnitSystem) -> Facts<'static> {
     let (wall, rolled) = (found.at_wall.as_ref(), found.rolled.as_ref());
-    let millimetres = |length_m: f64| format!("{} mm", number(1e3 * length_m, 3));
     let lift = "acceleration that lifts an edge";
     let shock_g = wall.and_then(|wall| wall.acceleration_g_median);
     let facts = Facts::default().key("model", found.model.map(ObjectModel::name));
@@ -226,18 +229,19 @@ fn around(found: &Assessment, tally: &Tally) -> Facts<'static> {
         .line("strikes its wall in", wall.map(|wall| percent_significant(wall.strike_share, 2)))
         .key("wall_strike_share", wall.map(|wall| wall.strike_share))
         .key("wall_speed_m_s_median", wall.map(|wall| wall.speed_m_s_median))
-        .line("  speed there, median", wall.map(|wall| format!("{} m/s", number(wall.speed_m_s_median, 3))))
+        .line("  speed there, median", wall.map(|wall| units.speed(wall.speed_m_s_median, 3)))
         .key("wall_acceleration_g_median", shock_g)
         .line("  shock there, median", shock_g.and_then(|shock_g| shock_words(Ranked::Value(shock_g))))
         .key("slide_m_median", rolled.map(|rolled| rolled.travel_m_median))
         .key("slide_m_p84", rolled.map(|rolled| rolled.travel_m_p84))
         .line(
             if found.model == Some(ObjectModel::Slide) { "slides, median" } else { "rolls, median" },
-            rolled.map(|rolled| millimetres(rolled.travel_m_median)),
+            rolled.map(|rolled| units.distance(rolled.travel_m_median, 3)),
         )
-        .line("  in 84 % up to", rolled.map(|rolled| millimetres(rolled.travel_m_p84)))
+        .line("  in 84 % up to", rolled.map(|rolled| units.distance(rolled.travel_m_p84, 3)))
         .key("stop_share", rolled.map(|rolled| rolled.stop_share))
-        .fact("trip_speed_m_s", "speed at which a stop trips it", rolled.map(|rolled| rolled.trip_speed_m_s))
+        .key("trip_speed_m_s", rolled.map(|rolled| rolled.trip_speed_m_s))
+        .line("speed at which a stop trips it", rolled.map(|rolled| units.speed(rolled.trip_speed_m_s, 4)))
         .key("trip_margin", rolled.and_then(Rolled::trip_margin))
 }
 
@@ -352,7 +356,7 @@ fn assumptions(
     let is_free = around.casters == Some(Casters::Free);
     let names_wall = names_wall(around);
     let is_at_wall = found.at_wall.is_some();
-    let mut said: Vec<String> = study.assumed_at(row.item.level_ratio.unwrap_or(0.0)).map(str::to_owned).collect();
+    let mut said: Vec<String> = study.assumed_at(row.item.level_ratio.unwrap_or(0.0)).collect();
     said.push(match (object.cg_height_m, object.width_m) {
         (None, None) => "centre of gravity at half the height; without a width it rocks about one axis only".to_owned(),
         (None, Some(_)) => "centre of gravity at half the height".to_owned(),

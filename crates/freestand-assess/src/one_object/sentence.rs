@@ -1,5 +1,6 @@
 //! The answer about one object: one sentence, and its kind.
 
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{number, percent_significant};
 
 use crate::result::{Probability, Rolled, TooMild};
@@ -188,6 +189,7 @@ pub(super) struct Answer {
     /// That it is overturned.
     pub(super) probability: Option<Probability>,
     pub(super) withstands: Option<Withstands>,
+    pub(super) units: UnitSystem,
 }
 
 impl Answer {
@@ -271,9 +273,11 @@ impl Answer {
                 let by = match uplift_m_max {
                     None => String::new(),
                     // An edge that barely lets go of its pad: digits would only pretend to know how much.
-                    Some(uplift_m) if uplift_m < LEAST_UPLIFT_M => ", by less than 1 mm".to_owned(),
+                    Some(uplift_m) if uplift_m < LEAST_UPLIFT_M => {
+                        format!(", by less than {}", self.units.distance(LEAST_UPLIFT_M, 1))
+                    }
                     Some(uplift_m) => {
-                        format!(", by {} mm{at_most}", number(1e3 * uplift_m, if uplift_m < 0.1 { 2 } else { 3 }))
+                        format!(", by {}{at_most}", self.units.distance(uplift_m, if uplift_m < 0.1 { 2 } else { 3 }))
                     }
                 };
                 // With what it withstands, the landings follow.
@@ -343,7 +347,6 @@ impl Answer {
     fn rolling(&self) -> String {
         let Some(rolled) = &self.counts.rolled else { return String::new() };
         let Counts { motions, exceeded, .. } = self.counts;
-        let millimetres = |length_m: f64| format!("{} mm", number((1e3 * length_m).ceil(), 6));
         let times = |count: u32| match (&self.earthquake, count) {
             (Told::Motions, 1) if motions == 1 => String::new(),
             (_, count) => format!(" in {count} of {motions}"),
@@ -363,23 +366,23 @@ impl Answer {
             }
             _ => share.to_owned(),
         };
-        let mut told = format!("{begin}by up to {}{first}", rolled.reach_words());
+        let mut told = format!("{begin}by up to {}{first}", rolled.reach_words(self.units));
         match (rolled.clearance_m, (rolled.stop_share * f64::from(motions)).round() as u32) {
             (None, _) if self.counts.has_wall => {
                 told.push_str("; it may run into what stands beside it, which is not calculated");
             }
             (None, _) => told.push_str(", and nothing that was named stops it"),
             (Some(clearance_m), 0) => {
-                told.push_str(&format!(", less than its clearance of {}", millimetres(clearance_m)));
+                told.push_str(&format!(", less than its clearance of {}", self.units.reach(clearance_m)));
             }
             (Some(clearance_m), stops) => {
-                let clearance = millimetres(clearance_m);
-                let speed = rolled
-                    .stop_speed_m_s_p84
-                    .map_or_else(String::new, |speed_m_s| format!(" at up to {} m/s{share}", number(speed_m_s, 2)));
-                let trip = number(rolled.trip_speed_m_s, 2);
+                let clearance = self.units.reach(clearance_m);
+                let speed = rolled.stop_speed_m_s_p84.map_or_else(String::new, |speed_m_s| {
+                    format!(" at up to {}{share}", self.units.speed(speed_m_s, 2))
+                });
+                let trip = self.units.speed(rolled.trip_speed_m_s, 2);
                 told.push_str(&format!(
-                    "; it meets the stop at {clearance}{}{speed}, and a stop overturns it from {trip} m/s",
+                    "; it meets the stop at {clearance}{}{speed}, and a stop overturns it from {trip}",
                     times(stops)
                 ));
             }
@@ -483,7 +486,15 @@ mod tests {
 
     fn answer(earthquake: Told, counts: Counts) -> Answer {
         let kind = AnswerKind::of(&counts, 0.1, None);
-        Answer { kind, earthquake, floor: ToldFloor::Ground, counts, probability: None, withstands: None }
+        Answer {
+            kind,
+            earthquake,
+            floor: ToldFloor::Ground,
+            counts,
+            probability: None,
+            withstands: None,
+            units: UnitSystem::Si,
+        }
     }
 
     fn p(value: f64, low: f64, high: f64) -> Option<Probability> {
@@ -508,6 +519,28 @@ mod tests {
             let counts = Counts { rolled: Some(rolled), exceeded: Some(2), ..counts };
             Answer { withstands: TEN_G, ..answer(Told::GroundAcceleration { peak_g: 0.5 }, counts) }.sentence()
         };
+        // By hand: 310 mm is 12.2 in, 1.92 m/s 6.3 ft/s; distances are rounded up.
+        let in_us = Answer {
+            units: UnitSystem::Us,
+            ..answer(
+                Told::Motions,
+                Counts {
+                    rolled: Some(Rolled {
+                        clearance_m: Some(0.2),
+                        stop_share: 0.45,
+                        stop_speed_m_s_p84: Some(1.1),
+                        ..ROLLED
+                    }),
+                    ..counts(20, 0, 0)
+                },
+            )
+        };
+        let said = in_us.sentence();
+        assert!(
+            said.contains("the stop at 7.9 in") && said.contains("3.6 ft/s") && said.ends_with("from 6.3 ft/s."),
+            "{said}"
+        );
+        assert!(!said.contains(" mm") && !said.contains(" m/s"), "{said}");
         let still = Counts { exceeded: Some(0), ..counts(20, 0, 0) };
         let room = Rolled { clearance_m: Some(0.4), ..ROLLED };
         let said = tell(room, still);

@@ -7,7 +7,7 @@ use freestand::code_spectrum::{CodeSpectrum, GroundType, SpectrumShape, Spectrum
 use freestand::decision::Looks;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{Dimension, format_si};
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number};
 use freestand_study::places::{Confidence, Place, near};
 use freestand_study::recorded::refuse_copies;
@@ -194,11 +194,10 @@ fn told_target(target: &Target, names_site: bool, study: &str) -> Told {
 }
 
 /// The building in words: `30 storeys of 3.2 m, T₁ = 1.92 s (…)`.
-pub(super) fn building_words(study: &Study) -> Option<String> {
+pub(super) fn building_words(study: &Study, units: UnitSystem) -> Option<String> {
     let building = study.building.as_ref()?;
-    let storey = building
-        .storey_height_m
-        .map_or_else(String::new, |height_m| format!(" of {}", format_si(height_m, Dimension::Length)));
+    let storey =
+        building.storey_height_m.map_or_else(String::new, |height_m| format!(" of {}", units.storey(height_m)));
     Some(format!(
         "{}{storey}, first period {} s by {}",
         counted(building.storeys, "storey"),
@@ -215,7 +214,7 @@ mod tests {
     fn shaken_by(earthquake: Earthquake, seed: Option<u64>) -> Shaken {
         let object = Object::of_size(2.0, 0.3);
         let floor = Floor { place: FloorPlace::Ground, storeys: None, storey_height_m: None };
-        shaken(&ObjectRequest { object, earthquake, floor, worlds: Some(7), seed }).unwrap()
+        shaken(&ObjectRequest { object, earthquake, floor, worlds: Some(7), seed, units: UnitSystem::Si }).unwrap()
     }
 
     /// The peak acceleration of the ground is the spectrum at T = 0, with the soil factor in it.

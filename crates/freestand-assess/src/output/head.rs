@@ -311,7 +311,7 @@ pub(crate) fn silent(study: &Study, inventory: &Inventory) -> Vec<String> {
 
 /// What nobody stated of the place and the building.
 fn nobody_stated(study: &Study) -> Option<String> {
-    let all: Vec<&str> = study.assumed_at(1.0).collect();
+    let all: Vec<String> = study.assumed_at(1.0).collect();
     (!all.is_empty()).then(|| format!("Assumed, because nobody stated it: {}.", all.join("; ")))
 }
 

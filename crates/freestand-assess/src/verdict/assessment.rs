@@ -16,6 +16,7 @@ use crate::result::{
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number};
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
 
@@ -371,7 +372,8 @@ fn unstated_words(unstated: Unstated) -> String {
 
 /// How far it rolls or slides, and what a stop does.
 fn roll_words(verb: &str, rolled: &Rolled, has_wall: bool) -> String {
-    let travel = format!("It {verb}: up to {} in 84 % of worlds, farther in the rest", rolled.reach_words());
+    let travel =
+        format!("It {verb}: up to {} in 84 % of worlds, farther in the rest", rolled.reach_words(UnitSystem::Si));
     let Some(clearance_m) = rolled.clearance_m else {
         if has_wall {
             return format!("{travel}; it may run into what stands beside it, which is not calculated.");

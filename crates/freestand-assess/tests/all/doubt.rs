@@ -8,6 +8,7 @@ use std::path::Path;
 
 use freestand_assess::job::{Job, JobReport, ListRequest, assess_into, inventory_of};
 use freestand_assess::one_object::{Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, one_object};
+use freestand_input::quantity::UnitSystem;
 use freestand_study::resolve::{Overrides, builtin, resolve_with};
 use freestand_study::run::no_progress;
 use freestand_study::study::Study;
@@ -62,7 +63,8 @@ fn object(is_round: bool, (place, storeys): (&str, u16), worlds: Option<u32>) ->
     let object = Object { is_round, ..Object::of_size(0.4, 0.2) };
     let earthquake = Earthquake::Place([("place", place.to_owned())].into_iter().collect());
     let floor = Floor { place: FloorPlace::Name("roof".to_owned()), storeys: Some(storeys), storey_height_m: None };
-    one_object(&ObjectRequest { object, earthquake, floor, worlds, seed: None }, &|| false).unwrap()
+    one_object(&ObjectRequest { object, earthquake, floor, worlds, seed: None, units: UnitSystem::Si }, &|| false)
+        .unwrap()
 }
 
 fn json(report: &ObjectReport) -> serde_json::Value {

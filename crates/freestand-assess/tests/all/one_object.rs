@@ -14,6 +14,7 @@ use freestand_assess::one_object::{
     one_object,
 };
 use freestand_input::keys::Words;
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::shortest;
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_all};
 use freestand_study::resolve::{Overrides, load};
@@ -22,7 +23,7 @@ use freestand_study::run::{LONGEST_TAIL_S, no_progress};
 const GROUND: Floor = Floor { place: FloorPlace::Ground, storeys: None, storey_height_m: None };
 
 fn request(object: Object, earthquake: Earthquake, floor: Floor) -> ObjectRequest {
-    ObjectRequest { object, earthquake, floor, worlds: Some(3), seed: None }
+    ObjectRequest { object, earthquake, floor, worlds: Some(3), seed: None, units: UnitSystem::Si }
 }
 
 fn answer(request: &ObjectRequest) -> ObjectReport {
@@ -118,6 +119,41 @@ fn a_list_with_this_row_has_the_same_numbers() {
     assert!(report.facts.number("edge_acceleration_g_median").unwrap() > 0.5, "{}", report.answer);
     assert!(report.answer.starts_with("In Wellington (NZS 1170.5, 500 years, site "), "{}", report.answer);
     assert!(report.answer.contains(") on floor 3 of 8 this object "), "{}", report.answer);
+}
+
+/// Where a national annex has two spectra, one rule chooses: an object alone and the same in a list have the
+/// same numbers, the same decision and the same spectrum. The larger velocity of type 1 overturns the tall object;
+/// the larger acceleration of type 2 is too much for the tolerance of the low one, which both leave standing.
+#[test]
+fn a_list_with_this_row_has_the_same_spectrum() {
+    let low = Object {
+        mass_kg: Some(20.0),
+        rests_on: Some(RestsOn::Stiffness(5e5)),
+        tolerance: Some(Withstood { peak_m_s2: 1.2 * freestand::G0_M_S2, duration_s: None }),
+        ..Object::of_size(0.3, 0.12)
+    };
+    let low_row = "id,level_ratio,height [mm],thickness [mm],mass [kg],stiffness [N/mm],tolerance [g]\n\
+                   object,0,300,120,20,500,1.2\n";
+    let tall_row = "id,level_ratio,height [mm],thickness [mm]\nobject,0,1200,200\n";
+    for (object, row, decides_type_2) in [(low, low_row, true), (Object::of_size(1.2, 0.2), tall_row, false)] {
+        let folder = tempfile::tempdir().unwrap();
+        let (study, list) = (folder.path().join("study.toml"), folder.path().join("list.csv"));
+        let text = "[ground]\nplace = \"Lisbon\"\n[building]\nstoreys = 2\n[worlds]\nfirst = 20\nmost = 20\n\
+                    shares = false\n";
+        std::fs::write(&study, text).unwrap();
+        std::fs::write(&list, row).unwrap();
+        let earthquake = Earthquake::Study { source: StudySource::File(study.clone()), hazard: Words::default() };
+        let report = answer(&ObjectRequest { worlds: None, ..request(object, earthquake, GROUND) });
+        let row = assessed(&study, &list);
+        for name in ["motions", "p_overturn", "p_overturn_high", "p_exceed", "uplift_m_median", "ceiling_g"] {
+            let found = report.facts.number(name).map(shortest).unwrap_or_default();
+            assert_eq!(found, row[name], "{name}");
+        }
+        assert_eq!(report.facts.text("decision"), Some(row["decision"].as_str()));
+        let says = |text: &str| text.contains("spectrum of type 2 of the national annex decides");
+        let alone = report.warnings.iter().any(|warning| says(warning));
+        assert_eq!((alone, says(&row["why"])), (decides_type_2, decides_type_2), "{:?}", report.warnings);
+    }
 }
 
 /// The same at a wall, on free casters and with friction: what an inventory says about the

@@ -11,7 +11,7 @@ use freestand_assess::one_object::{
 };
 use freestand_input::keys::Words;
 use freestand_input::problem::Problem;
-use freestand_input::quantity::{self, Dimension};
+use freestand_input::quantity::{self, Dimension, UnitSystem};
 use freestand_output::facts::Facts;
 
 use super::Done;
@@ -22,7 +22,7 @@ use crate::keys::{Key, KeySet, Keys, key};
 use crate::printer::{Printer, lines, table};
 use crate::reading::ReadArgs;
 use crate::session::Session;
-use crate::values::{Given, Reads, Values, choice};
+use crate::values::{Given, Reads, Typed, Values, choice};
 
 /// Say in one sentence whether an earthquake rocks one object and whether it falls over
 ///
@@ -54,11 +54,11 @@ Floors: 1 is the first above the ground. freestand place list shows the places, 
 list the entries for --on. Several objects are a list: freestand assess.")]
 pub(crate) struct ObjectArgs {
     /// Height of the object
-    #[arg(long, positive = Dimension::Length, help_heading = "The object")]
-    height: Given,
+    #[arg(long, typed = Dimension::Length, help_heading = "The object")]
+    height: Given<Typed>,
     /// Horizontal size in the plane of rocking, usually the smaller one
-    #[arg(long, positive = Dimension::Length, help_heading = "The object")]
-    thickness: Given,
+    #[arg(long, typed = Dimension::Length, help_heading = "The object")]
+    thickness: Given<Typed>,
     /// Horizontal size across the thickness [default: it rocks about one axis only]
     #[arg(long, positive = Dimension::Length, help_heading = "The object")]
     width: Option<Given>,
@@ -70,8 +70,8 @@ pub(crate) struct ObjectArgs {
     #[arg(long, value_enum, default_value = "box", help_heading = "The object")]
     shape: BaseShape,
     /// Mass
-    #[arg(long, positive = Dimension::Mass, help_heading = "The object")]
-    mass: Option<Given>,
+    #[arg(long, typed = Dimension::Mass, help_heading = "The object")]
+    mass: Option<Given<Typed>>,
     /// What is under one edge: the stiffness of all pads there, such as "4380 N/mm", or an entry of
     /// the cushion library, such as rubber-foot; needs --mass
     #[arg(long, value_name = "STIFFNESS|ENTRY", read = rests_on, help_heading = "The object")]
@@ -124,6 +124,10 @@ pub(crate) struct ObjectArgs {
     /// Largest number of simulated earthquakes [default: until the answer is settled, at most 1280]
     #[arg(long, value_name = "N", value_parser = at_least_one)]
     worlds: Option<NonZeroUsize>,
+    /// Units of the texts; the JSON document is in SI [default: those of most of --mass, --height,
+    /// --thickness]
+    #[arg(long, value_parser = choice(&UnitSystem::ALL))]
+    units: Option<UnitSystem>,
 }
 
 /// The base of an object.
@@ -279,7 +283,7 @@ pub(crate) fn run(args: &ObjectArgs, global: &GlobalArgs, printer: &Printer) -> 
     if let Some((session, shown)) = session.zip(shown.as_ref()) {
         session.beside(shown);
     }
-    files.print(printer, SCHEMA, &report.facts, &report.warnings, || text(&report))?;
+    files.print(printer, SCHEMA, &report.facts, &report.warnings, || text(&report, request.units))?;
     Ok(Done::OK)
 }
 
@@ -287,7 +291,7 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
     let mut values = Values::default();
     let (height, thickness) = (values.read(&args.height), values.read(&args.thickness));
     let (width, cg_height) = (values.read(&args.width), values.read(&args.cg_height));
-    let mass_kg = values.read(&args.mass);
+    let mass = values.read(&args.mass);
     let (rests_on, tolerance) = (values.read(&args.on), values.read(&args.tolerance));
     let (friction_ratio, surroundings) = (values.read(&args.friction), args.around.read(&mut values));
     let peak_m_s2 = values.read(&args.pga);
@@ -305,7 +309,7 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
     };
     check_earthquake(args, &mut values);
     values.finish()?;
-    let Some((height_m, thickness_m)) = height.zip(thickness) else {
+    let Some((height, thickness)) = height.zip(thickness) else {
         return Err(Failure::usage("the size of the object is missing", "give --height and --thickness"));
     };
     let earthquake = if let Some(path) = &args.study {
@@ -317,14 +321,15 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
     } else {
         Earthquake::Motions { motions: args.read.read_all(&args.motion)?, scales: scales.unwrap_or_default() }
     };
+    let typed = [mass.and_then(|mass| mass.system), height.system, thickness.system];
     Ok(ObjectRequest {
         object: Object {
-            height_m,
-            thickness_m,
+            height_m: height.value_si,
+            thickness_m: thickness.value_si,
             width_m: width,
             is_round: args.shape == BaseShape::Cylinder,
             cg_height_m: cg_height,
-            mass_kg,
+            mass_kg: mass.map(|mass| mass.value_si),
             rests_on,
             tolerance,
             friction_ratio,
@@ -334,6 +339,7 @@ fn request(args: &ObjectArgs, global: &GlobalArgs) -> Result<ObjectRequest, Fail
         floor: Floor { place, storeys: args.storeys, storey_height_m },
         worlds: args.worlds.map(|worlds| u32::try_from(worlds.get()).unwrap_or(u32::MAX)),
         seed: global.seed,
+        units: args.units.unwrap_or(UnitSystem::of_most_systems(typed)),
     })
 }
 
@@ -377,19 +383,24 @@ fn check_earthquake(args: &ObjectArgs, values: &mut Values) {
     }
 }
 
-/// The headings of the table by scale.
-const SCALES: [&str; 7] =
-    ["scale", "median PFA [g]", "largest PFA [g]", "lift an edge", "overturn it", "uplift [mm]", "shock [g]"];
+/// The unit of uplifts, and of the headings of the table by scale.
+fn scale_headings(units: UnitSystem) -> (&'static str, [&'static str; 7]) {
+    let (unit, uplift) = match units {
+        UnitSystem::Si => ("mm", "uplift [mm]"),
+        UnitSystem::Us => ("in", "uplift [in]"),
+    };
+    (unit, ["scale", "median PFA [g]", "largest PFA [g]", "lift an edge", "overturn it", uplift, "shock [g]"])
+}
 
 /// A row of that table.
-fn at_scale(row: &Facts) -> Vec<String> {
+fn at_scale(row: &Facts, length: &str) -> Vec<String> {
     let columns = [
         ("scale_ratio", "", 0),
         ("median", "", 3),
         ("max", "", 3),
         ("motions_lifted", "", 0),
         ("motions_overturned", "", 0),
-        ("uplift_m_max", "mm", 3),
+        ("uplift_m_max", length, 3),
         ("landing_acceleration_g_max", "", 3),
     ];
     columns.map(|(name, unit, digits)| row.cell(name, unit, digits)).to_vec()
@@ -398,14 +409,15 @@ fn at_scale(row: &Facts) -> Vec<String> {
 /// The most lines of a table below the sentence.
 const MAX_ROWS: usize = 18;
 
-fn text(report: &ObjectReport) -> String {
+fn text(report: &ObjectReport, units: UnitSystem) -> String {
     let mut text = format!("{}\n\n", report.answer);
     if report.scales.is_empty() {
         text.push_str(&lines(&report.facts));
         return text;
     }
-    let rows: Vec<Vec<String>> = report.scales.iter().take(MAX_ROWS).map(at_scale).collect();
-    text.push_str(&table(&SCALES, &rows));
+    let (length, headings) = scale_headings(units);
+    let rows: Vec<Vec<String>> = report.scales.iter().take(MAX_ROWS).map(|row| at_scale(row, length)).collect();
+    text.push_str(&table(&headings, &rows));
     if report.scales.len() > MAX_ROWS {
         text.push_str(&format!("and {} more: --json\n", report.scales.len() - MAX_ROWS));
     }

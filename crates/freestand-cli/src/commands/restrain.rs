@@ -230,7 +230,7 @@ fn list_text(report: &RestrainListReport) -> String {
     text.push_str(&format!("\n{} of {} objects have a force\n", report.held, report.lines.len()));
     text.push_str(&open_text(&report.to_confirm, &report.assumptions));
     for problem in &report.problems {
-        text.push_str(&format!("in the list: {problem}\n"));
+        text.push_str(&format!("in the list: {}\n", KeyStyle::Flag.shown(problem)));
     }
     text
 }

@@ -144,6 +144,8 @@ fn the_document_and_the_units() {
         "6",
         "--storey-height",
         "3048 mm",
+        "--units",
+        "us",
     ]);
     assert_eq!(us["answer"], si["answer"]);
     assert_eq!(us["schema"], "freestand.object/1");
@@ -174,6 +176,25 @@ fn the_document_and_the_units() {
     assert!(us["scales"].is_null() && us["floor_acceleration_g"]["max"].as_f64().unwrap() > 0.5);
     // 9 in over 39 in.
     assert!((us["lift_acceleration_g"].as_f64().unwrap() - 9.0 / 39.0).abs() < 1e-12);
+}
+
+/// Whoever types inches reads inches, unless the units are stated; the document is in SI in any case.
+#[test]
+fn texts_are_in_the_units_that_were_typed() {
+    let text = |args: &[&str]| -> String {
+        let rolls = ["--casters", "free", "--pga", "0.4g", "--worlds", "2"];
+        let output = execute(&root(), &[&["object"], args, &rolls].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let typed_us = text(&["--height", "55in", "--thickness", "24in", "--clearance", "16in"]);
+    for said in [" in in 84 % of", " ft/s"] {
+        assert!(typed_us.contains(said), "{said} is missing: {typed_us}");
+    }
+    let has_si = |text: &str| [" mm", " m/s"].iter().any(|unit| text.contains(unit));
+    assert!(!has_si(&typed_us), "{typed_us}");
+    let si = text(&["--height", "55in", "--thickness", "24in", "--clearance", "16in", "--units", "si"]);
+    assert!(has_si(&si) && !si.contains(" ft/s"), "{si}");
 }
 
 /// Every example of the help runs, as far as its files are here: with fewer worlds and records of the

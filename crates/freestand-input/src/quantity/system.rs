@@ -59,6 +59,38 @@ impl UnitSystem {
         }
     }
 
+    /// The height of a storey: `3.2 m`; `13 ft`.
+    pub fn storey(self, height_m: f64) -> String {
+        match self {
+            Self::Si => super::format_si(height_m, Dimension::Length),
+            Self::Us => format!("{} ft", number(from_si("ft", height_m), 4)),
+        }
+    }
+
+    /// A short distance with so many digits: `310 mm`; `12.2 in`.
+    pub fn distance(self, length_m: f64, digits: usize) -> String {
+        match self {
+            Self::Si => format!("{} mm", number(1e3 * length_m, digits)),
+            Self::Us => format!("{} in", number(from_si("in", length_m), digits)),
+        }
+    }
+
+    /// How far something goes, rounded up: whole millimetres; tenths of an inch.
+    pub fn reach(self, length_m: f64) -> String {
+        match self {
+            Self::Si => format!("{} mm", number((1e3 * length_m).ceil(), 6)),
+            Self::Us => format!("{} in", number((10.0 * from_si("in", length_m)).ceil() / 10.0, 6)),
+        }
+    }
+
+    /// A speed with so many digits: `1.1 m/s`; `3.61 ft/s`.
+    pub fn speed(self, speed_m_s: f64, digits: usize) -> String {
+        match self {
+            Self::Si => format!("{} m/s", number(speed_m_s, digits)),
+            Self::Us => format!("{} ft/s", number(from_si("ft", speed_m_s), digits)),
+        }
+    }
+
     /// A mass: `363 kg`; `800 lb`.
     pub fn mass(self, mass_kg: f64) -> String {
         match self {
@@ -114,6 +146,13 @@ mod tests {
     fn both_systems() {
         // 24 in = 0.6096 m; 800 lb = 362.87 kg; 148 lbf = 658.3 N; 819 lbf ft = 1110.4 N m.
         assert_eq!((UnitSystem::Us.length(0.6096), UnitSystem::Si.length(0.6096)), ("24 in".into(), "609.6 mm".into()));
+        // 310 mm = 12.205 in, rounded up 12.3 in; 1.1 m/s = 3.609 ft/s.
+        assert_eq!(
+            (UnitSystem::Si.distance(0.31, 3), UnitSystem::Us.distance(0.31, 3)),
+            ("310 mm".into(), "12.2 in".into())
+        );
+        assert_eq!((UnitSystem::Si.reach(0.3092), UnitSystem::Us.reach(0.31)), ("310 mm".into(), "12.3 in".into()));
+        assert_eq!((UnitSystem::Si.speed(1.1, 2), UnitSystem::Us.speed(1.1, 2)), ("1.1 m/s".into(), "3.6 ft/s".into()));
         assert_eq!(UnitSystem::Us.mass(362.873_896), "800 lb");
         assert_eq!(UnitSystem::Us.force_in_both(658.3), "148 lbf (658 N)");
         assert_eq!(UnitSystem::Si.force_in_both(658.3), "658 N (148 lbf)");

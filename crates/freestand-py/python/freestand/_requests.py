@@ -18,6 +18,7 @@ from ._results import (
     FragilityResult,
     InventoryCheck,
     ObjectResult,
+    RestrainListResult,
     RestrainResult,
     RiskResult,
     RunResult,
@@ -233,6 +234,78 @@ def restrain(
     )  # fmt: skip
     text, sheet = _freestand.restrain(values | study_given(study))
     result = RestrainResult(json.loads(text), sheet)
+    warn(result.warnings)
+    return result
+
+
+def restrain_list(
+    inventory: Any,
+    *,
+    sheet: str | None = None,
+    columns: PathLike | None = None,
+    edits: Sequence[str] | None = None,
+    study: Study | None = None,
+    floor_acceleration_g: float | None = None,
+    storeys: int | None = None,
+    storey_height_m: float | None = None,
+    importance_ratio: float | None = None,
+    amplification_ratio: float | None = None,
+    response_ratio: float | None = None,
+    resonance_ratio: float | None = None,
+    strength_ratio: float | None = None,
+    building_ductility_ratio: float | None = None,
+    anchor_inset_m: float | None = None,
+    anchors_per_edge: int | None = None,
+    **target: Unpack[TargetArguments],
+) -> RestrainListResult:
+    """The forces that the code asks of the restraints of all objects of a list.
+
+    Masses, sizes and floors are those of the list; the hazard is one of `place`, `code` with its values, `study` and
+    `floor_acceleration_g`.
+
+    Parameters
+    ----------
+    inventory : path or table
+        A file (CSV, XLSX), or a table of pandas, polars or pyarrow with the headings of a file.
+    sheet, columns, edits : optional
+        As in `check_inventory`.
+    study : path, str or dict, optional
+        A study, whose hazard and building are used.
+    floor_acceleration_g : float, optional
+        Acceleration of the floor [g], in place of a code.
+    storeys, storey_height_m : optional
+        The building: number of storeys and height of a storey [m].
+    importance_ratio, amplification_ratio, response_ratio, resonance_ratio, strength_ratio, building_ductility_ratio : float, optional
+        Factors of the clause, in place of its usual values: docs/codes.md.
+    anchor_inset_m : float, optional
+        Distance of the anchors from the edge that they hold down [m].
+    anchors_per_edge : int, optional
+        Number of anchors that share the tension.
+    **target
+        The hazard of a code: `TargetArguments`, see `code_spectrum`.
+
+    Returns
+    -------
+    RestrainListResult
+        `table` with a row for each object, `to_confirm`, `problems`.
+
+    Examples
+    --------
+    >>> found = fs.restrain_list("examples/hospital/inventory.csv", floor_acceleration_g=0.5)
+    >>> found.objects == len(found.rows), found.held > 0
+    (True, True)
+    """
+    values = given(
+        sheet=sheet, columns=columns, edits=edits, hazard=target_words(target), floor_acceleration_g=floor_acceleration_g,
+        storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio, amplification_ratio=amplification_ratio,
+        response_ratio=response_ratio, resonance_ratio=resonance_ratio, strength_ratio=strength_ratio,
+        building_ductility_ratio=building_ductility_ratio, anchor_inset_m=anchor_inset_m,
+        anchors_per_edge=anchors_per_edge,
+    )  # fmt: skip
+    with as_file(inventory) as listed:
+        if listed.path is None:
+            raise bad("there is no inventory", "give a path or a table")
+        result = RestrainListResult._of(listed.named(_freestand.restrain_list(listed.path, values | study_given(study))))
     warn(result.warnings)
     return result
 

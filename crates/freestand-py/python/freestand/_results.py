@@ -681,6 +681,22 @@ class RiskResult(Result):
     plan: Any
 
 
+class RestrainListResult(Result):
+    """The forces on the restraints of all objects of a list; `table` has a row for each object."""
+
+    objects: int
+    held: int
+    assumptions: list[str]
+    to_confirm: list[dict[str, Any]]
+    problems: list[str]
+    rows: list[dict[str, Any]]
+
+    @property
+    def table(self) -> Table:
+        """The rows as a table; an object without a force says why in `reason`."""
+        return Table._from_rows(self._document["rows"])
+
+
 class InventoryCheck(Result):
     """How a list was understood; `problems` are all doubts and errors."""
 

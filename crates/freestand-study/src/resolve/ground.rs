@@ -88,6 +88,30 @@ impl Resolver<'_> {
         self.motions(written, motions, &written.across).map(Ground::Recorded)
     }
 
+    /// The ground by the other spectrum of a national annex: its records are selected or matched again. Of what is
+    /// said about it, only what was not said of the first is new.
+    pub(super) fn ground_of_type(
+        &mut self,
+        spectrum_type: u8,
+        written: &GroundOptions,
+        overrides: &Overrides,
+        building: Option<&BuildingInput>,
+        levels: &[Level],
+    ) -> Option<Ground> {
+        let (warnings, problems) = (self.warnings.len(), self.problems.len());
+        let mut written = written.clone();
+        written.target.set("spectrum_type", spectrum_type.to_string());
+        let ground = self.ground(&written, overrides, building, levels);
+        let said = |what: &str| format!("with the spectrum of type {spectrum_type}: {what}");
+        let new = self.warnings.split_off(warnings);
+        let new: Vec<String> = new.iter().filter(|one| !self.warnings.contains(one)).map(|one| said(one)).collect();
+        self.warnings.extend(new);
+        for problem in self.problems.problems.iter_mut().skip(problems) {
+            problem.message = said(&problem.message);
+        }
+        ground
+    }
+
     /// Records, each matched to the target.
     fn matched(
         &mut self,

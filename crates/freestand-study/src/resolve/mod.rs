@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 use crate::options::{self, Options};
 use crate::recorded::MotionFiles;
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
+use crate::target::Target;
 use crate::target::period_code;
 use freestand_input::file::load_up_to;
 use freestand_input::keys::{KeyStyle, Words};
@@ -180,14 +181,17 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
     let (floors, first_floor) = (resolver.floors(&building), resolver.first_floor(&building));
     let vertical_amplification_ratio = resolver.vertical_amplification(&building);
     let building_name = resolver.building_name(&building);
-    let (ground_input, building_input) = if has_measured_floors(&building) {
+    let (ground_input, other_ground, building_input) = if has_measured_floors(&building) {
         resolver.check_measured(&ground, &building, &levels, overrides);
-        (Some(Ground::OnFloors), Some(None))
+        (Some(Ground::OnFloors), None, Some(None))
     } else {
         let found = resolver.building(&building.words, period_code(&ground.target));
-        let ground = resolver.ground(&ground, overrides, found.as_ref(), &levels);
+        let ground_input = resolver.ground(&ground, overrides, found.as_ref(), &levels);
+        let other_type = ground_input.as_ref().and_then(Ground::code_spectrum).and_then(Target::other_type);
+        let other =
+            other_type.and_then(|kind| resolver.ground_of_type(kind, &ground, overrides, found.as_ref(), &levels));
         resolver.warnings.extend(found.iter().flat_map(|building| building.warnings.clone()));
-        (ground, found.map(Some))
+        (ground_input, other, found.map(Some))
     };
     let two = ground_input.as_ref().is_some_and(|input| input.has_two_components(&levels));
     if let Some(Some(BuildingInput { across: Some(_), .. })) = &building_input
@@ -229,6 +233,7 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
             assumed,
             toml: text,
             ground,
+            other_ground,
             directions_deg,
             building_name,
             building,

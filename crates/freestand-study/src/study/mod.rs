@@ -49,6 +49,8 @@ pub struct Study {
     pub toml: String,
     /// The motions at the base of the building.
     pub ground: Ground,
+    /// The motions by the other spectrum of the national annex, where that has two.
+    pub other_ground: Option<Ground>,
     /// Horizontal directions in which every object is tried, counted from the first component
     /// \[degrees\]: `[0]` unless the motions have two.
     pub directions_deg: Vec<f64>,
@@ -75,9 +77,19 @@ pub struct Study {
 }
 
 impl Study {
-    /// What was assumed about the shaking at a level, in words; on the ground no building matters.
-    pub fn assumed_at(&self, level_ratio: f64) -> impl Iterator<Item = &str> {
-        self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0).map(|one| one.words.as_str())
+    /// What was assumed about the shaking of objects at a level, in words; on the ground no building matters.
+    pub fn assumed_at(&self, level_ratio: f64) -> impl Iterator<Item = String> {
+        let at_level = self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0);
+        at_level.map(|one| one.words.clone()).chain(self.two_spectra_words())
+    }
+
+    /// That objects are assessed by both spectra of the national annex, where that has two.
+    fn two_spectra_words(&self) -> Option<String> {
+        let target = self.ground.code_spectrum()?;
+        let (one, other) = (target.spectrum_type()?, target.other_type()?);
+        Some(format!(
+            "both spectra of the national annex, of type {one} and of type {other}: the worse counts for each object"
+        ))
     }
 
     /// What nobody stated of the shaking at a level; `None`: everything is stated. On the ground no building
@@ -91,12 +103,13 @@ impl Study {
         }
     }
 
-    /// The same study with the other spectrum of its national annex, where that has two.
+    /// The same study with the other spectrum of its national annex, where that has two; restraints are designed
+    /// as in this one.
     pub fn alternative(&self) -> Option<Self> {
-        let Ground::Synthetic(synthetic) = &self.ground else { return None };
-        let target = synthetic.target.with_alternative()?;
-        let ground = Ground::Synthetic(SyntheticGround { target, ..synthetic.clone() });
-        Some(Self { ground, ..self.clone() })
+        let ground = self.other_ground.clone()?;
+        let restraint_code = self.restraint_target().cloned();
+        let assessment = crate::study::assessment::Settings { restraint_code, ..self.assessment.clone() };
+        Some(Self { ground, other_ground: None, assessment, ..self.clone() })
     }
 
     /// The code by which restraints are designed: that of `[restraint]`, else that of the motions.

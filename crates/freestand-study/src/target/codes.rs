@@ -254,6 +254,12 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
         }
     };
     let code = made(reader, &["ground_acceleration", "soil_factor", "corner_periods"], result)?;
+    // Where one spectrum must serve, it is the one with the larger velocity: that is what tips objects over.
+    let peak_velocity = |code: &Eurocode8| code.plateau_g() * code.shape().tc_s;
+    let (code, alternative) = match alternative {
+        Some(other) if peak_velocity(&other) > peak_velocity(&code) => (other, Some(code)),
+        other => (code, other),
+    };
     let shape = code.shape();
     let unstated = if annex.is_some() { "of the national annex" } else { "recommended" };
     let given = |is_given: bool| if is_given { "as given" } else { unstated };
@@ -279,11 +285,15 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     let mut target = at(place, target(code.into(), facts));
     target.facts.extend(annex.map(|annex| fact("National annex", annex.name())));
     if let Some(other) = alternative {
-        let a_g = in_g(other.reference_acceleration_g());
-        target.facts.push(fact("Second spectrum of the annex", format!("type 2, a_gR = {a_g}")));
+        let [one, two] = [&code, &other].map(|code| {
+            let a_g = in_g(code.reference_acceleration_g());
+            format!("type {} (a_gR = {a_g})", code.spectrum_type().number())
+        });
+        target.facts.push(fact("Second spectrum of the annex", two.as_str()));
         target.warnings.push(format!(
-            "the national annex has two spectra: assess, object and restrain take the worse of type 1 and type 2 \
-             (a_gR = {a_g}) for each object, everything else type 1 alone unless `spectrum_type` is given"
+            "the national annex has two spectra, {one} and {two}: assess and object calculate both and take the worse \
+             for each object, restrain takes the larger acceleration of the ground, everything else {one} alone, whose \
+             velocity is the larger, unless `spectrum_type` is given"
         ));
         target.alternative = Some(other.into());
     }

@@ -41,7 +41,7 @@ pub struct Target {
     /// Its description and the sources of its numbers, for reports: name and value.
     pub facts: Vec<(String, String)>,
     /// The other spectrum of a national annex that has two: type 2 of Portugal. What happens to an
-    /// object is calculated for both, and the worse counts.
+    /// object is calculated for both, and the worse counts; `spectrum` has the larger velocity.
     pub alternative: Option<CodeSpectrum>,
     /// The edition of ASCE 7 in force for parts at the place, where it is not that of the hazard.
     pub parts_edition: Option<Asce7Edition>,
@@ -123,10 +123,14 @@ impl Target {
         larger.unwrap_or(&self.spectrum)
     }
 
-    /// The same target with its other spectrum, where a national annex has two.
-    pub fn with_alternative(&self) -> Option<Self> {
-        let spectrum = self.alternative.clone()?;
-        Some(Self { spectrum, alternative: None, ..self.clone() })
+    /// The type of its spectrum, by Eurocode 8.
+    pub fn spectrum_type(&self) -> Option<u8> {
+        spectrum_type(&self.spectrum)
+    }
+
+    /// The type of the other spectrum of the national annex, where that has two.
+    pub fn other_type(&self) -> Option<u8> {
+        spectrum_type(self.alternative.as_ref()?)
     }
 
     /// What the document of a command says about it; values that its code does not have are null.
@@ -284,6 +288,14 @@ impl Target {
     fn file_name(&self) -> String {
         let name = self.file.as_ref().and_then(|file| file.path.file_name());
         name.map_or_else(|| "of the user".to_owned(), |name| name.to_string_lossy().into_owned())
+    }
+}
+
+/// The type of a spectrum by Eurocode 8.
+fn spectrum_type(spectrum: &CodeSpectrum) -> Option<u8> {
+    match spectrum {
+        CodeSpectrum::Eurocode8(code) => Some(code.spectrum_type().number()),
+        _ => None,
     }
 }
 

@@ -424,3 +424,36 @@ fn the_far_field_records_of_p695_are_a_suite() {
     println!("{}", singles.ground.suite().unwrap().count_words());
     assert_eq!(motions(&singles).len(), 44);
 }
+
+/// Where a national annex has two spectra, motions of any source are made for both: synthetic ones, records
+/// that are matched, and records that are selected. The first is that with the larger velocity; a type that
+/// is named stands alone.
+#[test]
+fn every_source_serves_both_spectra_of_a_national_annex() {
+    let folder = folder();
+    for (source, lines) in [
+        ("synthetic", "count = 1\n"),
+        ("matched", "motions = [\"records/both1.csv\"]\ncomponent = 1\nmatch = \"fft\"\n"),
+        ("selected", "suite = \"records\"\n"),
+    ] {
+        let of = |kind: &str| {
+            let text = format!("[ground]\nplace = \"Lisbon\"\n{kind}{lines}[building]\nstoreys = 2\n");
+            resolve(&text, Some(Path::new("s.toml")), folder.path()).unwrap_or_else(|error| panic!("{source}: {error}"))
+        };
+        let spectrum = |study: &Study| study.ground.code_spectrum().unwrap().spectrum.clone();
+        let both = of("");
+        let other = both.alternative().unwrap_or_else(|| panic!("{source} has one spectrum"));
+        let [one, two] = ["spectrum_type = 1\n", "spectrum_type = 2\n"].map(of);
+        assert_eq!((spectrum(&both), spectrum(&other)), (spectrum(&one), spectrum(&two)), "{source}");
+        assert!(one.alternative().is_none() && other.alternative().is_none(), "{source}");
+        // The motions themselves are those of the study that names the type.
+        if let (Ground::Recorded(found), Ground::Recorded(named)) = (&other.ground, &two.ground) {
+            let same = |(a, b): (&RecordedMotion, &RecordedMotion)| a.motion == b.motion;
+            assert!(found.len() == named.len() && found.iter().zip(named).all(same), "{source}");
+        }
+        // A restraint is designed for the larger acceleration of the ground, whichever spectrum decides.
+        let design = |study: &Study| study.restraint_target().unwrap().parts_spectrum().clone();
+        assert_eq!(design(&both), design(&other), "{source}");
+        assert!(both.assumed_at(0.0).any(|one| one.contains("both spectra of the national annex")), "{source}");
+    }
+}

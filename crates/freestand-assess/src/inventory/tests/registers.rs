@@ -14,11 +14,6 @@ fn shared(file: &str) -> Option<std::path::PathBuf> {
     None
 }
 
-/// Whether a doubt about the row says that this value is not certain.
-fn doubts(item: &Item, kinds: &[Kind]) -> bool {
-    kinds.iter().any(|kind| item.doubts.contains(kind))
-}
-
 #[test]
 fn a_register_of_a_hospital_reads_as_a_person_reads_it() {
     let (Some(workbook), Some(truth)) = (shared("registers/hospital.xlsx"), shared("registers/hospital-truth.csv"))
@@ -33,49 +28,52 @@ fn a_register_of_a_hospital_reads_as_a_person_reads_it() {
     let ids: Vec<&str> = rows.iter().map(|row| &row[0]).collect();
     let found: Vec<&str> = inventory.items.iter().map(|item| item.id.as_str()).collect();
     assert_eq!(found, ids);
-    let mut wrong = Vec::new();
-    for (row, item) in rows.iter().zip(&inventory.items) {
-        let number = |at: usize| row[at].parse::<f64>().ok();
-        let mut compare = |what: &str, found: Option<f64>, at: usize, scale: f64, kinds: &[Kind]| {
-            let expected = number(at).map(|value| value / scale);
-            // Inches are given to a tenth of a millimetre, pounds to ten grams.
-            let is_same = match (found, expected) {
-                (Some(found), Some(expected)) => (found - expected).abs() <= 1e-3 * expected.abs().max(0.1),
-                (None, None) => true,
-                _ => false,
-            };
-            if !is_same && !doubts(item, kinds) {
-                wrong.push(format!("{} {what}: {found:?}, not {expected:?}: {:?}", item.id, item.doubts));
-            }
+    let doubted = |item: &Item, columns: &[Column]| {
+        let is_here = |finding: &Finding| {
+            finding.rows.contains(&item.row) && finding.column.is_some_and(|column| columns.contains(&column))
         };
-        compare("height", item.height_m, 2, 1e3, &[Kind::ImplausibleSize]);
+        inventory.findings.iter().any(is_here)
+    };
+    let (mut equal, mut doubts, mut silent) = (0, 0, Vec::new());
+    for (row, item) in rows.iter().zip(&inventory.items) {
+        let mut compare = |what: &str, is_equal: bool, columns: &[Column]| match (is_equal, doubted(item, columns)) {
+            (true, _) => equal += 1,
+            (false, true) => doubts += 1,
+            (false, false) => silent.push(format!("{} {what}: {item:?}, not {row:?}", item.id)),
+        };
+        let same = |found: Option<f64>, at: usize, scale: f64| match (found, row[at].parse::<f64>().ok()) {
+            // Inches are given to a tenth of a millimetre, pounds to ten grams.
+            (Some(found), Some(expected)) => (found - expected / scale).abs() <= 1e-3 * (expected / scale).max(0.1),
+            (found, expected) => found.is_none() && expected.is_none(),
+        };
+        compare("height", same(item.height_m, 2, 1e3), &[Column::Height]);
         // The truth has the shorter side first.
         let mut sides = [item.thickness_m, item.width_m];
         if sides[1].is_some() {
             sides.sort_by(|a, b| a.unwrap_or_default().total_cmp(&b.unwrap_or_default()));
         }
-        compare("shorter side", sides[0], 3, 1e3, &[Kind::ImplausibleSize]);
-        compare("longer side", sides[1], 4, 1e3, &[Kind::ImplausibleSize]);
-        compare("mass", item.mass_kg, 5, 1.0, &[Kind::Approximate]);
-        compare("quantity", Some(f64::from(item.quantity)), 7, 1.0, &[]);
+        let of_sides = [Column::Thickness, Column::Width];
+        compare("shorter side", same(sides[0], 3, 1e3), &of_sides);
+        compare("longer side", same(sides[1], 4, 1e3), &of_sides);
+        compare("mass", same(item.mass_kg, 5, 1.0), &[Column::Mass]);
+        compare("quantity", same(Some(f64::from(item.quantity)), 7, 1.0), &[Column::Quantity]);
         let level = match &row[6] {
             "roof" => 1.0,
             text => text.parse::<f64>().unwrap().max(0.0) / 7.0,
         };
-        if item.level_ratio.is_none_or(|found| (found - level).abs() > 1e-9) && !doubts(item, &[Kind::Mezzanine]) {
-            wrong.push(format!("{} level: {:?}, not {level}", item.id, item.level_ratio));
-        }
-        let anchored = (item.anchored == Some(true), doubts(item, &[Kind::AnchoredUnclear]));
-        let expected = (&row[8] == "yes", &row[8] == "yes?");
-        if anchored != expected {
-            wrong.push(format!("{} anchored: {anchored:?}, not {expected:?}", item.id));
-        }
+        let is_level = item.level_ratio.is_some_and(|found| (found - level).abs() <= 1e-9);
+        compare("level", is_level, &[Column::Floor]);
+        let is_anchored = (item.anchored == Some(true)) == (&row[8] == "yes") && &row[8] != "yes?";
+        compare("anchored", is_anchored, &[Column::Anchored]);
         let casters = item.surroundings.casters.filter(|casters| *casters != Casters::None).map_or("", Casters::name);
-        if casters != &row[9] {
-            wrong.push(format!("{} casters: {casters:?}, not {:?}", item.id, &row[9]));
-        }
+        compare("casters", casters == &row[9], &[Column::Casters]);
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    println!("{equal} cells as a person reads them, {doubts} doubts, {} silently different", silent.len());
+    assert!(silent.is_empty(), "{}", silent.join("\n"));
+    // Eight columns of 74 rows. Doubted are the sizes of ED-011 and WA-406 and what a mezzanine, a chain and sums in
+    // cells leave open.
+    assert_eq!(equal + doubts, 8 * 74);
+    assert!(doubts <= 10, "{doubts} doubts are no reading");
     // The round ones: cylinders, a dewar.
     let round: Vec<&str> = inventory.items.iter().filter(|item| item.is_round).map(|item| item.id.as_str()).collect();
     assert_eq!(round, ["ED-007", "ED-007 #2", "PA-207", "PA-211"]);
@@ -186,7 +184,13 @@ fn one_floor_of_several_names_is_one() {
 
 #[test]
 fn the_order_in_a_heading_holds() {
-    for heading in ["Dimensions H x W x D (mm)", "Dimensions HxWxD mm", "H x W x D (mm)"] {
+    for heading in [
+        "Dimensions H x W x D (mm)",
+        "Dimensions HxWxD mm",
+        "H x W x D (mm)",
+        "Boyutlar (YxGxD) mm",
+        "尺寸 (高x长x宽) mm",
+    ] {
         let list = format!("id,item,{heading}\n1,a,900 x 1200 x 400\n");
         let item = read(&list).unwrap().inventory.items.swap_remove(0);
         assert_eq!((item.height_m, item.width_m, item.thickness_m), (Some(0.9), Some(1.2), Some(0.4)), "{heading}");
@@ -249,8 +253,18 @@ fn rows_that_a_spreadsheet_hides_are_read_and_said() {
     let shown = row(2, &["a", "rack", "0.5", "1800", "600", ""]);
     let hidden = row(3, &["b", "rack", "0.5", "1800", "600", ""]).replace("<row ", "<row hidden=\"1\" ");
     let book = workbook(&[heading, shown, hidden].concat(), "");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("list.xlsx");
+    std::fs::write(&path, &book).unwrap();
     let inventory = read(book).unwrap().inventory;
-    assert_eq!(inventory.items.len(), 2);
-    let said = inventory.warnings.iter().filter(|warning| warning.contains("does not show")).count();
-    assert_eq!(said, 1, "{:?}", inventory.warnings);
+    let doubted: Vec<bool> = inventory.items.iter().map(|item| item.doubts.contains(&Kind::HiddenRow)).collect();
+    assert_eq!(doubted, [false, true]);
+    let finding = inventory.findings.iter().find(|finding| finding.kind == Kind::HiddenRow).unwrap();
+    assert_eq!(finding.rows, [3]);
+    // In the marked copy a style of its own strikes it through.
+    let copy = marked_copy(&path, &ReadOptions::new(&Lookup::NONE), &inventory.findings).unwrap();
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(copy)).unwrap();
+    let mut styles = String::new();
+    std::io::Read::read_to_string(&mut archive.by_name("xl/styles.xml").unwrap(), &mut styles).unwrap();
+    assert!(styles.contains("<strike/>"), "{styles}");
 }

@@ -16,11 +16,12 @@ use std::time::Instant;
 use serde::{Deserialize, Serialize};
 
 use super::key::resume_key;
-use super::portfolio::{Assessed, Assessor, assess, two_spectra};
+use super::portfolio::{Assessed, Assessor, assess};
 use super::store::{Part, Store, part_size};
 use super::{Job, JobReport, Run, inventory_of, staged, written};
 use crate::inventory::{Inventory, Item, items_from_lines};
 use crate::output::head;
+use crate::two_spectra::refuse_outcomes;
 use freestand_input::file::sha256_hex;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::folder::write_file;
@@ -114,9 +115,7 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
     let motions = dir.join(MOTIONS);
     let wants_to_stop = || progress(Step { stage: None, done: 0, total: 0 }).is_break();
     let alternative = study.alternative();
-    if plan.outcomes() && alternative.is_some() {
-        return Err(two_spectra().into());
-    }
+    refuse_outcomes(plan.outcomes(), alternative.as_ref())?;
     let mut assessor = Assessor::new((&study, plan.rows()), (plan.outcomes(), Some(&motions)), &wants_to_stop)
         .beside(alternative.as_ref());
     let mut failed = 0;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand_assess::inventory::{
-    CheckReport, HeadingReport, Inventory, Item, Mapping, ReadOptions, Reading, SHOWN, SenseReport, check_report,
+    CheckReport, HeadingReport, Inventory, Item, Kind, Mapping, ReadOptions, Reading, SHOWN, SenseReport, check_report,
     console_lines, inspect_headings, inspect_inventory, mapping_of_headings, marked_copy, senses,
 };
 use freestand_assess::job::floors_of;
@@ -241,8 +241,9 @@ fn line(item: &Item, units: UnitSystem) -> Vec<String> {
     };
     let tolerance = item.tolerance.as_ref().and_then(|tolerance| tolerance.peak_m_s2);
     let name: String = item.item.chars().take(30).collect();
+    let is_hidden = item.doubts.contains(&Kind::HiddenRow);
     vec![
-        item.row.to_string(),
+        if is_hidden { format!("{} (hidden)", item.row) } else { item.row.to_string() },
         item.id.clone(),
         name,
         value(item.level_ratio, Dimension::Ratio),
