@@ -58,6 +58,7 @@ pub(crate) fn study() -> Study {
             seed: 1,
             vertical: VerticalTarget::None,
         }),
+        other_ground: None,
         directions_deg: vec![0.0],
         building_name: None,
         building: Some(BuildingInput {
