@@ -127,13 +127,17 @@ impl<'a, 'py> Given<'a, 'py> {
         paths.unwrap_or_default()
     }
 
+    pub(crate) fn texts(&mut self, name: &str, example: &str) -> Vec<String> {
+        let texts = self.value(name).map(|value| value.extract::<Vec<String>>());
+        if matches!(texts, Some(Err(_))) {
+            self.wrong(name, &format!("a list of texts such as \"{example}\""));
+        }
+        texts.and_then(Result::ok).unwrap_or_default()
+    }
+
     /// How the cells of a list are read.
     pub(crate) fn cells(&mut self) -> CellsRequest {
-        let texts = self.value("edits").map(|value| value.extract::<Vec<String>>());
-        if matches!(texts, Some(Err(_))) {
-            self.wrong("edits", "a list of texts such as \"D7=900 mm\"");
-        }
-        let texts = texts.and_then(Result::ok).unwrap_or_default();
+        let texts = self.texts("edits", "D7=900 mm");
         let read = |text: &String| self.problems.keep(Edit::parse(text).map_err(|problem| problem.named("edits")));
         let edits = texts.iter().filter_map(read).collect();
         CellsRequest { sheet: self.text("sheet"), columns: self.path("columns"), edits }

@@ -12,7 +12,7 @@ use freestand::synthesis::SynthesisOptions;
 use freestand_assess::validate::validate as validated;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid};
-use freestand_records::formats::ReadOptions;
+use freestand_records::formats::{ReadOptions, parse_sensitivity};
 use freestand_study::building;
 use freestand_study::floor::{DEFAULT_LEVELS, FloorReport, FloorRequest, every_floor, floors};
 use freestand_study::laboratory::drop_test::{DropRequest, LAWS, cushion_toml, drop_tests, loop_table};
@@ -101,6 +101,7 @@ type Pad = (String, Option<String>, Vec<String>);
 pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<Pad> {
     let mut given = Given::new(values);
     let unit = given.text("unit").map(|unit| freestand_records::formats::parse_unit(&unit));
+    let sensitivity = given.text("sensitivity").map(|text| parse_sensitivity(&text));
     let request = DropRequest {
         files: given.paths("files"),
         mass_kg: given.positive("mass_kg"),
@@ -112,6 +113,7 @@ pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<
         law: given.choice("law", LAWS),
         read: ReadOptions {
             unit: unit.and_then(|unit| given.keep(unit)),
+            sensitivity: sensitivity.and_then(|sensor| given.keep(sensor)),
             dt_s: given.positive("dt_s"),
             ..ReadOptions::default()
         },
@@ -138,12 +140,14 @@ pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<
 #[pyfunction]
 pub(crate) fn static_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<String> {
     let mut given = Given::new(values);
+    let sensitivities = given.texts("sensitivity", "2 mV/N");
     let request = StaticRequest {
         files: given.paths("files"),
         load_n: given.positive("load_n"),
         machine_stiffness_n_m: given.positive("machine_stiffness_n_m"),
         toe: given.optional_flag("cut_toe").map(|cuts| if cuts { Toe::Slack } else { Toe::Keep }),
-        inverted: false,
+        inverted: given.flag("inverted"),
+        sensitivities: sensitivities.iter().filter_map(|text| given.keep(parse_sensitivity(text))).collect(),
         impactor: one_of(&mut given, "impactor", &IMPACTORS),
         boundary: one_of(&mut given, "boundary", &BOUNDARIES),
         dynamic_stiffness_n_m: given.positive("dynamic_stiffness_n_m"),

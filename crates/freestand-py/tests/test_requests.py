@@ -72,6 +72,11 @@ def test_static_test(tmp_path):
     ours = fs.static_test(press, load_n=400)
     same(ours.to_dict(), told("cushion", "static", press, "--load", "400 N"))
     assert ours.tests[0]["tangent_stiffness_n_m"] == pytest.approx(2e6, rel=1e-6)  # a straight line
+    press.write_text(press.read_text().replace("force [N]", "force [mV]"))
+    volts = fs.static_test(press, load_n=400, sensitivity="1 mV/N")
+    assert volts.tests[0]["tangent_stiffness_n_m"] == pytest.approx(2e6, rel=1e-6)
+    with pytest.raises(fs.FreestandError, match="sensitivity"):
+        fs.static_test(press, load_n=400)
 
 
 def test_shock_spectrum(floor_motion):

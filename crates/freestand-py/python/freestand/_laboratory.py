@@ -37,6 +37,7 @@ def drop_test(
     gravity_m_s2: float | None = None,
     inverted: bool = False,
     unit: str | None = None,
+    sensitivity: str | None = None,
     dt_s: float | None = None,
     component: str | None = None,
     seed: int | None = None,
@@ -63,6 +64,8 @@ def drop_test(
         Gravity during the contact [m/s²].
     inverted : bool, default False
         Whether upward accelerations are negative in the files.
+    sensitivity : str, optional
+        Sensitivity of the accelerometer of a column in volts, such as "10 mV/g".
     unit, dt_s, component : optional
         As in `read_motion`.
     seed : int, optional
@@ -83,7 +86,8 @@ def drop_test(
         files=_files(files), mass_kg=mass_kg, height_m=height_m, impact_velocity_m_s=impact_velocity_m_s,
         velocity_error_ratio=velocity_error_ratio, law=law, pad_thickness_m=pad_thickness_m, impactor=impactor,
         sphere_radius_m=sphere_radius_m, boundary=boundary, corner_hz=corner_hz, gravity_m_s2=gravity_m_s2,
-        inverted=inverted or None, unit=unit, dt_s=dt_s, component=component, seed=seed,
+        inverted=inverted or None, unit=unit, sensitivity=sensitivity, dt_s=dt_s,
+        component=component, seed=seed,
     )  # fmt: skip
     text, toml, loops = _freestand.drop_test(values)
     result = DropTestResult(json.loads(text), toml, loops)
@@ -97,6 +101,8 @@ def static_test(
     load_n: float | None = None,
     machine_stiffness_n_m: float | None = None,
     cut_toe: bool | None = None,
+    inverted: bool = False,
+    sensitivity: str | Iterable[str] | None = None,
     impactor: str | None = None,
     boundary: str | None = None,
     dynamic_stiffness_n_m: float | None = None,
@@ -113,6 +119,10 @@ def static_test(
         Stiffness of the frame of the machine [N/m], whose deformation is subtracted.
     cut_toe : bool, optional
         Whether to cut off the toe of the curve.
+    inverted : bool, default False
+        Whether compression is negative in the files.
+    sensitivity : str or iterable of str, optional
+        Sensitivities of the sensors of columns in volts, such as "2 mV/N" and "1 V/mm".
     impactor, boundary : str, optional
         Shape of the impactor and boundary of the pad, in place of what the files state.
     dynamic_stiffness_n_m : float, optional
@@ -129,9 +139,11 @@ def static_test(
     >>> found.tests[0]["secant_stiffness_n_m"]  # doctest: +SKIP
     1100000.0
     """
+    sensors = [sensitivity] if isinstance(sensitivity, str) else sensitivity
     values = given(
         files=_files(files), load_n=load_n, machine_stiffness_n_m=machine_stiffness_n_m, cut_toe=cut_toe,
-        impactor=impactor, boundary=boundary, dynamic_stiffness_n_m=dynamic_stiffness_n_m,
+        inverted=inverted or None, sensitivity=None if sensors is None else list(sensors), impactor=impactor,
+        boundary=boundary, dynamic_stiffness_n_m=dynamic_stiffness_n_m,
     )  # fmt: skip
     result = StaticTestResult._of(_freestand.static_test(values))
     warn(result.warnings)

@@ -28,6 +28,7 @@ mod volumes;
 
 pub(crate) use crate::motion_file::check_step;
 pub use crate::motion_file::{Component, Direction, MotionFile, ReadOptions, Start, parse_unit};
+pub use crate::text::sensitivity::{Sensitivity, parse_sensitivity};
 pub use crate::write::{write_at2, write_csv, write_pair_csv};
 
 use std::path::Path;

@@ -9,6 +9,7 @@ pub(crate) use found::{
     peak_note_of, tell_apart,
 };
 
+use crate::text::sensitivity::Sensitivity;
 use crate::text::units;
 use freestand::motion::Motion;
 use freestand_input::file::InputFile;
@@ -32,6 +33,8 @@ pub struct ReadOptions {
     /// StationXML with the sensitivity of a miniSEED file. Without it, the program looks for one
     /// next to the file.
     pub station_xml: Option<PathBuf>,
+    /// Of the sensor of a shock whose column is in volts.
+    pub sensitivity: Option<Sensitivity>,
     /// The file holds a shock, not a motion of the ground or a floor: hundreds of g need no note.
     pub is_shock: bool,
 }

@@ -16,6 +16,11 @@ impl Heading {
     pub(crate) fn measures(&self, dimension: Dimension) -> bool {
         self.unit.is_some_and(|unit| unit.dimension == dimension)
     }
+
+    /// Whether its name is that of a force.
+    pub(crate) fn is_force(&self) -> bool {
+        is_force(&self.name)
+    }
 }
 
 /// The place of the only heading for which `is_it` holds; `what` names the column in messages.
@@ -89,9 +94,12 @@ fn time_suffix(cell: &str) -> Option<&'static Unit> {
 
 /// The unit of a column: N means newton for a force and north for anything else.
 fn column_unit(name: &str, unit: &str) -> Option<&'static Unit> {
+    if is_force(name) && unit.trim() == "N" { lookup("N") } else { record_unit(unit) }
+}
+
+fn is_force(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
-    let is_force = ["force", "load", "kraft"].iter().any(|word| name.contains(word)) || name.trim() == "f";
-    if is_force && unit.trim() == "N" { lookup("N") } else { record_unit(unit) }
+    ["force", "load", "kraft"].iter().any(|word| name.contains(word)) || name.trim() == "f"
 }
 
 /// Names of a time column, without its unit.

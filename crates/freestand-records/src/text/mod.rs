@@ -17,6 +17,7 @@ pub(crate) mod lines;
 pub(crate) mod pairs;
 pub(crate) mod rows;
 pub(crate) mod sampling;
+pub(crate) mod sensitivity;
 pub(crate) mod stated_step;
 pub(crate) mod table;
 pub(crate) mod units;

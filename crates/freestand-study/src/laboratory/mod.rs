@@ -9,11 +9,28 @@ pub mod virtual_laboratory;
 
 pub use figure::{drop_figures, static_figure};
 
+use freestand_input::problem::Problem;
+use freestand_input::quantity::Dimension;
+use freestand_records::formats::Sensitivity;
+
 /// What strikes the pad, as a user names it.
 pub const IMPACTORS: [&str; 2] = ["flat", "sphere"];
 
 /// How the pad is held between its faces, as a user names it.
 pub const BOUNDARIES: [&str; 3] = ["glued", "unglued", "lubricated"];
+
+/// Refuses the sensitivity of a sensor that measures nothing of a test, and a second one of the same kind.
+fn check_sensors(sensors: &[Sensitivity], measured: &[Dimension], example: &str) -> Result<(), Problem> {
+    let is_spare = |(i, sensor): (usize, &Sensitivity)| {
+        let of = sensor.dimension();
+        !measured.contains(&of) || sensors[..i].iter().any(|earlier| earlier.dimension() == of)
+    };
+    if !sensors.iter().enumerate().any(is_spare) {
+        return Ok(());
+    }
+    let message = "a `sensitivity` belongs to no column of the test";
+    Err(Problem::value(message, format!("give one for each sensor, such as \"{example}\"")).of(&["sensitivity"]))
+}
 
 /// What strikes the pad, as far as the evaluation depends on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,14 +4,16 @@ use std::path::{Path, PathBuf};
 
 use freestand::identify::{StaticError, StaticOptions, StaticTest, Toe, static_test};
 
-use super::Impactor;
+use super::{Impactor, check_sensors};
 use crate::recorded::Failed;
 use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::Dimension;
 use freestand_input::words::significant;
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
+use freestand_records::formats::Sensitivity;
 use freestand_records::tables::laboratory::load_static;
 
 /// A warning needs a toe below zero by this many standard errors at least.
@@ -37,6 +39,8 @@ pub struct StaticRequest {
     pub impactor: Option<String>,
     /// Glued, unglued or lubricated; overrides the file.
     pub boundary: Option<String>,
+    /// Of the sensors whose columns are in volts.
+    pub sensitivities: Vec<Sensitivity>,
     /// A dynamic stiffness to compare with the static one \[N/m\].
     pub dynamic_stiffness_n_m: Option<f64>,
 }
@@ -95,6 +99,7 @@ impl StaticsReport {
 /// # Errors
 /// No file could be evaluated.
 pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Problems> {
+    check_sensors(&request.sensitivities, &[Dimension::Force, Dimension::Length], "2 mV/N")?;
     let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
         match one(path, request) {
@@ -140,7 +145,7 @@ fn notes(report: &StaticReport, warnings: &mut Vec<String>) {
 }
 
 fn one(path: &Path, request: &StaticRequest) -> Result<StaticReport, Problem> {
-    let read = load_static(path)?;
+    let read = load_static(path, &request.sensitivities)?;
     let said = |key: &str| read.said.iter().find(|(k, ..)| k == key).map(|(_, value, _)| value.clone());
     let impactor = request.impactor.clone().or_else(|| said("impactor"));
     let usual = if Impactor::of(impactor.as_deref()) == Impactor::Sphere { Toe::Keep } else { Toe::Slack };

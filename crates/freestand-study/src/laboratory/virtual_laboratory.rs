@@ -94,8 +94,8 @@ pub struct RecoveryRequest {
 }
 
 impl RecoveryRequest {
-    /// A pad of each law under 0.365 kg from 100 mm, 100 drops in each cell, at usual rates, noise
-    /// and bias; seed 1.
+    /// Pads of four laws that are fitted and of two that are not, a tangent and a table with kinks, under 0.365 kg from
+    /// 100 mm; 100 drops in each cell, at usual rates, noise and bias; seed 1.
     ///
     /// # Errors
     /// None: the pads are fixed.
@@ -106,6 +106,11 @@ impl RecoveryRequest {
             ContactLaw::Power { coefficient_n_mn, exponent },
             ContactLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m: 0.2 * (stiffness_n_m * mass_kg).sqrt() },
             ContactLaw::HuntCrossley { coefficient_n_mn, exponent, dissipation_s_m: 0.3 },
+            ContactLaw::Tangent { stiffness_n_m: 1e6, bottoming_m: 1.5e-3 },
+            ContactLaw::Tabulated {
+                compressions_m: vec![0.0, 0.3e-3, 0.6e-3, 1.0e-3],
+                forces_n: vec![0.0, 360.0, 1200.0, 3000.0],
+            },
         ];
         let cushion =
             |law| Cushion::new(law).map_err(|error| Problem::new(ProblemKind::Computation, error.to_string()));
@@ -113,7 +118,7 @@ impl RecoveryRequest {
             cushions: laws.into_iter().map(cushion).collect::<Result<_, _>>()?,
             samples_per_contact: vec![25.0, 50.0, 200.0],
             noise_ratios: vec![0.005, 0.02],
-            biases_g: vec![0.0, 5.0],
+            biases_g: vec![5.0],
             zero_shift_ratios: vec![0.0],
             drops: 100,
             mass_kg,
@@ -228,7 +233,7 @@ fn cell(request: &RecoveryRequest, cushion: &Cushion, samples: f64, noise_ratio:
         .key("stiffness_bias_ratio", mean(&|f| f.off.exp_m1()))
         .key("stiffness_rms_ratio", mean(&|f| f.off.exp_m1().powi(2)).map(f64::sqrt))
         .key("coverage_ratio", coverage)
-        .key("exponent_bias", mean(&|f| f.exponent - exponent_of(cushion.law())))
+        .key("exponent_bias", exponent_of(cushion.law()).and_then(|exponent| mean(&|f| f.exponent - exponent)))
         // ζ₀ of Hunt–Crossley is that of the same restitution.
         .key("damping_bias", mean(&|f| f.damping_ratio - damping_of(contact.restitution_ratio)))
 }
@@ -255,10 +260,12 @@ fn trial(cushion: &Cushion, options: &VirtualDropOptions, truth_n_m: f64) -> Tri
     Trial { found, flagged: !test.flags.is_empty() }
 }
 
-fn exponent_of(law: &ContactLaw) -> f64 {
+/// The exponent of a law that has one.
+fn exponent_of(law: &ContactLaw) -> Option<f64> {
     match law {
-        ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } => *exponent,
-        _ => 1.0,
+        ContactLaw::Power { exponent, .. } | ContactLaw::HuntCrossley { exponent, .. } => Some(*exponent),
+        ContactLaw::Linear { .. } | ContactLaw::KelvinVoigt { .. } => Some(1.0),
+        _ => None,
     }
 }
 
@@ -281,6 +288,7 @@ mod tests {
     use super::*;
     use crate::laboratory::drop_test::{DropRequest, drop_tests};
     use freestand::identify::FittedLaw;
+    use freestand_records::formats::{ReadOptions, parse_sensitivity};
 
     fn options() -> VirtualDropOptions {
         VirtualDropOptions {
@@ -329,6 +337,59 @@ mod tests {
         std::fs::write(folder.path().join("cushion.toml"), toml).unwrap();
         let (words, _) = crate::cushion::read_cushion_file(&folder.path().join("cushion.toml")).unwrap();
         assert_eq!(words.get("law"), Some("linear"));
+    }
+
+    /// The same samples as volts of a sensor, with times of the day, and as a file of LabVIEW whose column of times is
+    /// rounded: the same stiffness, to the rounding of the product of two numbers.
+    #[test]
+    fn files_of_instruments_give_the_same_stiffness() {
+        let folder = tempfile::tempdir().unwrap();
+        let (text, _) = drop_file(&Cushion::linear(2.19e6).unwrap(), &options()).unwrap();
+        let rows: Vec<(f64, f64)> = text
+            .lines()
+            .filter_map(|line| line.split_once(','))
+            .filter_map(|(time_ms, a_g)| Some((time_ms.parse().ok()?, a_g.parse().ok()?)))
+            .collect();
+        let each = |row: &dyn Fn(f64, f64) -> String| {
+            rows.iter().map(|(time_ms, a_g)| row(*time_ms, *a_g)).collect::<String>()
+        };
+        let volts = format!("time [ms],sensor [mV]\n{}", each(&|time_ms, a_g| format!("{time_ms},{}\n", 10.0 * a_g)));
+        let clock = each(&|time_ms, a_g| format!("2026-11-24 12:00:59.{:05};{a_g}\n", (100.0 * time_ms).round()));
+        let lvm = each(&|time_ms, a_g| format!("{:.4}\t{a_g}\n", 1e-3 * time_ms));
+        let files = [
+            ("plain.csv", text, None),
+            ("volts.csv", volts, Some("10 mV/g")),
+            ("clock.csv", format!("time;acceleration [g]\n{clock}"), None),
+            (
+                "drop.lvm",
+                format!(
+                    "LabVIEW Measurement\t\nSeparator\tTab\n***End_of_Header***\t\nChannels\t1\nY_Unit_Label\tg\n\
+                     X_Dimension\tTime\nX0\t0\nDelta_X\t2E-5\n***End_of_Header***\t\t\nX_Value\tPlate\tComment\n{lvm}"
+                ),
+                None,
+            ),
+        ];
+        let stiffness_n_m = files.map(|(name, text, sensitivity)| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            let request = DropRequest {
+                files: vec![path],
+                mass_kg: Some(0.365),
+                height_m: Some(0.1),
+                velocity_error_ratio: 0.01,
+                gravity_m_s2: G0_M_S2,
+                ..DropRequest::default()
+            };
+            if sensitivity.is_some() {
+                let problems = drop_tests(&request).unwrap_err();
+                assert!(problems.to_string().contains("in volts"), "{problems}");
+            }
+            let sensitivity = sensitivity.map(|text| parse_sensitivity(text).unwrap());
+            let read = ReadOptions { sensitivity, ..ReadOptions::default() };
+            let found = drop_tests(&DropRequest { read, ..request }).unwrap().tests.remove(0).test.identified;
+            found.unwrap_or_else(|| panic!("{name} gives no stiffness")).stiffness.fit_n_m
+        });
+        assert!(stiffness_n_m.iter().all(|k| (k / stiffness_n_m[0] - 1.0).abs() < 1e-6), "{stiffness_n_m:?}");
     }
 
     #[test]

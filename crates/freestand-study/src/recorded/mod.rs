@@ -56,7 +56,7 @@ impl MotionFiles {
         let uneven_dt_s = processing.resample_dt_s;
         Self {
             paths: Vec::new(),
-            read: ReadOptions { unit, dt_s, uneven_dt_s, station_xml, is_shock: false },
+            read: ReadOptions { unit, dt_s, uneven_dt_s, station_xml, ..ReadOptions::default() },
             component: reader.words.get("component").map(str::to_owned),
             second: Second::None,
             vertical: Upward::None,

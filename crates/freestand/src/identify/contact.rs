@@ -140,7 +140,7 @@ pub(super) fn find(samples: &[f64]) -> Result<Pulse, Flag> {
     if is_drift && left < 2.0 * pulse.noise_m_s2.max(1e-3 * peak) && !pulse.flags.contains(&Flag::Drift) {
         pulse.flags.push(Flag::Drift);
     }
-    if is_clipped(&samples[before..after.min(samples.len())], pulse.noise_m_s2) {
+    if is_clipped(&samples[before..after.min(samples.len())], pulse.noise_m_s2, least_step(samples)) {
         pulse.flags.push(Flag::Clipped);
     }
     Ok(pulse)
@@ -305,33 +305,49 @@ fn trend(window: &[f64]) -> (f64, f64) {
     (slope * (count - 1.0), (left / (count - 2.0) / xx).sqrt() * (count - 1.0))
 }
 
-/// Whether the top of a pulse is flat: a run of equal largest samples that is longer than rounding
-/// explains.
-fn is_clipped(pulse: &[f64], noise: f64) -> bool {
+/// Equal largest samples that may be a flat top.
+const FLAT_TOP: usize = 3;
+/// Samples below this share of the peak say nothing about its top.
+const TOP_SHARE: f64 = 0.2;
+/// Steps of rounding by which the flanks of a round top point above it at most: four where it is as flat as t⁴, and as
+/// many again for its place between the samples and between the steps.
+const ROUNDED_TOP: f64 = 8.0;
+/// The same in standard errors of the noise. The largest of some samples is itself above the curve by two standard
+/// deviations of the noise, so that chance is three of them away.
+const NOISY_TOP: f64 = 1.0;
+
+/// Whether the top of a pulse is flat: most samples between the first and the last of the largest are equal to it, and
+/// the flanks beside them point above it by more than rounding and noise explain.
+fn is_clipped(pulse: &[f64], noise: f64, rounding: f64) -> bool {
     let top = pulse.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let bottom = pulse.iter().copied().fold(f64::INFINITY, f64::min);
-    let is_top = |a: &f64| (top - a).abs() <= 1e-9 * (top - bottom);
-    let (mut longest, mut run, mut all) = (0usize, 0usize, 0usize);
-    for a in pulse {
-        run = if is_top(a) { run + 1 } else { 0 };
-        all += usize::from(is_top(a));
-        longest = longest.max(run);
+    let range = top - pulse.iter().copied().fold(f64::INFINITY, f64::min);
+    let is_top = |a: &f64| top - a <= 1e-9 * range;
+    let (Some(first), Some(last)) = (pulse.iter().position(is_top), pulse.iter().rposition(is_top)) else {
+        return false;
+    };
+    let (length, equal) = (last + 1 - first, pulse.iter().filter(|a| is_top(a)).count());
+    if equal < FLAT_TOP || 2 * equal < length {
+        return false;
     }
-    // The step between neighbouring printed values shows the rounding.
-    let mut sorted = pulse.to_vec();
+    let reach = length.div_ceil(2).max(2);
+    let middle = 0.5 * (first + last) as f64;
+    let is_beside = |i: usize| (i < first && i + reach >= first) || (i > last && i <= last + reach);
+    let is_flank = |(i, a): &(usize, &f64)| is_beside(*i) && top - **a < (1.0 - TOP_SHARE) * range;
+    let point = |(i, a): (usize, &f64)| ((i as f64 - middle) / length as f64, *a);
+    let flanks: Vec<(f64, f64)> = pulse.iter().enumerate().filter(is_flank).map(point).collect();
+    // A top without flanks is a step.
+    let Some(Parabola { value, variance }) = parabola(&flanks) else { return true };
+    value - top > ROUNDED_TOP * rounding + NOISY_TOP * noise * variance.sqrt()
+}
+
+/// The least difference between two values, which shows the rounding of printed ones.
+fn least_step(samples: &[f64]) -> f64 {
+    let mut sorted = samples.to_vec();
     sorted.sort_by(f64::total_cmp);
-    let rounding = sorted
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .filter(|step| *step > 1e-9 * (top - bottom))
-        .fold(f64::INFINITY, f64::min);
-    // The top of a half-sine falls by this much within that many samples.
-    let half_angle = 0.5 * std::f64::consts::PI * longest as f64 / pulse.len().max(1) as f64;
-    let falls = (top - bottom) * (1.0 - half_angle.cos());
-    let is_flat = longest >= 3 && falls > 2.5 * rounding;
-    // With noise, equal largest values are not a coincidence, even where they are not adjacent.
-    let noisy = all >= 3 && noise > 3.0 * rounding;
-    is_flat || noisy
+    let (Some(low), Some(high)) = (sorted.first(), sorted.last()) else { return 0.0 };
+    let range = high - low;
+    let steps = sorted.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 1e-9 * range);
+    steps.fold(range, f64::min)
 }
 
 /// Smallest number of different values that show the steps of a converter.
@@ -394,15 +410,83 @@ pub(super) fn smooth_at(values: &[f64], place: f64, reach: f64) -> Option<f64> {
     let reach = reach.max(2.0);
     let from = (place - reach).ceil().max(0.0) as usize;
     let window = values.get(from..values.len().min((place + reach).floor() as usize + 1))?;
+    let point = |(i, value): (usize, &f64)| (((from + i) as f64 - place) / reach, *value);
+    parabola(&window.iter().enumerate().map(point).collect::<Vec<_>>()).map(|found| found.value)
+}
+
+/// A parabola at zero.
+struct Parabola {
+    value: f64,
+    /// The variance of the value over that of a point.
+    variance: f64,
+}
+
+/// The parabola through points, by least squares.
+fn parabola(points: &[(f64, f64)]) -> Option<Parabola> {
     let mut normal = vec![vec![0.0; 3]; 3];
     let mut right = vec![0.0; 3];
-    for (i, value) in window.iter().enumerate() {
-        let x = ((from + i) as f64 - place) / reach;
-        let powers = [1.0, x, x * x];
+    for (x, value) in points {
+        let powers = [1.0, *x, x * x];
         for (row, a) in powers.iter().enumerate() {
             right[row] += a * value;
             normal[row].iter_mut().zip(&powers).for_each(|(sum, b)| *sum += a * b);
         }
     }
-    solve(normal, right)?.first().copied()
+    let variance = solve(normal.clone(), vec![1.0, 0.0, 0.0])?.first().copied()?;
+    Some(Parabola { value: solve(normal, right)?.first().copied()?, variance })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_chacha::ChaCha12Rng;
+    use rand_chacha::rand_core::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    /// A pulse 1 − |x|^order of so many samples with noise, as steps of a converter; its top may be clipped.
+    fn pulse(order: i32, count: usize, noise: f64, step: f64, top: f64, seed: u64) -> Vec<f64> {
+        let mut random = ChaCha12Rng::seed_from_u64(seed);
+        let phase = 0.618_033_988_749_895 * seed as f64;
+        let one = |i: usize| {
+            let x = 2.0 * (i as f64 + phase.fract()) / count as f64 - 1.0;
+            let normal: f64 = StandardNormal.sample(&mut random);
+            ((1.0 - x.abs().powi(order) + noise * normal).min(top) / step).round() * step
+        };
+        (0..count).map(one).collect()
+    }
+
+    const COUNTS: [usize; 3] = [60, 200, 1000];
+
+    /// Whether one of so many pulses is taken for a clipped one. A step of the converter is a noise, too.
+    fn clipped(order: i32, count: usize, (noise, step): (f64, f64), top: f64, seeds: u64) -> u64 {
+        let is_one = |seed: &u64| {
+            is_clipped(&pulse(order, count, noise, step, top, *seed), noise.max(step / 12f64.sqrt()), step)
+        };
+        (0..seeds).filter(is_one).count() as u64
+    }
+
+    /// Pulses with round tops and with tops as flat as those of pads that soften: equal largest values come from rounding
+    /// where the noise is below a step of the converter, and from chance where it is some steps.
+    #[test]
+    fn equal_largest_samples_are_no_clipped_top() {
+        for order in [2, 4] {
+            for count in COUNTS {
+                for noise in [(0.0, 1e-3), (3e-4, 1e-3), (1e-3, 1e-3), (5e-3, 1e-3), (1e-2, 1e-3), (5e-3, 8e-3)] {
+                    assert_eq!(clipped(order, count, noise, f64::INFINITY, 200), 0, "{order} {count} {noise:?}");
+                }
+            }
+        }
+    }
+
+    /// What was clipped is found where it takes more off the top than the noise of the samples hides.
+    #[test]
+    fn a_flat_top_is_clipped() {
+        for (noise, most) in [((0.0, 1e-3), 0.98), ((1e-3, 1e-3), 0.98), ((5e-3, 1e-3), 0.95), ((1e-2, 1e-3), 0.9)] {
+            for (order, count) in [2, 4].into_iter().flat_map(|order| COUNTS.map(|count| (order, count))) {
+                for top in [most, 0.9, 0.6] {
+                    assert_eq!(clipped(order, count, noise, top, 50), 50, "{order} {count} {noise:?} {top}");
+                }
+            }
+        }
+    }
 }

@@ -8,7 +8,7 @@ use freestand::identify::{DropTest, FittedLaw};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_output::facts::Facts;
-use freestand_records::formats::{ReadOptions, parse_unit};
+use freestand_records::formats::{ReadOptions, Sensitivity, parse_sensitivity, parse_unit};
 use freestand_records::processing::parse_step;
 use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{
@@ -37,7 +37,7 @@ Examples:
 
 A file has columns of time and acceleration with their units (time [ms],acceleration [g]),
 positive upward, and a few milliseconds of free fall before the contact, whose mean is the zero
-line. Lines such as \"# mass: 0.365 kg\", \"# height: 100 mm\", \"# impactor: flat\" or \"# boundary:
+line. A column in V or mV needs the --sensitivity of the sensor. Lines such as \"# mass: 0.365 kg\", \"# height: 100 mm\", \"# impactor: flat\" or \"# boundary:
 glued\" before the columns are used unless a flag replaces them. A record that cannot give a
 stiffness is shown with the reasons. Drops are pooled as repeats of one test if they have the same
 impactor, boundary and mass. The exit status is 1 if a record gives no stiffness or the drops cannot
@@ -85,6 +85,9 @@ pub(crate) struct DropArgs {
     /// Unit of acceleration of a file that does not state it
     #[arg(long, value_name = "UNIT", read = parse_unit)]
     unit: Option<Given<String>>,
+    /// Sensitivity of the accelerometer of a column in volts, such as "10 mV/g"
+    #[arg(long, value_name = "SENSITIVITY", read = parse_sensitivity, conflicts_with = "unit")]
+    sensitivity: Option<Given<Sensitivity>>,
     /// Time step of a file without a column of times
     #[arg(long, value_name = "TIME", read = parse_step)]
     dt: Option<Given>,
@@ -149,6 +152,7 @@ fn request(args: &DropArgs, global: &GlobalArgs) -> Result<DropRequest, Failure>
     let mut values = Values::default();
     let read = ReadOptions {
         unit: values.read(&args.unit),
+        sensitivity: values.read(&args.sensitivity),
         dt_s: values.read(&args.dt),
         uneven_dt_s: values.read(&args.resample),
         ..ReadOptions::default()

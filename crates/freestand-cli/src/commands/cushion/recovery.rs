@@ -23,7 +23,8 @@ Examples:
     --noise \"0, 0.5 %, 2 %\"
 
 The pads, under 0.365 kg from 100 mm: 2190 N/mm; 2e7 N/m^1.5; 2190 N/mm with a damping of 10 %;
-2e7 N/m^1.5 with 0.3 s/m. Every drop is evaluated alone, with its own interval; the impact velocity
+2e7 N/m^1.5 with 0.3 s/m; and two that follow no law of the fit: a tangent of 1000 N/mm that bottoms
+at 1.5 mm, and straight lines through 0.36 kN at 0.3 mm, 1.2 kN at 0.6 mm and 3 kN at 1 mm. Every drop is evaluated alone, with its own interval; the impact velocity
 given to the evaluation has a random error of 1 %. A bias of the whole record is removed with the
 zero line and must not change the result; a shift at the peak changes it.")]
 pub(crate) struct RecoveryArgs {
@@ -36,7 +37,7 @@ pub(crate) struct RecoveryArgs {
     /// Noise as a share of the peak [default: 0.5 %, 2 %]
     #[arg(long, grid = Dimension::Ratio, value_name = "LIST")]
     noise: Option<Given<Vec<f64>>>,
-    /// Bias of the whole record [default: 0 g, 5 g]
+    /// Bias of the whole record [default: 5 g]
     #[arg(long, grid = Dimension::Acceleration, value_name = "LIST")]
     bias: Option<Given<Vec<f64>>>,
     /// Shift of the zero line at the peak, as a share of the peak [default: 0]

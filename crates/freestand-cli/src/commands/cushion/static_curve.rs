@@ -6,6 +6,7 @@ use clap::Args;
 use freestand::identify::Toe;
 use freestand_input::quantity::Dimension;
 use freestand_output::facts::Facts;
+use freestand_records::formats::{Sensitivity, parse_sensitivity};
 use freestand_study::laboratory::static_curve::{
     StaticReport, StaticRequest, StaticsReport, curve_table, static_tests,
 };
@@ -47,6 +48,9 @@ pub(crate) struct StaticArgs {
     /// Reverse the signs of force and displacement, for a press that writes compression as negative
     #[arg(long)]
     invert: bool,
+    /// Sensitivity of a sensor whose column is in volts, such as "2 mV/N" or "1 V/mm"; may be given for both
+    #[arg(long, value_name = "SENSITIVITY", read = parse_sensitivity)]
+    sensitivity: Vec<Given<Sensitivity>>,
     /// Shape of the impactor; replaces what the files state
     #[arg(long, value_name = "SHAPE", value_parser = IMPACTORS)]
     impactor: Option<String>,
@@ -78,6 +82,7 @@ pub(crate) fn run(args: &StaticArgs, global: &GlobalArgs, printer: &Printer) -> 
         inverted: args.invert,
         impactor: args.impactor.clone(),
         boundary: args.boundary.clone(),
+        sensitivities: args.sensitivity.iter().filter_map(|one| values.read(&Some(one.clone()))).collect(),
         dynamic_stiffness_n_m: values.read(&args.dynamic),
     };
     values.finish()?;

@@ -7,12 +7,13 @@ use crate::text::fortran::is_gap_mark;
 use crate::text::gaps::{gap, ordinary_note};
 use crate::text::headings::{Heading, headings_of, is_counter_name, is_time_name, other_quantity, says_unit};
 use crate::text::sampling::{even_step, time_step};
+use crate::text::sensitivity::{no_sensitivity, not_in_volts, volts_of_heading};
 use crate::text::stated_step::{count_in_words, dt_in_comment, step_in_prose};
 use crate::text::table::{self, Table};
 use crate::text::units::{Stated, decide, missing, not_known, requested, unit_in_prose};
 use freestand::motion::MAX_SAMPLES;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::quantity::{Dimension, lookup, shorten};
 use freestand_input::words::number;
 use std::path::Path;
 
@@ -80,8 +81,17 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             refused.get_or_insert(other);
             continue;
         }
+        // In other records, V is the vertical component.
+        let volts = volts_of_heading(&heading).filter(|_| options.is_shock && requested.is_none());
         let stated = heading.unit.map(|unit| Stated { unit, line: stating.line }).or(stating.unit);
-        let unit = decide(stated, requested, &what).map_err(|problem| {
+        let sensor = match (volts, options.sensitivity) {
+            (Some(volts), Some(sensor)) => Some((volts, sensor)),
+            (Some(_), None) => return Err(no_sensitivity(&heading, stating.line, "10 mV/g")),
+            (None, Some(_)) => return Err(not_in_volts(&what, stating.line)),
+            (None, None) => None,
+        };
+        let of_sensor = sensor.and_then(|_| lookup("m/s2"));
+        let unit = of_sensor.map_or_else(|| decide(stated, requested, &what), Ok).map_err(|problem| {
             let own = [(stating.line, heading.name.as_str())];
             let others = table
                 .comments
@@ -100,7 +110,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
             notes.push(ordinary_note(values[row], table.line_of_row(bytes, row)));
         }
         for value in &mut values {
-            *value = unit.to_si(*value);
+            *value = sensor.map_or_else(|| unit.to_si(*value), |(volts, sensor)| sensor.si_of(*value * volts));
         }
         if let Some(times_s) = &spacing.uneven_s {
             // All columns together may have as many samples as one motion: two rows of many columns

@@ -12,10 +12,9 @@ use freestand::identify::{
 };
 use freestand::impact::HALF_SPACE_SHARE;
 
-use super::Impactor;
 use super::virtual_laboratory::check_speed;
+use super::{Impactor, check_sensors};
 use crate::recorded::Failed;
-use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_input::words::{Choices, counted, significant};
@@ -24,7 +23,7 @@ use freestand_output::facts::Facts;
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
 use freestand_records::formats::{ReadOptions, parse_motions};
-use freestand_records::tables::laboratory::comments;
+use freestand_records::tables::laboratory::{comments, load};
 
 pub use pool::{PooledReport, cushion_toml};
 
@@ -161,6 +160,7 @@ pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
         let hint = "leave out `sphere_radius` or `impactor`";
         return Err(value("`sphere_radius` is given for a flat impactor").hint(hint).of(&["sphere_radius"]).into());
     }
+    check_sensors(request.read.sensitivity.as_slice(), &[Dimension::Acceleration], "10 mV/g")?;
     let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
         match one(path, request, &mut warnings) {
