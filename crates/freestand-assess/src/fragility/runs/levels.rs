@@ -1,7 +1,9 @@
 //! The intensities of stripes that nobody chose, and those that a hazard asks for.
 
 use freestand::fragility::{FitKind, Outcomes, Run, fit_curves};
-use freestand::risk::{AboveLast, Gap, Hazard, OpenPart, annual_rate, bounds_by_runs, capacities, open_parts};
+use freestand::risk::{
+    AboveLast, AnnualRates, Gap, Hazard, OpenPart, annual_rate, bounds_by_runs, capacities, open_parts,
+};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::name_of;
 use rayon::prelude::*;
@@ -141,7 +143,6 @@ pub(super) fn hazard(request: &RunsRequest, measures: &[(Measure, At)]) -> Resul
 
 /// For each object the parts of its rates that its runs at these intensities leave open.
 pub(super) fn open(
-    fit: FitKind,
     hazard: &Hazard,
     objects: &[ObjectRuns],
     (floors, measures): (&[Vec<Shaking>], &[(Measure, At)]),
@@ -164,14 +165,17 @@ pub(super) fn open(
                 uplifts.push(uplift.map(|uplift| unit * uplift));
             }
         }
-        // The fit of all runs says what is wrong with them.
+        // The fit of all runs says what is wrong with them. However they are fitted, the same intensities are
+        // added, so that kept runs serve every fit.
         let Ok(outcomes) = Outcomes::new(&runs) else { return Vec::new() };
-        let curves = fit_curves(&outcomes, &outcomes.limit_states(), fit).curves;
+        let curves = fit_curves(&outcomes, &outcomes.limit_states(), FitKind::Ordered).curves;
         let of_curve = curves.into_iter().flat_map(|curve| {
             let found = capacities(&outcomes, curve.limit_state, &uplifts);
             let by_curve = annual_rate(hazard, curve.kind);
             let (_, most) = bounds_by_runs(hazard, curve.kind, by_curve, &found, AboveLast::Open);
-            open_parts(hazard, by_curve, most, &found)
+            // The curve may say more than its runs allow.
+            let rate = by_curve.annual_rate.map(|rate| most.map_or(rate, |most| rate.min(most)));
+            open_parts(hazard, AnnualRates { annual_rate: rate, ..by_curve }, most, &found)
         });
         of_curve.collect()
     };

@@ -150,7 +150,7 @@ impl Work<'_> {
         let mut added = 0;
         for round in 1.. {
             super::go_on(self.progress)?;
-            let open = levels::open(request.fit.kind(), &hazard.hazard, objects, (self.floors, self.measures), &levels);
+            let open = levels::open(&hazard.hazard, objects, (self.floors, self.measures), &levels);
             let room = if round > levels::ROUNDS { 0 } else { levels::MOST_ADDED - added };
             let more = levels::wanted(&open, &levels, limit, room);
             if more.is_empty() {
