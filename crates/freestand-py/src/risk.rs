@@ -6,11 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand::fragility::{CurveKind, FitKind};
 use freestand_assess::fragility::{
-    At, FITS, FRAGILITY_SCHEMA, FragilityRequest, Measure, ShockLimits, fragility_watched as fitted,
+    At, FITS, FRAGILITY_SCHEMA, FragilityRequest, HAZARD_CODES, HazardGiven, Measure, ShockLimits,
+    fragility_watched as fitted,
 };
-use freestand_assess::risk::{
-    HAZARD_CODES, HazardGiven, RISK_SCHEMA, RiskCurves, RiskRequest, amount, risk as calculated,
-};
+use freestand_assess::risk::{RISK_SCHEMA, RiskCurves, RiskRequest, amount, risk as calculated};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::Choices;
 use freestand_study::run::Step;

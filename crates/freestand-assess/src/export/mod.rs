@@ -14,8 +14,8 @@ use freestand_input::words::{Choices, counted};
 use freestand_output::rows::csv;
 use serde_json::{Value, json};
 
-use crate::fragility::{FragilityReport, ObjectFragility};
-use crate::risk::{CostRow, Costs, HazardSource, hazard_of, load_costs};
+use crate::fragility::{FragilityReport, HazardSource, ObjectFragility, hazard_of};
+use crate::risk::{CostRow, Costs, load_costs};
 
 use points::Points;
 
@@ -126,7 +126,9 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
             let hazard = request
                 .hazard
                 .as_ref()
-                .map(|source| hazard_of(source, Some(report.at), request.site_deg, None))
+                .map(|source| {
+                    hazard_of(source, Some(report.at), request.site_deg, Some((report.table.measure, report.at)))
+                })
                 .transpose()?;
             warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
             openquake::files(report, request, &listed, demand, hazard.as_ref(), &mut warnings)?

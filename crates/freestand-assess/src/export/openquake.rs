@@ -8,8 +8,8 @@ use freestand_output::json::document;
 use freestand_output::rows::csv;
 use serde_json::json;
 
-use crate::fragility::{At, FragilityReport, Measure};
-use crate::risk::{AVERAGE_KEY, CostRow, MeasuredHazard};
+use crate::fragility::{AVERAGE_KEY, At, FragilityReport, Measure, MeasuredHazard};
+use crate::risk::CostRow;
 
 use super::{ExportObject, ExportRequest, Files, Listed, Shape, sources};
 
@@ -227,12 +227,7 @@ pub(super) fn files(
         let problem = Problem::new(ProblemKind::Missing, "a scenario of OpenQuake needs `demand`");
         return Err(problem.hint("give `demand = \"0.4 m/s\"`, or a hazard curve with `hazard`").of(&["demand"]));
     }
-    if let Some(hazard) = hazard.filter(|one| one.measure != report.table.measure || one.at != report.at) {
-        let named = |measure: Measure, at: At| format!("{} of the {}", measure.name(), at.name());
-        let (of_hazard, of_table) = (named(hazard.measure, hazard.at), named(report.table.measure, report.at));
-        let message = format!("the hazard curve is for {of_hazard}, and the outcomes are for {of_table}");
-        return Err(Problem::value(message, "give a hazard curve for the measure of the outcomes").of(&["hazard"]));
-    }
+    hazard.map_or(Ok(()), |hazard| hazard.check(report.table.measure, report.at))?;
     let (unpriced, warning) = value_without_cost(listed.objects);
     warnings.extend(warning);
     let mut functions = String::new();

@@ -2,6 +2,7 @@
 
 mod curves;
 mod figure;
+mod hazard;
 pub mod measure;
 mod outcomes;
 mod runs;
@@ -27,6 +28,8 @@ use rayon::prelude::*;
 
 use curves::{CAPACITY, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
+pub(crate) use hazard::{AVERAGE_KEY, MeasuredHazard, hazard_of, number_and_unit};
+pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
 pub(crate) use outcomes::measure_of;

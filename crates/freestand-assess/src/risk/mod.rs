@@ -2,7 +2,6 @@
 
 mod costs;
 mod figure;
-mod hazard;
 mod objects;
 mod page;
 mod plan;
@@ -15,7 +14,7 @@ use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use freestand::fragility::{FitKind, LimitState};
-use freestand::risk::Hazard;
+use freestand::risk::{Gap, Hazard};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
@@ -27,8 +26,8 @@ use freestand_study::run::Progress;
 
 use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
-    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, ObjectCurves, ObjectFragility, fragility_watched, go_on,
-    load_curves,
+    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, HazardSource, MeasuredHazard, ObjectCurves,
+    ObjectFragility, fragility_watched, go_on, hazard_of, load_curves, number_and_unit,
 };
 use crate::inventory::CellsRequest;
 
@@ -36,12 +35,10 @@ use costs::{OptionRow, Options, curve_id, load_options};
 use objects::{LossBounds, ObjectRisk};
 use plan::Measures;
 use portfolio::Portfolio;
-use rates::{Gap, Levels, Open};
+use rates::{Levels, Open};
 
 pub use costs::load_changed;
 pub(crate) use costs::{CostRow, Costs, load_costs};
-pub(crate) use hazard::{AVERAGE_KEY, MeasuredHazard, hazard_of};
-pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
 
 /// The schema of the document.
 pub const RISK_SCHEMA: &str = "freestand.risk/1";
@@ -92,17 +89,6 @@ pub fn years(text: &str) -> Result<f64, Problem> {
 /// No number above 0, or another unit.
 pub fn yearly_rate(text: &str) -> Result<f64, Problem> {
     number_with(text, &["/yr", "1/yr", "/year", "1/year"], "a rate per year", "1e-4 /yr")
-}
-
-/// A number and what follows it, with or without a space between them: `40 yr`, `3000AUD`.
-fn number_and_unit(text: &str) -> Option<(f64, &str)> {
-    let text = text.trim();
-    let is_part = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
-    let longest = text.find(|c| !is_part(c)).unwrap_or(text.len());
-    // `3000EUR`: the E belongs to the unit.
-    let ends = (1..=longest).rev();
-    let found = ends.filter_map(|end| Some((text.get(..end)?.parse::<f64>().ok()?, text.get(end..)?.trim())));
-    found.into_iter().find(|(number, _)| number.is_finite())
 }
 
 fn number_with(text: &str, units: &[&str], what: &str, example: &str) -> Result<f64, Problem> {
@@ -463,8 +449,11 @@ fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Strin
 /// nothing unexpected happens between those of the runs.
 fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> {
     let words = |x: f64| hazard.measure.value_words(rounded_value(x));
-    let kinds: [fn(Gap) -> bool; 3] =
-        [|gap| matches!(gap, Gap::Below(_)), |gap| matches!(gap, Gap::Between(..)), |gap| matches!(gap, Gap::Above(_))];
+    let kinds: [fn(Gap) -> bool; 3] = [
+        |gap| matches!(gap, Gap::Below { .. }),
+        |gap| matches!(gap, Gap::Between(..)),
+        |gap| matches!(gap, Gap::Above(_)),
+    ];
     let open = |object: &'_ ObjectRisk| object.states.iter().filter_map(|one| one.open).collect::<Vec<Open>>();
     let said = kinds.into_iter().filter_map(|is_kind| {
         let gap = |object: &ObjectRisk| open(object).into_iter().filter_map(|one| one.gap).find(|gap| is_kind(*gap));
@@ -473,7 +462,9 @@ fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> 
         let (id, gap) = *open.first()?;
         let rest = if open.len() > 1 { format!(" and {} more", open.len() - 1) } else { String::new() };
         let (place, remedy) = match gap {
-            Gap::Below(x) => (format!("below {}, the lowest intensity of the runs", words(x)), "run lower intensities"),
+            Gap::Below { lowest, .. } => {
+                (format!("below {}, the lowest intensity of the runs", words(lowest)), "run lower intensities")
+            }
             Gap::Between(a, b) => {
                 (format!("between {} and {}, with no run between them", words(a), words(b)), "run intensities there")
             }

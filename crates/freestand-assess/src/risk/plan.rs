@@ -11,9 +11,9 @@ use freestand_output::facts::Facts;
 use freestand_study::run::Progress;
 
 use super::costs::OptionRow;
-use super::hazard::MeasuredHazard;
 use super::objects::{Avoided, LossBounds, ObjectRisk, avoided};
 use super::{RiskRequest, least};
+use crate::fragility::MeasuredHazard;
 use crate::fragility::go_on;
 use crate::inventory::Rating;
 

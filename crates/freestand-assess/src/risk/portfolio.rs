@@ -16,9 +16,9 @@ use freestand_output::facts::Facts;
 use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
 
 use super::costs::{CostRow, Costs};
-use super::hazard::MeasuredHazard;
 use super::objects::{LossBounds, ObjectRisk};
 use super::{LOSS_STATES, least, rounded_value};
+use crate::fragility::MeasuredHazard;
 
 /// The return periods whose losses are stated \[years\].
 const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
@@ -416,9 +416,10 @@ mod tests {
     use freestand_input::problem::Problems;
     use freestand_study::run::no_progress;
 
-    use super::super::{HazardSource, RiskCurves, RiskReport, RiskRequest, risk};
+    use super::super::{RiskCurves, RiskReport, RiskRequest, risk};
     use super::*;
     use crate::fragility::FragilityRequest;
+    use crate::fragility::HazardSource;
 
     /// λ = 10⁻² (x/0.1 m/s)⁻², and 1000 for each object that overturns.
     fn risk_of(outcomes: &str) -> Result<RiskReport, Problems> {

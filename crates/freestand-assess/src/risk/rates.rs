@@ -3,25 +3,10 @@
 
 use freestand::fragility::{CurveKind, LimitState};
 use freestand::risk::{
-    AboveLast, AnnualRates, Capacity, Hazard, annual_rate, annual_rate_below, least_avoided, rate_bounds,
+    AboveLast, AnnualRates, Capacity, Gap, Hazard, RESOLVED, annual_rate, bounds_by_runs, least_avoided, open_parts,
 };
 
 use crate::fragility::ObjectCurves;
-
-/// If a larger share of a rate is between two intensities of the runs, or below or above all of them,
-/// the runs do not tell the rate.
-const RESOLVED: f64 = 0.1;
-
-/// Where the runs leave most of a rate open.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Gap {
-    /// Below the lowest intensity.
-    Below(f64),
-    /// Between two intensities.
-    Between(f64, f64),
-    /// Above the highest intensity.
-    Above(f64),
-}
 
 /// Intensities with one ratio between neighbours.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,47 +86,12 @@ fn of_curve(hazard: &Hazard, limit_state: LimitState, kind: CurveKind, found: &[
     StateRates { limit_state, rates, by_runs: Some(bounds(AboveLast::Continued)), most: None, open }
 }
 
-/// The bounds that the runs leave. Where the uplift of the motions is not known, the curve says how
-/// much is below the lowest intensity, if that is little.
-fn bounds_by_runs(
-    hazard: &Hazard,
-    kind: CurveKind,
-    by_curve: AnnualRates,
-    found: &[Capacity],
-    above: AboveLast,
-) -> (f64, Option<f64>) {
-    let (least, most) = rate_bounds(hazard, found, above);
-    let (open, closed): (Vec<Capacity>, Vec<Capacity>) = found.iter().partition(|one| one.from.is_none());
-    let below_lowest = || {
-        let lowest = open.first()?.to?;
-        let below = annual_rate_below(hazard, kind, lowest)?;
-        let at_lowest = open.iter().map(|one| one.share).sum::<f64>() * hazard.annual_rate_with(lowest, above.most());
-        let is_small = below <= RESOLVED * by_curve.annual_rate?;
-        Some(rate_bounds(hazard, &closed, above).1? + at_lowest + below).filter(|_| is_small)
-    };
-    (least, most.or_else(below_lowest))
-}
-
 /// Where the largest part of a rate is open, if that is more than a tenth of it, and the intensities that
 /// would tell it.
 fn what_is_open(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Open {
-    let rate = |x: Option<f64>| x.map_or(0.0, |x| hazard.annual_rate(x));
+    let largest = open_parts(hazard, by_curve, most, found).into_iter();
+    let gap = largest.max_by(|a, b| a.annual_rate.total_cmp(&b.annual_rate)).map(|part| part.gap);
     let all = by_curve.annual_rate.or(most);
-    // Those below the lowest intensity belong together.
-    let (lowest, others): (Vec<Capacity>, Vec<Capacity>) = found.iter().partition(|one| one.is_lowest);
-    let open = |one: &Capacity| one.share * (rate(one.from) - rate(one.to));
-    let below = lowest.first().and_then(|one| one.to).map(|to| {
-        let is_known = lowest.iter().all(|one| one.from.is_some()) || most.is_some();
-        let part =
-            if is_known { lowest.iter().filter(|one| one.from.is_some()).map(open).sum() } else { f64::INFINITY };
-        (part, Gap::Below(to))
-    });
-    let between = others.iter().filter_map(|one| {
-        let from = one.from?;
-        Some((open(one), one.to.map_or(Gap::Above(from), |to| Gap::Between(from, to))))
-    });
-    let largest = below.into_iter().chain(between).max_by(|a, b| a.0.total_cmp(&b.0));
-    let gap = largest.filter(|(part, _)| all.is_none_or(|all| *part > RESOLVED * all)).map(|(_, gap)| gap);
     Open { gap, levels: all.and_then(|all| Levels::that_may_tell(hazard, found, RESOLVED * all)) }
 }
 

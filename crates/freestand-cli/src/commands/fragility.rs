@@ -7,9 +7,9 @@ use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
 use freestand_assess::export::{ExportFormat, ExportRequest, FORMATS, check_export, export};
 use freestand_assess::fragility::{
-    At, FIT_METHODS, FRAGILITY_SCHEMA, FitMethod, FragilityReport, FragilityRequest, ShockLimits, fragility_watched,
+    At, FIT_METHODS, FRAGILITY_SCHEMA, FitMethod, FragilityReport, FragilityRequest, HazardGiven, HazardSource,
+    ShockLimits, fragility_watched,
 };
-use freestand_assess::risk::{HazardSource, coordinates};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::Dimension;
 use freestand_input::words::Choices;
@@ -21,6 +21,7 @@ use super::fragility_runs::{self, RunArgs};
 use crate::args::{GlobalArgs, Named, refuse_idle};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
+use crate::hazard::CurveArgs;
 use crate::printer::{Column, Printer, facts_table};
 use crate::values::{Given, Reads, Values, choice, name_of};
 
@@ -47,6 +48,9 @@ Examples:
   Every object under every motion at the same intensities, for the losses of freestand risk:
     freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --method stripes \\
       --scales \"0.1 m/s:1.5 m/s:10\" --out stripes
+  The same, with intensities added until they tell how often objects fail under a hazard:
+    freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --method stripes \\
+      --hazard hazard.csv --out stripes
   Continue the runs of an inventory after Ctrl-C or a crash, in the same folder:
     freestand fragility hospital.toml --inventory hospital.xlsx --im pgv --out fragility --resume
   The probability of exceeding the tolerance from the shocks below the ceiling:
@@ -101,15 +105,8 @@ pub(crate) struct FragilityArgs {
     /// Export curves as points (shares of runs, or the fit of the shocks) instead of lognormal curves
     #[arg(long, requires = "format", help_heading = "Other programs")]
     discrete: bool,
-    /// Longitude and latitude in degrees, for objects without them in the inventory
-    #[arg(long, value_name = "LON,LAT", requires = "format", read = coordinates, help_heading = "Other programs")]
-    site_coordinates: Option<Given<(f64, f64)>>,
-    /// Hazard curve for a second job of OpenQuake, as for freestand risk (CSV)
-    #[arg(long, value_name = "FILE", conflicts_with = "hazard_power", help_heading = "Other programs")]
-    hazard: Option<PathBuf>,
-    /// Power law instead of --hazard, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
-    #[arg(long, value_name = "LAW", help_heading = "Other programs")]
-    hazard_power: Option<String>,
+    #[command(flatten, next_help_heading = "Hazard (for --method stripes and --format openquake)")]
+    pub(super) curve: CurveArgs,
 }
 
 pub(crate) const PLACES: Choices<At> =
@@ -175,7 +172,11 @@ fn run_table(
         return Err(Failure::usage(message, "give --format, or leave out --inventory"));
     }
     let mut exports = Exports::new(args, costs)?;
-    let inputs: Vec<PathBuf> = [Some(outcomes), costs, args.hazard.as_ref()].into_iter().flatten().cloned().collect();
+    if exports.hazard.is_some() && !exports.takes_hazard() {
+        return Err(Failure::usage("only OpenQuake takes a hazard curve", "add --format openquake"));
+    }
+    let inputs: Vec<PathBuf> =
+        [Some(outcomes), costs, args.curve.hazard.as_ref()].into_iter().flatten().cloned().collect();
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
     let request = FragilityRequest {
         outcomes: outcomes.clone(),
@@ -219,8 +220,8 @@ pub(super) fn stopped(problems: Problems) -> Failure {
 /// The folders for other programs.
 pub(super) struct Exports {
     requests: Vec<ExportRequest>,
-    hazard: Option<PathBuf>,
-    power_law: Option<String>,
+    /// The hazard that was given.
+    pub(super) hazard: Option<HazardSource>,
     made: Vec<(String, Vec<u8>)>,
     /// Warnings about them.
     pub(super) warnings: Vec<String>,
@@ -231,15 +232,17 @@ impl Exports {
     pub(super) fn new(args: &FragilityArgs, inventory: Option<&PathBuf>) -> Result<Self, Failure> {
         let mut values = Values::default();
         let beta = values.read(&args.beta);
-        let site_deg = values.read(&args.site_coordinates);
+        let site_deg = values.read(&args.curve.site_coordinates);
+        let hazard = args.curve.given(&mut values);
         values.finish()?;
-        if (args.hazard.is_some() || args.hazard_power.is_some()) && !args.format.contains(&ExportFormat::OpenQuake) {
-            return Err(Failure::usage("only OpenQuake takes a hazard curve", "add --format openquake"));
-        }
+        let hazard = if hazard == HazardGiven::default() { None } else { Some(hazard.source()?) };
         let has = |format| args.format.contains(&format);
         let idle = [
             (args.realizations.is_some() && !(has(ExportFormat::Pelicun) && args.demand.is_some()), "realizations"),
-            (args.site_coordinates.is_some() && !has(ExportFormat::OpenQuake), "site-coordinates"),
+            (
+                args.curve.site_coordinates.is_some() && args.curve.hazard.is_none() && !has(ExportFormat::OpenQuake),
+                "site-coordinates",
+            ),
             (args.demand.is_some() && args.format.iter().all(|format| *format == ExportFormat::Csv), "demand"),
             (args.beta.is_some() && args.format.iter().all(|format| *format == ExportFormat::Csv), "beta"),
             (args.discrete && args.format.iter().all(|format| *format == ExportFormat::Csv), "discrete"),
@@ -260,18 +263,18 @@ impl Exports {
         };
         let requests: Vec<ExportRequest> = args.format.iter().map(request).collect();
         requests.iter().try_for_each(check_export)?;
-        let (hazard, power_law) = (args.hazard.clone(), args.hazard_power.clone());
-        Ok(Self { requests, hazard, power_law, made: Vec::new(), warnings: Vec::new() })
+        Ok(Self { requests, hazard, made: Vec::new(), warnings: Vec::new() })
+    }
+
+    /// Whether a program reads the hazard.
+    pub(super) fn takes_hazard(&self) -> bool {
+        self.requests.iter().any(|request| request.format == ExportFormat::OpenQuake)
     }
 
     /// Makes the files.
     pub(super) fn make(&mut self, report: &FragilityReport) -> Result<(), Failure> {
-        let measure = report.table.measure;
-        let file = self.hazard.clone().map(HazardSource::File);
-        let hazard =
-            file.or(self.power_law.clone().map(|text| HazardSource::PowerLaw { text, measure: Some(measure) }));
         for request in &self.requests {
-            let hazard = hazard.clone().filter(|_| request.format == ExportFormat::OpenQuake);
+            let hazard = self.hazard.clone().filter(|_| request.format == ExportFormat::OpenQuake);
             let folder = export(report, &ExportRequest { hazard, ..request.clone() })?;
             for warning in folder.warnings {
                 // Two programs may say the same of an object.

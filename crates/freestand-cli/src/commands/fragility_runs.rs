@@ -261,6 +261,7 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     let asked = values.read(&runs.im).unwrap_or_default();
     let max_scale_ratio = values.read(&runs.max_scale).unwrap_or(DEFAULT_MAX_SCALE);
     let rotation_ratio = values.read(&runs.tolerance_rotation);
+    let site_deg = values.read(&args.curve.site_coordinates);
     if args.ceiling.is_some() {
         let message = "--ceiling is for --outcomes only: runs calculate the ceiling";
         values.push(Problem::value(message, "leave it out"));
@@ -288,10 +289,14 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
     values.finish()?;
 
     let mut exports = Exports::new(args, runs.inventory())?;
+    // Stripes take it, or else a program; if nothing does, the runs say so.
+    let hazard = exports.hazard.clone().filter(|_| runs.method == Method::Stripes || !exports.takes_hazard());
     let (mut notes, mut sources) = (Vec::new(), Vec::new());
     let mut inputs: Vec<PathBuf> =
         runs.read.inputs(runs.motion.iter().chain(&runs.vertical).chain(&runs.cushion.inputs()));
-    inputs.extend(runs.list.study.iter().chain(&runs.list.inventory).chain(&runs.options).cloned());
+    inputs.extend(
+        runs.list.study.iter().chain(&runs.list.inventory).chain(&runs.options).chain(&args.curve.hazard).cloned(),
+    );
     let files = Files::with_tables(global, &inputs, &args.tables, FRAGILITY_SCHEMA, Some(global.seed()))?;
     let (study, inventory);
     let mut has_errors = false;
@@ -332,6 +337,8 @@ pub(crate) fn run(args: &FragilityArgs, global: &GlobalArgs, printer: &Printer) 
         method: runs.method,
         scales: grid,
         max_scale_ratio,
+        hazard,
+        site_deg,
         rotation_ratio,
         fit: args.fit,
         replicates: args.bootstrap,

@@ -4,13 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand::fragility::FitKind;
-use freestand_assess::fragility::{At, FITS, FragilityRequest, Measure};
-use freestand_assess::risk::{
-    HAZARD_CODES, HazardCode, HazardGiven, RISK_SCHEMA, RiskCurves, RiskRequest, amount, coordinates, risk,
-    yearly_rate, years,
-};
-use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, shorten};
+use freestand_assess::fragility::{At, FITS, FragilityRequest, HAZARD_CODES, HazardCode, HazardGiven};
+use freestand_assess::risk::{RISK_SCHEMA, RiskCurves, RiskRequest, amount, risk, yearly_rate, years};
+use freestand_input::quantity::Dimension;
 use freestand_output::json::document;
 
 use super::Done;
@@ -20,6 +16,7 @@ use super::list::CellsArgs;
 use crate::args::{GlobalArgs, refuse_idle};
 use crate::failure::Failure;
 use crate::files::{Files, TableArgs};
+use crate::hazard::CurveArgs;
 use crate::printer::Printer;
 use crate::values::{Given, Reads, Values, choice};
 
@@ -66,18 +63,11 @@ pub(crate) struct RiskArgs {
     #[arg(long, value_parser = choice(PLACES), help_heading = "Fragility")]
     at: Option<At>,
 
-    /// Hazard curve: "pgv [m/s],annual_rate", or a hazard_curve-*.csv of OpenQuake
-    #[arg(long, value_name = "FILE", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
-    hazard: Option<PathBuf>,
-    /// Power law, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
-    #[arg(long, value_name = "LAW", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
-    hazard_power: Option<String>,
+    #[command(flatten, next_help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
+    curve: CurveArgs,
     /// Return periods of a code, for pga or sa(T)
     #[arg(long, value_parser = choice(HAZARD_CODES), help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     hazard_code: Option<HazardCode>,
-    /// Intensity measure of the power law or the code: pga, pgv, pfv, sa(0.5) and so on
-    #[arg(long, value_name = "IM", read = measure, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
-    hazard_im: Option<Given<Measure>>,
     /// Site class of the code
     #[arg(long, value_name = "CLASS", help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     site: Option<String>,
@@ -87,9 +77,6 @@ pub(crate) struct RiskArgs {
     /// Distance to the nearest major fault, of NZS 1170.5
     #[arg(long, non_negative = Dimension::Length, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
     fault_distance: Option<Given>,
-    /// Longitude and latitude in degrees, for a hazard file with several sites
-    #[arg(long, value_name = "LON,LAT", read = coordinates, help_heading = "Hazard (one of --hazard, --hazard-power, --hazard-code)")]
-    site_coordinates: Option<Given<(f64, f64)>>,
 
     /// Costs and accepted rates of objects: the inventory (CSV or XLSX)
     #[arg(long, value_name = "FILE", help_heading = "Money")]
@@ -119,20 +106,10 @@ pub(crate) struct RiskArgs {
     tables: TableArgs,
 }
 
-fn measure(text: &str) -> Result<Measure, Problem> {
-    Measure::parse(text).ok_or_else(|| {
-        let message = format!("\"{}\" is not an intensity measure", shorten(text));
-        Problem::value(
-            message,
-            "write pga, pgv, pfa, pfv, sa(0.5), sa_avg(0.2:2), velocity_ratio or acceleration_ratio",
-        )
-    })
-}
-
 pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Result<Done, Failure> {
     refuse_unread(args)?;
     let request = request(args, global)?;
-    let inputs: Vec<PathBuf> = [&args.fragility, &args.outcomes, &args.hazard, &args.inventory, &args.options]
+    let inputs: Vec<PathBuf> = [&args.fragility, &args.outcomes, &args.curve.hazard, &args.inventory, &args.options]
         .into_iter()
         .flatten()
         .cloned()
@@ -164,7 +141,7 @@ pub(crate) fn run(args: &RiskArgs, global: &GlobalArgs, printer: &Printer) -> Re
 fn refuse_unread(args: &RiskArgs) -> Result<(), Failure> {
     let of_fit = [("fit", args.fit.is_some()), ("bootstrap", args.bootstrap.is_some())];
     let of_options = [("horizon", args.horizon.is_some()), ("discount", args.discount.is_some())];
-    let of_file = [("site-coordinates", args.site_coordinates.is_some())];
+    let of_file = [("site-coordinates", args.curve.site_coordinates.is_some())];
     let given = |flags: &[(&'static str, bool)]| -> Vec<&'static str> {
         flags.iter().filter(|(_, is_given)| *is_given).map(|(flag, _)| *flag).collect()
     };
@@ -174,7 +151,7 @@ fn refuse_unread(args: &RiskArgs) -> Result<(), Failure> {
     if args.options.is_none() {
         refuse_idle(given(&of_options), "there are no --options whose savings would count over years")?;
     }
-    if args.hazard.is_none() {
+    if args.curve.hazard.is_none() {
         refuse_idle(given(&of_file), "it chooses a site of a file of --hazard, and none is given")?;
     }
     Ok(())
@@ -187,23 +164,16 @@ fn request(args: &RiskArgs, global: &GlobalArgs) -> Result<RiskRequest, Failure>
         return Err(Failure::usage(message, "give --inventory, or leave it out"));
     }
     let mut values = Values::default();
-    let measure = values.read(&args.hazard_im);
+    let given = args.curve.given(&mut values);
     let hazard_factor = values.read(&args.hazard_factor);
     let fault_distance_m = values.read(&args.fault_distance);
-    let site_deg = values.read(&args.site_coordinates);
+    let site_deg = values.read(&args.curve.site_coordinates);
     let (budget, horizon_years) = (values.read(&args.budget), values.read(&args.horizon));
     let (discount_ratio, accepted_rate) = (values.read(&args.discount), values.read(&args.accepted));
     let years = values.read(&args.years);
     values.finish()?;
-    let hazard = HazardGiven {
-        file: args.hazard.clone(),
-        power_law: args.hazard_power.clone(),
-        code: args.hazard_code,
-        measure,
-        site: args.site.clone(),
-        hazard_factor,
-        fault_distance_m,
-    };
+    let hazard =
+        HazardGiven { code: args.hazard_code, site: args.site.clone(), hazard_factor, fault_distance_m, ..given };
     let hazard = hazard.source()?;
     let curves = RiskCurves::given(args.fragility.clone(), args.outcomes.clone(), |outcomes| FragilityRequest {
         outcomes,

@@ -213,6 +213,94 @@ fn stripes_choose_their_intensities() {
     assert_eq!(below.count(), 0, "nothing rocks at the lowest: {rocks}");
 }
 
+/// What the runs of a folder say about the rate of overturning: its ends, the rate, and the warnings.
+fn overturning(folder: &Path, runs: &str, law: &[&str]) -> ([f64; 2], f64, String) {
+    let table = format!("{runs}/outcomes.csv");
+    let risk = document(folder, &[&["risk", "--outcomes", &table, "--bootstrap", "0"], law].concat());
+    let states = risk["objects"][0]["limit_states"].as_array().unwrap();
+    let one = states.iter().find(|one| one["limit_state"] == "overturns").unwrap();
+    let number = |key: &str| one[key].as_f64().unwrap_or_else(|| panic!("{key}: {one}"));
+    let ends = ["annual_rate_lower", "annual_rate_upper"].map(number);
+    (ends, number("annual_rate"), risk["warnings"].to_string())
+}
+
+/// Two intensities leave the rates open; with the hazard, those are added that tell them. The rate of many
+/// intensities is then between its ends, and nothing depends on the threads.
+#[test]
+fn a_hazard_adds_intensities_until_the_rates_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let (folder, motions) = (folder.path(), motions(folder.path()));
+    let law = ["--hazard-power", "k0=1e-2 /yr, k=2.5, reference=0.2 m/s"];
+    let run = |scales: &str, flags: &[&str], out: &str| {
+        let stripes = ["--method", "stripes", "--bootstrap", "0", "--scales", scales, "--out", out];
+        document(folder, &on_floor(&motions, &[&stripes[..], flags].concat()))
+    };
+    let coarse = run("0.4 m/s, 1.2 m/s", &[], "coarse");
+    assert_eq!((&coarse["scales_given"], &coarse["scales_added"]), (&2.into(), &Value::Null));
+    assert!(overturning(folder, "coarse", &law).2.contains("more than a tenth"));
+
+    let told = run("0.4 m/s, 1.2 m/s", &law, "told");
+    let levels: Vec<f64> = told["scales"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    let added = told["scales_added"].as_u64().unwrap() as usize;
+    assert!(added > 0 && levels.len() == 2 + added && levels.is_sorted(), "{levels:?}");
+    assert!([0.4, 1.2].iter().all(|given| levels.contains(given)), "{levels:?}");
+    assert_eq!(told["hazard_curve"]["power_law"]["k"], 2.5);
+    let runs = fs::read_to_string(folder.join("told/outcomes.csv")).unwrap();
+    assert_eq!(runs.lines().count(), 1 + 6 * levels.len());
+    let (ends, _, said) = overturning(folder, "told", &law);
+    assert!(!said.contains("more than a tenth"), "{said}");
+
+    run("0.05 m/s:1.5 m/s:120", &[], "fine");
+    let (_, rate, _) = overturning(folder, "fine", &law);
+    assert!(ends[0] <= rate && rate <= ends[1], "{ends:?} {rate}");
+
+    run("0.4 m/s, 1.2 m/s", &[&law[..], &["--threads", "1"]].concat(), "one");
+    assert_eq!(fs::read_to_string(folder.join("one/outcomes.csv")).unwrap(), runs);
+
+    let ida = refused(folder, &on_floor(&motions, &law));
+    assert!(ida.contains("a hazard asks for intensities of stripes, and the method is ida"), "{ida}");
+    let stripes = ["--method", "stripes", "--hazard-im", "pfa", "--hazard-power", "k0=1e-2 /yr, k=2, reference=1 g"];
+    let other = refused(folder, &on_floor(&motions, &stripes));
+    assert!(other.contains("for pfa of the floor, and the outcomes are for pfv of the floor"), "{other}");
+}
+
+/// Runs at added intensities are kept as the first ones are, for the same hazard.
+#[test]
+fn runs_at_added_intensities_are_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let list = "id,floor,height [m],thickness [m]\nlow,1,1.6,0.4\nhigh,2,2.2,0.4\n";
+    fs::write(folder.join("list.csv"), list).unwrap();
+    let study = "[building]\nstoreys = 2\nstorey_height = \"3 m\"\n[assessment]\ncompliant = false\n";
+    fs::write(folder.join("study.toml"), study).unwrap();
+    let runs = ["fragility", "study.toml", "--inventory", "list.csv", "--worlds", "4", "--bootstrap", "0", "--quiet"];
+    let stripes = ["--method", "stripes", "--scales", "0.3 m/s, 0.9 m/s", "--resume", "--hazard-power"];
+    let law = "k0=1e-2 /yr, k=2.5, reference=0.2 m/s";
+    let call = |law: &str, flags: &[&str]| {
+        execute(folder, &[&runs[..], &stripes, &[law, "--out"], flags].concat()).status.code()
+    };
+    assert_eq!(call(law, &["whole"]), Some(0));
+    // Stopped by what cannot be exported, and one of the later parts is lost.
+    let wrong = ["parts", "--fit", "separate", "--format", "pelicun"];
+    assert_eq!(call(law, &wrong), Some(2));
+    let progress = folder.join("parts/progress");
+    let written = |name: &str| fs::metadata(progress.join(name)).unwrap().modified().unwrap();
+    let before = ["000000.jsonl", "0100000000.jsonl"].map(written);
+    fs::remove_file(progress.join("0200000000.jsonl")).unwrap();
+    assert_eq!(call(law, &wrong), Some(2));
+    assert!(progress.join("0200000000.jsonl").exists());
+    assert_eq!(["000000.jsonl", "0100000000.jsonl"].map(written), before);
+    let plan = || fs::read_to_string(progress.join("plan")).unwrap();
+    let of_law = plan();
+    assert_eq!(call(law, &["parts"]), Some(0));
+    let [whole, parts] =
+        ["whole", "parts"].map(|out| fs::read_to_string(folder.join(out).join("outcomes.csv")).unwrap());
+    assert!(whole == parts && !progress.exists());
+    // Other intensities belong to another hazard.
+    assert_eq!(call("k0=1e-2 /yr, k=3, reference=0.2 m/s", &wrong), Some(2));
+    assert!(plan() != of_law);
+}
+
 #[test]
 fn what_cannot_be_run_is_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -14,6 +14,7 @@ use kuva::render::layout::TickFormat;
 
 use super::follow::Followed;
 use super::{ObjectRuns, RunsReport};
+use crate::fragility::FragilityReport;
 use crate::fragility::figure::place;
 use crate::fragility::measure::{At, Measure};
 
@@ -165,7 +166,7 @@ pub(super) fn measures(report: &RunsReport) -> Result<Figure, FigureError> {
         let mut plots = Vec::new();
         let mut most = 0.0_f64;
         for state in LimitState::ALL {
-            let of = |report: &super::FragilityReport| {
+            let of = |report: &FragilityReport| {
                 report.objects.get(i)?.qualities.iter().find(|one| one.limit_state == state)?.efficiency
             };
             let points: Vec<(f64, f64)> = report

@@ -168,7 +168,7 @@ fn adaptive(
     Ok(runs)
 }
 
-fn sort(runs: &mut [Followed]) {
+pub(super) fn sort(runs: &mut [Followed]) {
     runs.sort_by(|a, b| a.scale_ratio.total_cmp(&b.scale_ratio));
 }
 

@@ -9,9 +9,11 @@ use freestand_output::folder::announce;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
+use super::super::hazard::MeasuredHazard;
 use super::super::measure::{At, Measure};
 use super::super::{FRAGILITY_SCHEMA, FitMethod};
 use super::follow::Followed;
+use super::levels::ROUNDS;
 use super::{Change, METHODS, ObjectRuns, RunObjects, RunsRequest};
 use crate::job::{PROGRESS, Part, Store, progress_names, resume_key};
 use crate::verdict::NominalRun;
@@ -19,11 +21,11 @@ use freestand_input::words::name_of;
 
 /// Number of objects in a part: some seconds of work, which is what is lost if the program is
 /// killed.
-pub(super) const PART: usize = 16;
+const PART: usize = 16;
 
 /// Version of the text that is hashed. Raise it whenever that text, the content of a part or the
 /// choice of scales changes.
-const FORMAT: u32 = 4;
+const FORMAT: u32 = 5;
 
 /// Where the finished runs of an inventory are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,6 +57,7 @@ type KeptRun = (f64, Result<(usize, Option<f64>, Option<f64>), String>);
 pub(super) fn open(
     request: &RunsRequest,
     measures: &[(Measure, At)],
+    hazard: Option<&MeasuredHazard>,
     objects: usize,
 ) -> Result<Option<Store>, Problem> {
     let (Some(keep), RunObjects::Listed { study, inventory, worlds, changed }) = (&request.keep, &request.objects)
@@ -75,14 +78,26 @@ pub(super) fn open(
         "changed": changed,
         "method": name_of(METHODS, request.method),
         "scales": request.scales,
+        "hazard": hazard.map(MeasuredHazard::facts),
         "max_scale": request.max_scale_ratio,
         "rotation": request.rotation_ratio,
         "with_pads": request.fit != FitMethod::TwoStage,
         "measures": measures.iter().map(|(measure, at)| (measure.name(), at.name())).collect::<Vec<_>>(),
     });
-    announce(&keep.folder, keep.force, FRAGILITY_SCHEMA, &progress_names(&Part::of_run(objects, PART)))?;
+    let rounds = hazard.map_or(0, |_| ROUNDS);
+    let parts: Vec<Part> = (0..=rounds).flat_map(|round| parts(objects, round)).collect();
+    announce(&keep.folder, keep.force, FRAGILITY_SCHEMA, &progress_names(&parts))?;
     let key = sha256_hex(text.to_string().as_bytes());
     Store::open(&keep.folder.join(PROGRESS), &key, keep.resume).map(Some)
+}
+
+/// The parts of a round: the first runs, or those at added intensities.
+pub(super) fn parts(objects: usize, round: usize) -> Vec<Part> {
+    let mut parts = Part::of_run(objects, PART);
+    if round > 0 {
+        parts.iter_mut().for_each(|part| part.name = format!("{round:02}{:0>8}", part.name));
+    }
+    parts
 }
 
 /// Reads a part into its objects; `false` if the part is absent or belongs to other objects.

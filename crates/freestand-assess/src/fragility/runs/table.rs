@@ -14,6 +14,7 @@ use super::super::go_on;
 use super::super::measure::{At, Measure};
 use super::super::outcomes::{OutcomeTable, UNRESOLVED, UPLIFT};
 use super::follow::Followed;
+use super::levels::Levels;
 use super::{Method, ObjectRuns, RunsReport};
 
 /// The name of a table by the measure at a place of the request: `outcomes.csv` by the first,
@@ -61,7 +62,8 @@ pub(super) fn outcomes(
         (&*uplift, true),
         ("reason", false),
     ];
-    let levels = Levels::of(report, place);
+    let is_of_stripes = report.method == Method::Stripes && place == 0;
+    let levels = Levels::new(report.scales.as_deref().filter(|_| is_of_stripes).unwrap_or_default());
     let mut writer = csv_writer();
     writer.write_record(columns.map(|(name, _)| name)).map_err(|error| broken(&error))?;
     for one in &report.objects {
@@ -111,28 +113,6 @@ pub(super) fn weights(one: &ObjectRuns, place: usize, units: &[Option<f64>]) -> 
         runs.iter().map(|run| run.run().and_then(|_| weights.next()).unwrap_or(0.0)).collect()
     };
     one.motions.iter().zip(units).map(of_motion).collect()
-}
-
-/// The intensities of stripes by the first measure, rising; empty for other runs.
-struct Levels(Vec<f64>);
-
-impl Levels {
-    fn of(report: &RunsReport, place: usize) -> Self {
-        let given = report.scales.iter().flatten().filter(|_| report.method == Method::Stripes && place == 0);
-        let mut levels: Vec<f64> = given.copied().collect();
-        levels.sort_by(f64::total_cmp);
-        Self(levels)
-    }
-
-    /// The intensity of a run: exactly that of its stripe. Calculated from the scale of the motion
-    /// it may differ in the last digit.
-    fn exact(&self, product: f64) -> f64 {
-        // Two roundings, 2.2e-16 each.
-        const ROUNDING: f64 = 1e-15;
-        let place = self.0.partition_point(|level| *level < product * (1.0 - ROUNDING));
-        let level = self.0.get(place).filter(|level| (product / **level - 1.0).abs() < ROUNDING);
-        level.copied().unwrap_or(product)
-    }
 }
 
 /// What the fit reads: the very bytes that are written.

@@ -10,9 +10,8 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, shortest};
 use freestand_output::facts::Facts;
 
-use super::number_and_unit;
-use crate::fragility::table::{Row, RowProblems, Table};
-use crate::fragility::{At, Measure, measure_of};
+use super::table::{Row, RowProblems, Table};
+use super::{At, Measure, measure_of};
 
 /// Where the hazard comes from.
 #[derive(Debug, Clone, PartialEq)]
@@ -143,6 +142,17 @@ pub(crate) struct MeasuredHazard {
 }
 
 impl MeasuredHazard {
+    /// Refuses a hazard of another measure than that of outcomes.
+    pub(crate) fn check(&self, measure: Measure, at: At) -> Result<(), Problem> {
+        if self.measure == measure && self.at == at {
+            return Ok(());
+        }
+        let named = |measure: Measure, at: At| format!("{} of the {}", measure.name(), at.name());
+        let (of_hazard, of_outcomes) = (named(self.measure, self.at), named(measure, at));
+        let message = format!("the hazard curve is for {of_hazard}, and the outcomes are for {of_outcomes}");
+        Err(Problem::value(message, "give a hazard curve for the measure of the outcomes").of(&["hazard"]))
+    }
+
     pub(crate) fn facts(&self) -> Facts<'static> {
         let points: Option<Vec<Facts>> = match &self.hazard {
             Hazard::Points(points) => Some(
@@ -411,6 +421,17 @@ impl Table {
             (_, None) => Err(self.header_problem("the file has no site".to_owned()).into()),
         }
     }
+}
+
+/// A number and what follows it, with or without a space between them: `40 yr`, `3000AUD`.
+pub(crate) fn number_and_unit(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let is_part = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
+    let longest = text.find(|c| !is_part(c)).unwrap_or(text.len());
+    // `3000EUR`: the E belongs to the unit.
+    let ends = (1..=longest).rev();
+    let found = ends.filter_map(|end| Some((text.get(..end)?.parse::<f64>().ok()?, text.get(end..)?.trim())));
+    found.into_iter().find(|(number, _)| number.is_finite())
 }
 
 /// `k0=1e-4 /yr, k=2.5, reference=1 m/s`.

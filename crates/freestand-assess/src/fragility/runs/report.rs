@@ -1,0 +1,326 @@
+//! What runs tell, as documents, tables and text.
+
+use std::collections::BTreeMap;
+
+use freestand::fragility::resurrections;
+use freestand_input::file::InputFile;
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+use freestand_input::words::{counted, name_of, significant};
+use freestand_output::facts::{Facts, table as of_rows};
+use freestand_output::figure::{Figure, FigureError};
+use freestand_output::table::Table;
+
+use super::super::{FitMethod, FragilityReport, input_facts};
+use super::levels::{Added, MOST_ADDED};
+use super::request::DOUBTFUL_SCALE;
+use super::shaking::Shaking;
+use super::{METHODS, Method, ObjectRuns, Quality, RunObjects, figures, follow};
+use crate::inventory::too_mild;
+use crate::job::{JobReport, said};
+use crate::output::head;
+
+/// Fragilities from runs.
+#[derive(Debug)]
+pub struct RunsReport {
+    /// One for each measure, with the outcomes of its table.
+    pub reports: Vec<FragilityReport>,
+    /// The tables of outcomes, for each measure.
+    pub outcomes: Vec<Table>,
+    /// Warnings about the result.
+    pub warnings: Vec<String>,
+    pub(super) method: Method,
+    pub(super) max_scale_ratio: f64,
+    pub(super) scales: Option<Vec<f64>>,
+    /// What was added to the intensities of stripes for a hazard.
+    pub(super) added: Option<Added>,
+    pub(super) rotation_ratio: Option<f64>,
+    pub(super) fit: FitMethod,
+    pub(super) objects: Vec<ObjectRuns>,
+    pub(super) floors: Vec<Vec<Shaking>>,
+    pub(super) left_out: Vec<(String, String)>,
+    pub(super) inputs: Vec<InputFile>,
+    /// Whose building and hazard this is; `None`: the motions were given.
+    pub(super) study: Option<OfStudy>,
+}
+
+/// What a document says about the study of its runs, and about their list.
+#[derive(Debug)]
+pub(super) struct OfStudy {
+    said: JobReport,
+    hazard: Option<String>,
+    building: String,
+    /// What nobody stated of the place and the building, and of the objects.
+    assumed: Vec<String>,
+    toml: String,
+}
+
+impl OfStudy {
+    pub(super) fn of(objects: &RunObjects) -> Option<Self> {
+        let RunObjects::Listed { study, inventory, .. } = objects else { return None };
+        Some(Self {
+            said: said(study, &head::head(study, inventory)),
+            hazard: head::hazard(study),
+            building: head::building(study),
+            assumed: head::silent(study, inventory),
+            toml: study.toml.clone(),
+        })
+    }
+}
+
+/// How many objects that were left out are named.
+const NAMED_LEFT_OUT: usize = 3;
+
+impl RunsReport {
+    pub(super) fn all_warnings(&self) -> Vec<String> {
+        let mut warnings = self.study.as_ref().map_or_else(Vec::new, |study| study.said.all_warnings());
+        if !self.left_out.is_empty() {
+            let named: Vec<String> =
+                self.left_out.iter().take(NAMED_LEFT_OUT).map(|(id, why)| format!("{} ({why})", shorten(id))).collect();
+            let rest = self.left_out.len().saturating_sub(NAMED_LEFT_OUT);
+            let rest = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+            let objects = counted(self.left_out.len(), "object");
+            let verb = if self.left_out.len() == 1 { "was" } else { "were" };
+            warnings.push(format!("{objects} {verb} not run: {}{rest}", named.join(", ")));
+        }
+        if self.fit == FitMethod::TwoStage {
+            let not: Vec<(&str, &str)> =
+                self.objects.iter().filter_map(|one| Some((&*one.id, one.shock_limits().err()?))).collect();
+            if let Some((id, why)) = not.first() {
+                let verb = if not.len() == 1 { "is" } else { "are" };
+                warnings.push(format!(
+                    "{} {verb} fitted as ordered, not from shocks (for example {}, because {why})",
+                    counted(not.len(), "object"),
+                    shorten(id),
+                ));
+            }
+        }
+        let lacking = self.objects.iter().filter(|one| one.nominal.lacks_shock()).count();
+        if lacking > 0 {
+            let (verb, them) = if lacking == 1 { ("has", "its shock is") } else { ("have", "their shocks are") };
+            warnings.push(format!(
+                "{} {verb} a tolerance, but no mass or no cushion: {them} not known, so \"exceeds\" is not fitted; \
+                 add the mass and the cushion",
+                counted(lacking, "object")
+            ));
+        }
+        let mut mild: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for one in &self.objects {
+            if let Some(why) = one.nominal.too_mild() {
+                mild.entry(why).or_default().push(&one.id);
+            }
+        }
+        warnings.extend(mild.iter().filter_map(|(why, ids)| too_mild(why, ids)));
+        let runs: usize = self.objects.iter().flat_map(|one| &one.motions).map(Vec::len).sum();
+        let marked: usize = self.objects.iter().map(ObjectRuns::marked).sum();
+        if marked > 0 {
+            warnings.push(format!(
+                "{marked} of {} use a motion scaled by more than {DOUBTFUL_SCALE}: see the column scale of outcomes.csv",
+                counted(runs, "run")
+            ));
+        }
+        if let Some((first, rest)) = self.added.as_ref().and_then(|added| added.open_ids.split_first()) {
+            let rest = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
+            warnings.push(format!(
+                "more than a tenth of a rate of {}{rest} is still between two intensities of the runs, or below or above \
+                 all of them: at most {MOST_ADDED} are added, and none beyond the largest scale; such rates are only \
+                 known between bounds",
+                shorten(first)
+            ));
+        }
+        // Some do not depend on the measure.
+        let is_of_all = |text: &String| self.reports.iter().all(|report| report.warnings.contains(text));
+        for report in &self.reports {
+            let name = report.table.measure.name();
+            for text in &report.warnings {
+                let text = if is_of_all(text) { text.clone() } else { format!("{name}: {text}") };
+                if !warnings.contains(&text) {
+                    warnings.push(text);
+                }
+            }
+        }
+        warnings
+    }
+
+    /// `left_out.csv`: the objects that were not run, and why; `None` where all were.
+    ///
+    /// # Errors
+    /// None in practice: see [`of_rows`].
+    pub fn left_out_table(&self) -> Result<Option<Table>, Problem> {
+        let row = |(id, why): &'_ (String, String)| Facts::default().key("id", id.clone()).key("why", why.clone());
+        let rows: Vec<Facts> = self.left_out.iter().map(row).collect();
+        if rows.is_empty() { Ok(None) } else { of_rows(rows).map(Some) }
+    }
+
+    /// The sentence that says whose building this is, where no study was given.
+    pub fn no_study(&self) -> Option<&String> {
+        self.study.as_ref()?.said.no_study.as_ref()
+    }
+
+    /// The report by the first measure, for other programs.
+    pub fn first(&self) -> Option<&FragilityReport> {
+        self.reports.first()
+    }
+
+    /// The document.
+    pub fn facts(&self, seed: u64) -> Facts<'static> {
+        let objects: Vec<Facts> = self.reports.iter().flat_map(FragilityReport::object_facts).collect();
+        let motions: Vec<Facts> = self
+            .floors
+            .iter()
+            .flatten()
+            .map(|shaking| {
+                Facts::default()
+                    .key("name", shaking.name.clone())
+                    .key("floor_velocity_over_acceleration_s", shaking.at_floor.velocity_over_acceleration_s())
+                    .key("floor_mean_period_s", shaking.at_floor.mean_period_s)
+            })
+            .collect();
+        let inputs: Vec<Facts> = self.inputs.iter().map(input_facts).collect();
+        let said = self.study.as_ref().map(|study| &study.said);
+        let left_out: Vec<Facts> = self
+            .left_out
+            .iter()
+            .map(|(id, why)| Facts::default().key("id", id.clone()).key("why", why.clone()))
+            .collect();
+        let given = self.scales.as_ref().map(|all| all.len() - self.added.as_ref().map_or(0, |added| added.count));
+        Facts::default()
+            .key("version", env!("CARGO_PKG_VERSION"))
+            .key("seed", seed)
+            .key("method", name_of(METHODS, self.method))
+            .key("max_scale", self.max_scale_ratio)
+            .key("scales", self.scales.clone())
+            .key("scales_given", given)
+            .key("scales_added", self.added.as_ref().map(|added| added.count))
+            .key("hazard_curve", self.added.as_ref().map(|added| added.hazard.facts()))
+            .key("tolerance_rotation_ratio", self.rotation_ratio)
+            .key("inputs", inputs)
+            .key("no_study", said.and_then(|said| said.no_study.clone()))
+            .key("assumptions", self.study.as_ref().map(|study| study.assumed.clone()))
+            .key("place_is_assumed", said.map(|said| said.place_is_assumed))
+            .key("building_is_assumed", said.map(|said| said.building_is_assumed))
+            .key("place_name", said.and_then(|said| said.place_name.clone()))
+            .key("building_name", said.and_then(|said| said.building_name.clone()))
+            .key("hazard", self.study.as_ref().and_then(|study| study.hazard.clone()))
+            .key("building", self.study.as_ref().map(|study| study.building.clone()))
+            .key("study", self.study.as_ref().map(|study| study.toml.clone()))
+            .key("motions", motions)
+            .key("left_out", left_out)
+            .key("objects", objects)
+            .key("im_ranking", self.ranking())
+    }
+
+    /// For each object and limit state the measures, the most proficient one first.
+    fn ranking(&self) -> Vec<Facts<'static>> {
+        let mut ranking = Vec::new();
+        let first = self.reports.first().map_or(&[][..], |report| report.objects.as_slice());
+        for (i, object) in first.iter().enumerate() {
+            for state in object.fit.curves.iter().map(|curve| curve.limit_state) {
+                let mut measures: Vec<(&FragilityReport, &Quality)> = self
+                    .reports
+                    .iter()
+                    .filter_map(|report| {
+                        let qualities = &report.objects.get(i)?.qualities;
+                        Some((report, qualities.iter().find(|quality| quality.limit_state == state)?))
+                    })
+                    .collect();
+                let value = |quality: &Quality| quality.proficiency().unwrap_or(f64::INFINITY);
+                measures.sort_by(|(_, a), (_, b)| value(a).total_cmp(&value(b)));
+                let measures: Vec<Facts> = measures
+                    .into_iter()
+                    .map(|(report, quality)| {
+                        Facts::default()
+                            .key("im", report.table.measure.name())
+                            .key("at", report.at.name())
+                            .key("efficiency", quality.efficiency)
+                            .key("practicality", quality.practicality)
+                            .key("proficiency", quality.proficiency())
+                    })
+                    .collect();
+                ranking.push(
+                    Facts::default()
+                        .key("id", object.id.clone())
+                        .key("limit_state", state.name())
+                        .key("measures", measures),
+                );
+            }
+        }
+        ranking
+    }
+
+    /// One line for each measure and limit state of the first object, for people.
+    pub fn summary(&self) -> String {
+        let runs: usize = self.objects.iter().flat_map(|one| &one.motions).map(Vec::len).sum();
+        let motions = self.floors.first().map_or(0, Vec::len);
+        let mut text = String::new();
+        if let Some(OfStudy { said, .. }) = &self.study {
+            text.extend(said.no_study.iter().map(|sentence| format!("{sentence}\n\n")));
+            text.push_str(&format!("{}\n\n", said.place));
+        }
+        text.push_str(&format!(
+            "{} of {} under {} ({})",
+            counted(runs, "run"),
+            counted(self.objects.len(), "object"),
+            counted(motions, "motion"),
+            name_of(METHODS, self.method)
+        ));
+        if let (Some(all), Some(added)) = (&self.scales, &self.added) {
+            let given = counted(all.len() - added.count, "intensity");
+            text.push_str(&format!("; {given} to begin with, {} added for the hazard", added.count));
+        }
+        let survived: usize =
+            self.objects.iter().flat_map(|one| &one.motions).map(|runs| resurrections(&follow::classes(runs))).sum();
+        if survived > 0 {
+            let plural = if survived == 1 { "run stays" } else { "runs stay" };
+            text.push_str(&format!("; {survived} {plural} upright above a scale that overturns the object"));
+        }
+        text
+    }
+
+    /// The measures with their efficiency, practicality, proficiency, for people.
+    pub fn measure_rows(&self) -> Vec<Facts<'static>> {
+        let of_report = |report: &FragilityReport| -> Vec<Facts<'static>> {
+            let name = report.table.measure.name();
+            let rows = report.objects.iter().flat_map(|object| {
+                object.qualities.iter().map(|quality| {
+                    let p = |p: Option<f64>| p.map(|p| significant(p, 2));
+                    Facts::default()
+                        .key("id", object.id.clone())
+                        .key("limit_state", quality.limit_state.name())
+                        .key("im", name.clone())
+                        .key("efficiency", quality.efficiency)
+                        .key("practicality", quality.practicality)
+                        .key("proficiency", quality.proficiency())
+                        .key("p_mean_period", p(quality.p_mean_period))
+                        .key("p_pgv_over_pga", p(quality.p_velocity_over_acceleration))
+                })
+            });
+            rows.collect()
+        };
+        self.reports.iter().flat_map(of_report).collect()
+    }
+
+    /// The runs against rotation and shock.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn ida_figure(&self) -> Result<Figure, FigureError> {
+        figures::ida(self)
+    }
+
+    /// β by measure.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn measures_figure(&self) -> Result<Figure, FigureError> {
+        figures::measures(self)
+    }
+
+    /// What the first measure leaves, against other properties of the motions.
+    ///
+    /// # Errors
+    /// What the plot library says when it cannot draw.
+    pub fn residuals_figure(&self) -> Result<Figure, FigureError> {
+        figures::residuals(self)
+    }
+}
