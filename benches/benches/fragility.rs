@@ -50,6 +50,8 @@ fn request(height_m: f64, thickness_m: f64, replicates: u32, motions: &[FloorMot
         scales: None,
         max_scale_ratio: DEFAULT_MAX_SCALE,
         rotation_ratio: None,
+        hazard: None,
+        site_deg: None,
         fit: FitMethod::Curves(FitKind::Ordered),
         replicates: Some(replicates),
         seed: 1,

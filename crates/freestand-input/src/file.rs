@@ -91,6 +91,11 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
             .hint("check the path and its permissions")
     };
     check_allowed(path)?;
+    if is_named_pipe(path) {
+        return Err(Problem::new(ProblemKind::Io, "is a named pipe, not a file: reading it could wait for ever")
+            .in_file(path)
+            .hint("give a regular file"));
+    }
     let file = File::open(path).map_err(|error| io("cannot open the file", &error))?;
     // On Unix, opening a folder succeeds; only reading it fails, with an unhelpful message.
     if file.metadata().is_ok_and(|data| data.is_dir()) {
@@ -109,6 +114,20 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
         return Err(Problem::new(ProblemKind::Format, too_long).in_file(path).hint(remedy));
     }
     Ok(bytes)
+}
+
+/// Whether a file is a pipe that has a name in a folder: to open it waits for somebody who writes. A pipe
+/// of a shell, such as `/dev/stdin` or `<(...)`, has no name of its own, and its writer.
+#[cfg(unix)]
+fn is_named_pipe(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    let real = path.canonicalize().ok().filter(|real| !real.starts_with("/dev/fd"));
+    real.and_then(|real| real.metadata().ok()).is_some_and(|data| data.file_type().is_fifo())
+}
+
+#[cfg(not(unix))]
+fn is_named_pipe(_: &Path) -> bool {
+    false
 }
 
 /// Whether a file is a device, such as /dev/zero: it may have no end. A terminal ends with Ctrl-D.
@@ -135,6 +154,26 @@ mod tests {
         let problem = load(Path::new("/dev/zero")).unwrap_err();
         assert_eq!((problem.kind, problem.message.as_str()), (ProblemKind::Io, "is a device, not a file"));
         assert!(problem.hint.is_some());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_named_pipe_is_refused_and_that_of_a_shell_read() {
+        use std::process::Command;
+        let folder = tempfile::tempdir().unwrap();
+        let (pipe, link) = (folder.path().join("motion.csv"), folder.path().join("link.csv"));
+        assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        std::os::unix::fs::symlink(&pipe, &link).unwrap();
+        for path in [pipe, link] {
+            let problem = load(&path).unwrap_err();
+            assert_eq!((problem.kind, problem.path.as_deref()), (ProblemKind::Io, Some(path.as_path())));
+            assert_eq!(problem.hint.as_deref(), Some("give a regular file"));
+        }
+        let (reader, mut writer) = std::io::pipe().unwrap();
+        std::io::Write::write_all(&mut writer, b"id").unwrap();
+        drop(writer);
+        let path = format!("/dev/fd/{}", std::os::fd::AsRawFd::as_raw_fd(&reader));
+        assert_eq!(load(Path::new(&path)), Ok(b"id".to_vec()));
     }
 
     #[test]

@@ -56,6 +56,13 @@ pub fn counted(count: usize, noun: &str) -> String {
     }
 }
 
+/// The first `most` of several names: `a, b and 42 more`.
+pub fn some(names: &[impl AsRef<str>], most: usize) -> String {
+    let listed: Vec<&str> = names.iter().take(most).map(AsRef::as_ref).collect();
+    let more = names.len() - listed.len();
+    listed.join(", ") + &if more > 0 { format!(" and {more} more") } else { String::new() }
+}
+
 /// A number for CSV: the shortest text that reads back as `value`.
 pub fn shortest(value: f64) -> String {
     let mut text = String::new();

@@ -10,6 +10,7 @@ use freestand_input::quantity::{Dimension, parse_positive};
 use freestand_input::word_reader::WordReader;
 use freestand_output::folder::write_file;
 use freestand_records::formats::{Component, write_at2, write_csv};
+use freestand_records::notes::{Note, NoteKind};
 use freestand_records::processing::{Processing, process};
 use freestand_study::inspect::{SpectrumRequest, measure_facts, spectrum};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Upward, read_all};
@@ -78,7 +79,8 @@ impl Record {
         let motion = Motion::new(dt_s, doubles(accel_m_s2));
         let motion = motion.map_err(|error| raised(Problem::value(error.to_string(), "check accel_m_s2 and dt_s")))?;
         let mut record = unread(name, motion, processing.unwrap_or_default());
-        record.read.notes = notes.unwrap_or_default();
+        let given = |note| Note::new(NoteKind::Given, note);
+        record.read.notes = notes.into_iter().flatten().map(given).collect();
         Ok(record)
     }
 
@@ -103,7 +105,7 @@ impl Record {
 
     #[getter]
     fn notes(&self) -> Vec<String> {
-        self.read.notes.clone()
+        self.read.notes.iter().map(Note::to_string).collect()
     }
 
     #[getter]

@@ -13,6 +13,7 @@ use freestand_assess::validate::validate as validated;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_records::formats::{ReadOptions, parse_sensitivity};
+use freestand_records::notes::grouped;
 use freestand_study::building;
 use freestand_study::floor::{DEFAULT_LEVELS, FloorReport, FloorRequest, every_floor, floors};
 use freestand_study::laboratory::drop_test::{DropRequest, LAWS, cushion_toml, drop_tests, loop_table};
@@ -286,10 +287,10 @@ pub(crate) fn floor(
     let read: Vec<_> = records.iter().map(|record| record.read.clone()).collect();
     let work = || {
         let (mut reports, mut motions) = (Vec::new(), Vec::new());
-        let mut warnings = request.building.warnings.clone();
+        let mut notes = Vec::new();
         for one in &read {
             let done = floors(one, &request)?;
-            warnings.extend(done.warnings);
+            notes.extend(done.notes.into_iter().map(|note| (&one.motion.name, note)));
             let named = request
                 .levels_ratio
                 .iter()
@@ -298,6 +299,8 @@ pub(crate) fn floor(
             motions.push(named.collect::<Vec<(String, Motion)>>());
             reports.push(done.report);
         }
+        let of_building = request.building.warnings.iter().cloned();
+        let warnings: Vec<String> = of_building.chain(grouped(notes.iter().map(|(name, note)| (name, note)))).collect();
         Ok::<_, Problem>((reports, motions, warnings))
     };
     let (reports, motions, mut warnings) = watched(py, threads, |_| work())?.map_err(raised)?;

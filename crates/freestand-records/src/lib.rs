@@ -2,12 +2,13 @@
 //! tables of other things: buildings, tests of cushions and of objects, response spectra.
 //!
 //! ```text
-//! text <- motion_file <- formats <- horizontal, processing      text <- tables
+//! notes <- text <- motion_file <- formats <- horizontal, processing      text <- tables
 //! ```
 
 pub mod formats;
 pub mod horizontal;
 mod motion_file;
+pub mod notes;
 pub mod processing;
 pub mod tables;
 mod text;

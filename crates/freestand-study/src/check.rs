@@ -2,14 +2,14 @@
 
 use freestand::G0_M_S2;
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::{counted, significant};
+use freestand_input::words::{counted, significant, some};
 use freestand_output::facts::Facts;
 
 use crate::building::{damping_words, model_words};
 use crate::cushion::cushion_words;
 use crate::simulated::FoundEarthquake;
 use crate::study::{BuildingInput, Ground, Level, RecordedMotion, SimulatedGround, Study};
-use crate::suite::{Suite, some};
+use crate::suite::{NAMED, Suite};
 
 /// What a study means: its motions, building, levels and objects.
 pub fn check(study: &Study) -> Facts<'static> {
@@ -100,8 +100,9 @@ fn simulated_words(simulated: &SimulatedGround) -> String {
 
 fn suite_facts(suite: &Suite) -> Facts<'static> {
     let names: Vec<String> = suite.left_out.iter().map(|one| one.file.clone()).collect();
-    let files =
-        |names: &[String]| (!names.is_empty()).then(|| format!("{}: {}", counted(names.len(), "file"), some(names)));
+    let files = |names: &[String]| {
+        (!names.is_empty()).then(|| format!("{}: {}", counted(names.len(), "file"), some(names, NAMED)))
+    };
     Facts::default()
         .line("suite", Some(format!("{}, of {}", suite.count_words(), suite.folder.display())))
         .line("periods", Some(suite.period_words()))

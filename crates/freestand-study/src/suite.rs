@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use freestand::G0_M_S2;
 use freestand::oscillator::{DAMPING_RATIO, response_spectrum};
 use freestand::suite::{Candidate, FACTOR_LIMITS, SuiteError, SuiteScale, select_suite, suite_periods_s};
-use freestand_input::words::{counted, number, significant};
+use freestand_input::words::{counted, number, significant, some};
 use freestand_output::facts::Facts;
 use freestand_records::horizontal::HorizontalMotion;
 
@@ -38,6 +38,15 @@ pub struct LeftOut {
     pub file: String,
     /// Why.
     pub reason: String,
+}
+
+/// How many files a sentence names.
+pub(crate) const NAMED: usize = 5;
+
+/// The first few files that are left out, with their reasons.
+pub(crate) fn some_left_out(files: &[LeftOut]) -> String {
+    let named: Vec<String> = files.iter().map(|one| format!("{}: {}", one.file, one.reason)).collect();
+    some(&named, NAMED)
 }
 
 /// How the motions of a study were selected, and what they reach.
@@ -198,14 +207,6 @@ pub fn select(request: Request, records: &[Record], count: usize) -> Result<(Sui
     Ok((suite, chosen))
 }
 
-/// The first few of several names.
-pub fn some(names: &[String]) -> String {
-    const NAMED: usize = 8;
-    let more = names.len().saturating_sub(NAMED);
-    let listed = names.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
-    if more == 0 { listed } else { format!("{listed} and {more} more") }
-}
-
 fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64).sqrt()
 }
@@ -258,8 +259,14 @@ impl Suite {
     /// A warning for each thing that the reader of the results must know.
     pub fn warnings(&self) -> Vec<String> {
         let more = "more records to choose from, or a smaller suite_count, would fit better";
-        let mut warnings: Vec<String> =
-            self.left_out.iter().map(|one| format!("suite: {} is left out: {}", one.file, one.reason)).collect();
+        let mut warnings: Vec<String> = match self.left_out.as_slice() {
+            [] => Vec::new(),
+            [one] => vec![format!("suite: {} is left out: {}", one.file, one.reason)],
+            several => {
+                let count = counted(several.len(), "file");
+                vec![format!("suite: {count} are left out: {}", some_left_out(several))]
+            }
+        };
         if self.mean_rms() > FAR_LN {
             warnings.push(format!("suite: the mean of ln Sa is {}: {more}", self.mean_words()));
         }

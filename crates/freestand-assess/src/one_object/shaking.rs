@@ -9,8 +9,9 @@ use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number};
+use freestand_records::notes::grouped;
 use freestand_study::places::{Confidence, Place, near};
-use freestand_study::recorded::refuse_copies;
+use freestand_study::recorded::{ReadMotion, refuse_copies};
 use freestand_study::resolve::{Overrides, load, nothing_stated, resolve_with};
 use freestand_study::study::assessment::{Settings, Spread};
 use freestand_study::study::{Ground, Level, Study};
@@ -84,13 +85,8 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
         Earthquake::Motions { motions, .. } => {
             refuse_copies(motions.iter().map(|read| read.motion.samples()))?;
             let mut study = nothing_stated(&overrides(Words::default()))?;
-            let mut warnings = Vec::new();
-            let mut levels = Vec::new();
-            for read in motions {
-                let name = &read.motion.name;
-                warnings.extend(read.notes.iter().map(|note| format!("{name}: {note}")));
-                levels.push(read.motion.clone());
-            }
+            let warnings = grouped(motions.iter().flat_map(ReadMotion::named_notes));
+            let recorded = motions.iter().map(|read| read.motion.clone()).collect();
             let words = match motions.as_slice() {
                 [one] => format!("the motion {}", one.motion.name),
                 several => format!("{} motions of the floor", several.len()),
@@ -99,7 +95,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             study.building = None;
             (study.place_is_assumed, study.building_is_assumed) = (false, false);
             study.assumed.clear();
-            study.levels = vec![Level { name: "floor".to_owned(), level_ratio: Some(0.0), motions: levels }];
+            study.levels = vec![Level { name: "floor".to_owned(), level_ratio: Some(0.0), motions: recorded }];
             as_given(&mut study.assessment, motions.len())?;
             Shaken { study, told: Told::Motions, words, warnings }
         }

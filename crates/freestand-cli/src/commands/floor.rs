@@ -8,6 +8,7 @@ use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::words::{counted, number};
+use freestand_records::notes::grouped;
 use freestand_records::write::write_csv;
 use freestand_study::building;
 use freestand_study::floor::{
@@ -225,8 +226,7 @@ fn upward(args: &FloorArgs, values: &mut Values) -> Upward {
 
 /// Calculates one motion at a time, so that only its floors are in memory, and writes the files.
 fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<(FloorReport, Vec<String>), Failure> {
-    let mut warnings = request.building.warnings.clone();
-    let (mut motions, mut spectra_g) = (Vec::new(), Vec::new());
+    let (mut motions, mut spectra_g, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     for one in read {
         let mut done = floors(one, request)?;
         let mut verticals = done.verticals.iter();
@@ -241,7 +241,7 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
                 level.vertical_path = files.write(&name, || write_csv(vertical))?;
             }
         }
-        warnings.extend(done.warnings);
+        notes.extend(done.notes.into_iter().map(|note| (&one.motion.name, note)));
         motions.push(done.report);
         spectra_g.push(done.spectra_g);
     }
@@ -256,7 +256,8 @@ fn report(read: &[ReadMotion], request: &FloorRequest, files: &Files) -> Result<
         let draw = || floor_response_figure(spectra, report.building_height_m, report.motions.len());
         files.figure("spectra", draw)?;
     }
-    Ok((report, warnings))
+    let notes = grouped(notes.iter().map(|(name, note)| (name, note)));
+    Ok((report, [request.building.warnings.clone(), notes].concat()))
 }
 
 /// Reads `--levels`; `None` means every floor.

@@ -15,6 +15,8 @@ use freestand_input::quantity::Dimension;
 use freestand_input::words::counted;
 use freestand_output::facts::Facts;
 use freestand_output::json::document;
+use freestand_records::notes::grouped;
+use freestand_study::recorded::ReadMotion;
 use freestand_study::restitution::checked;
 use freestand_study::rock::problem;
 
@@ -189,11 +191,12 @@ impl RunArgs {
 
     /// The motions, with the notes of their readers and their files.
     fn motions(&self) -> Result<Motions, Failure> {
-        let (mut motions, mut notes, mut files) = (Vec::new(), Vec::new(), Vec::new());
-        for read in self.read.read_all(&self.motion)? {
+        let (mut motions, mut files) = (Vec::new(), Vec::new());
+        let read = self.read.read_all(&self.motion)?;
+        let mut notes = grouped(read.iter().flat_map(ReadMotion::named_notes));
+        for read in read {
             let name = read.motion.name;
             files.push(InputFile { path: read.motion.path, sha256: read.motion.sha256 });
-            notes.extend(read.notes.iter().map(|note| format!("{name}: {note}")));
             motions.push(FloorMotion { name, horizontal: read.motion.motion, vertical: None });
         }
         let count = self.vertical.len();
@@ -207,9 +210,10 @@ impl RunArgs {
             ));
         }
         let verticals = self.vertically.read_all(&self.read, &self.vertical)?;
+        let named = verticals.iter().flat_map(ReadMotion::named_notes);
+        notes.extend(grouped(named.map(|(name, note)| (format!("vertical {name}"), note))));
         for (motion, read) in motions.iter_mut().zip(verticals) {
             files.push(InputFile { path: read.motion.path.clone(), sha256: read.motion.sha256.clone() });
-            notes.extend(read.notes.iter().map(|note| format!("vertical {}: {note}", read.motion.name)));
             motion.vertical = Some(read.motion.motion);
             Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() }
                 .check()

@@ -10,8 +10,10 @@ use freestand_assess::one_object::Follow;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::words::counted;
+use freestand_records::notes::grouped;
 use freestand_study::at_place::{AtPlace, LastGround, motions_at};
 use freestand_study::drawn::{DrawnHistory, drawn};
+use freestand_study::recorded::ReadMotion;
 use freestand_study::restitution::checked;
 use freestand_study::rock::{RockReport, RockRequest, problem, rock, until};
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming, chunk_objects, spectrum};
@@ -354,9 +356,10 @@ fn followed(request: &SpectrumRequest, motions: &[SpectrumMotion], follow: &Foll
 /// Reads all records before the calculation, so that a problem in the last one is found early.
 fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
     let mut reading = Reading::default();
-    for read in args.read.read_all(&args.motion)? {
-        let (name, notes) = (read.motion.name, read.notes);
-        reading.warnings.extend(notes.iter().map(|note| format!("{name}: {note}")));
+    let read = args.read.read_all(&args.motion)?;
+    reading.warnings = grouped(read.iter().flat_map(ReadMotion::named_notes));
+    for read in read {
+        let name = read.motion.name;
         reading.processing.push(Processed { motion: name.clone(), steps: read.motion.processing });
         reading.motions.push(SpectrumMotion { name, horizontal: read.motion.motion, vertical: None });
     }
@@ -364,10 +367,12 @@ fn read(args: &SpectrumArgs) -> Result<Reading, Failure> {
         return Ok(reading);
     }
     let verticals = args.vertically.read_all(&args.read, &args.vertical)?;
+    let named = |text: &str| format!("vertical {text}");
+    let notes = verticals.iter().flat_map(ReadMotion::named_notes);
+    reading.warnings.extend(grouped(notes.map(|(name, note)| (named(name), note))));
     for ((motion, processed), read) in reading.motions.iter_mut().zip(&mut reading.processing).zip(verticals) {
-        let named = |text: &String| format!("vertical {}: {text}", read.motion.name);
-        reading.warnings.extend(read.notes.iter().map(named));
-        processed.steps.extend(read.motion.processing.iter().map(named));
+        let name = named(&read.motion.name);
+        processed.steps.extend(read.motion.processing.iter().map(|step| format!("{name}: {step}")));
         motion.vertical = Some(read.motion.motion);
         // Once, not for every object.
         Base { horizontal: Some(&motion.horizontal), vertical: motion.vertical.as_ref() }.check().map_err(problem)?;

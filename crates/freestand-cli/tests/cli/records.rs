@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::program::{execute, json, shared};
 use crate::{RECORD, cases, folder, freestand_in};
 
 #[test]
@@ -156,4 +157,72 @@ fn a_start_that_is_not_kept_is_said() {
     // Nothing is written by others, and so nothing is lost.
     let spectrum = motion(&["spectrum", "late.csv", "--component", "N", "--periods", "5 s"]);
     assert!(!spectrum.contains("not kept"), "{spectrum}");
+}
+
+/// The study that shakes one object with records; its warnings.
+fn warnings_of(folder: &Path, motions: &[String]) -> Vec<String> {
+    let study = format!("[ground]\nmotions = {motions:?}\nunit = \"g\"\n[building]\nstoreys = 3\n");
+    std::fs::write(folder.join("study.toml"), study).unwrap();
+    let document = json(&execute(folder, &["check", "study.toml", "--json"]));
+    document["warnings"].as_array().unwrap().iter().map(|text| text.as_str().unwrap().to_owned()).collect()
+}
+
+/// What many records have in common is one warning with their number, and another thing is another one.
+#[test]
+fn many_records_give_one_warning_of_a_kind() {
+    let folder = folder(&[]);
+    // A shaking that does not end at rest, in the files from the 13th on.
+    let text = |number: usize| -> String {
+        let last = if number > 12 { 0.1 } else { -0.4 };
+        let accel = [0.0, 0.01 * number as f64, 0.4 - 0.01 * number as f64, last, last, last, last];
+        let rows = accel.iter().chain(&[0.0; 60]).enumerate();
+        rows.map(|(row, a)| format!("{:.2} {a:.3}\n", 0.05 * row as f64)).collect()
+    };
+    let names: Vec<String> = (1..=24).map(|number| format!("R{number:02}.txt")).collect();
+    for (number, name) in (1..).zip(&names) {
+        std::fs::write(folder.path().join(name), text(number)).unwrap();
+    }
+    let of = |kind: &str, warnings: &[String]| warnings.iter().filter(|text| text.contains(kind)).cloned().collect();
+    let warnings = warnings_of(folder.path(), &names);
+    let time: Vec<String> = of("read as time", &warnings);
+    let words = "a column without a unit is read as time in seconds in 24 records: R01, R02, R03 and 21 more";
+    assert!(time.len() == 1 && time[0].starts_with(words), "{warnings:#?}");
+    let moving: Vec<String> = of("does not stop", &warnings);
+    assert_eq!(moving.len(), 1, "{warnings:#?}");
+    // One record has its own sentence.
+    let alone = warnings_of(folder.path(), &names[..1]);
+    assert!(alone.contains(&"R01: the first column is read as time in seconds".to_owned()), "{alone:?}");
+}
+
+/// The 44 components of FEMA P-695.
+#[test]
+fn many_recorded_motions_give_few_warnings() {
+    let records = shared().join("records/p695");
+    let Ok(entries) = std::fs::read_dir(&records) else {
+        println!("skipped: {} is not there ($FREESTAND_SHARED)", records.display());
+        return;
+    };
+    let paths: Vec<String> = entries.map(|entry| entry.unwrap().path().to_string_lossy().into_owned()).collect();
+    let paths: Vec<String> = paths.into_iter().filter(|path| path.ends_with(".txt")).collect();
+    let warnings = warnings_of(folder(&[]).path(), &paths);
+    let time: Vec<&String> = warnings.iter().filter(|text| text.contains("read as time")).collect();
+    assert!(time.len() == 1 && time[0].contains(" in 44 records: "), "{warnings:#?}");
+}
+
+/// Nobody writes into the pipe: to open it would wait for ever.
+#[cfg(unix)]
+#[test]
+fn a_named_pipe_is_refused_wherever_a_file_is_named() {
+    let folder = folder(&[]);
+    assert!(std::process::Command::new("mkfifo").arg(folder.path().join("pipe")).status().unwrap().success());
+    for args in [
+        &["motion", "info", "pipe"][..],
+        &["check", "pipe"],
+        &["inventory", "check", "pipe"],
+        &["cushion", "drop", "pipe"],
+        &["risk", "--fragility", "pipe", "--hazard", "pipe"],
+    ] {
+        let shown = freestand_in(folder.path(), args);
+        assert!(shown.contains("pipe: is a named pipe") && shown.contains("give a regular file"), "{args:?}: {shown}");
+    }
 }

@@ -34,6 +34,7 @@ pub use crate::write::{write_at2, write_csv, write_pair_csv};
 use std::path::Path;
 
 use crate::motion_file::{Reading, coarse_note, extreme_note, offset_note};
+use crate::notes::printable;
 use crate::text::lines::check_text;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, Problems};
@@ -76,14 +77,8 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
         component.name = printable(&component.name);
         component.station = component.station.as_deref().map(printable);
     }
-    let notes = notes.iter().map(|note| printable(note)).collect();
     let file = MotionFile { path: path.to_path_buf(), format, components, notes };
     Ok(file.with_unused(options))
-}
-
-/// A text of a file without control characters, by which a terminal would be told to do something.
-fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
 }
 
 /// A family of formats that share a layout.

@@ -170,7 +170,7 @@ fn a_shock_may_be_beyond_a_floor() {
     };
     let (floor, shock) = (notes(false), notes(true));
     assert!(
-        floor[0].contains("value 2 is 300.0 g") && floor[1..] == shock[..] && shock.len() == 1,
+        floor[0].to_string().contains("value 2 is 300.0 g") && floor[1..] == shock[..] && shock.len() == 1,
         "{floor:?} {shock:?}"
     );
 }

@@ -2,11 +2,12 @@
 //! and its name.
 
 use super::{Component, Direction, ReadOptions};
+use crate::notes::{Note, NoteKind};
 use crate::text::lines::Line;
 use crate::text::units;
 use freestand::motion::Motion;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Unit, shorten};
+use freestand_input::quantity::Unit;
 use std::collections::HashMap;
 
 /// Time steps that a record may have \[s\]. Real ones are 1 ms to some tenths of a second. A step
@@ -110,20 +111,20 @@ pub(crate) fn tell_apart(components: &mut [Component]) {
 ///
 /// Some agencies print the peak with the opposite sign, and most with three digits, which rounds by
 /// up to 1 %.
-pub(crate) fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<String> {
+pub(crate) fn peak_note(component: &Component, header_peak_m_s2: f64) -> Option<Note> {
     peak_note_of(&component.name, component.motion.peak_m_s2(), header_peak_m_s2)
 }
 
 /// As [`peak_note`], for a largest value that was found in another way.
-pub(crate) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Option<String> {
+pub(crate) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Option<Note> {
     /// Far above any earthquake. Larger values mark a missing value, in any unit.
     const HIGHEST_M_S2: f64 = 1e4;
     let stated = header_peak_m_s2.abs();
     // A header without a peak has 0 or a marker of a missing value.
     let is_stated = stated > 0.0 && stated < HIGHEST_M_S2;
     (is_stated && (found - stated).abs() > 0.01 * stated).then(|| {
-        let name = shorten(name);
-        format!("{name}: the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2")
+        let words = format!("the largest value is {found:.5} m/s2, but the header states a peak of {stated:.5} m/s2");
+        Note::of(name, NoteKind::PeakDiffers, words).amount(100.0 * (found - stated) / stated, "%")
     })
 }
 
@@ -132,7 +133,7 @@ pub(crate) fn peak_note_of(name: &str, found: f64, header_peak_m_s2: f64) -> Opt
 /// The largest acceleration of the ground on record is 4.4 g (Iwate-Miyagi 2008, IWTH25). Floors
 /// amplify the ground a few times, so 20 g is beyond both: a lost decimal point or a wrong unit is
 /// more likely than a pyrotechnic shock.
-pub(crate) fn extreme_note(component: &Component) -> Option<String> {
+pub(crate) fn extreme_note(component: &Component) -> Option<Note> {
     const HIGHEST_M_S2: f64 = 20.0 * freestand::G0_M_S2;
     let motion = &component.motion;
     // The offset of an instrument's own values may be anything; it is removed before they are used.
@@ -144,26 +145,26 @@ pub(crate) fn extreme_note(component: &Component) -> Option<String> {
         .enumerate()
         .fold((0, 0.0), |(at, peak), (i, a)| if a > peak { (i, a) } else { (at, peak) });
     (peak_m_s2 > HIGHEST_M_S2).then(|| {
-        let (name, peak_g) = (shorten(&component.name), peak_m_s2 / freestand::G0_M_S2);
-        format!(
-            "{name}: value {} is {peak_g:.1} g, more than any ground or floor motion: check the unit ({}) and look \
-             for a damaged digit or decimal point",
+        let peak_g = peak_m_s2 / freestand::G0_M_S2;
+        let words = format!(
+            "value {} is {peak_g:.1} g, more than any ground or floor motion: check the unit ({}) and look for a \
+             damaged digit or decimal point",
             at + 1,
             component.unit
-        )
+        );
+        Note::of(&component.name, NoteKind::Extreme, words).amount(peak_g, "g")
     })
 }
 
 /// A note if the time step is longer than that of any record of shaking: times in ms were read as s, or most samples are
 /// missing.
-pub(crate) fn coarse_note(component: &Component) -> Option<String> {
+pub(crate) fn coarse_note(component: &Component) -> Option<Note> {
     const LONGEST_S: f64 = 0.1;
     let dt_s = component.motion.dt_s();
     (dt_s > LONGEST_S).then(|| {
-        format!(
-            "{}: a time step of {dt_s} s is too long for a record of an earthquake: check the unit of its times",
-            shorten(&component.name)
-        )
+        let words =
+            format!("a time step of {dt_s} s is too long for a record of an earthquake: check the unit of its times");
+        Note::of(&component.name, NoteKind::LongStep, words).amount(dt_s, "s")
     })
 }
 
@@ -172,7 +173,7 @@ pub(crate) fn coarse_note(component: &Component) -> Option<String> {
 ///
 /// Before and after an earthquake the values are near zero, so that their median is: half of them lie above and half
 /// below. That of the corrected records of agencies is below 1 % of the peak.
-pub(crate) fn offset_note(component: &Component) -> Option<String> {
+pub(crate) fn offset_note(component: &Component) -> Option<Note> {
     /// Below this, an offset moves no object and decides nothing.
     const LEAST_M_S2: f64 = 0.01 * freestand::G0_M_S2;
     const SHARE: f64 = 0.1;
@@ -190,11 +191,11 @@ pub(crate) fn offset_note(component: &Component) -> Option<String> {
         let offset_g = offset_m_s2 / freestand::G0_M_S2;
         let cause =
             if (offset_g.abs() - 1.0).abs() < 0.1 { "the sensor shows gravity" } else { "an offset is left in it" };
-        format!(
-            "{}: the values lie about {offset_g:.3} g, not about zero: {cause}, and objects react as on a slope that \
-             never ends: remove it with `baseline = \"mean\"`",
-            shorten(&component.name)
-        )
+        let words = format!(
+            "the values lie about {offset_g:.3} g, not about zero: {cause}, and objects react as on a slope that \
+             never ends: remove it with `baseline = \"mean\"`"
+        );
+        Note::of(&component.name, NoteKind::Offset, words).amount(offset_g, "g")
     })
 }
 
@@ -203,39 +204,40 @@ pub(crate) fn offset_note(component: &Component) -> Option<String> {
 ///
 /// Lengths are printed with few digits, may or may not count the last step, and may be those of the
 /// uncorrected record. 1 % and two steps allow for all this; a wrong step differs by far more.
-pub(crate) fn length_note(component: &Component, stated_s: f64) -> Option<String> {
+pub(crate) fn length_note(component: &Component, stated_s: f64) -> Option<Note> {
     let (dt_s, count) = (component.motion.dt_s(), component.motion.accel_m_s2().len());
     let found_s = count as f64 * dt_s;
     let is_stated = stated_s > 0.0 && stated_s.is_finite();
     (is_stated && (found_s - stated_s).abs() > 2.0 * dt_s + 0.01 * stated_s).then(|| {
-        let name = shorten(&component.name);
-        format!(
-            "{name}: {count} values at {dt_s} s last {found_s:.2} s, but the header states {stated_s:.2} s: the step \
-             may be wrong"
-        )
+        let words = format!(
+            "{count} values at {dt_s} s last {found_s:.2} s, but the header states {stated_s:.2} s: the step may be \
+             wrong"
+        );
+        Note::of(&component.name, NoteKind::DurationDiffers, words).amount(100.0 * (found_s - stated_s) / stated_s, "%")
     })
 }
 
 /// A note if the file has fewer channels than a header says: `(3 Chns of  3 at Sta)`. Agencies also
 /// publish one channel per file, with the same words in it.
-pub(crate) fn channels_note(header: &[String], found: usize) -> Option<String> {
+pub(crate) fn channels_note(header: &[String], found: usize) -> Option<Note> {
     let stated: usize = header.iter().find_map(|line| {
         let upper = line.to_ascii_uppercase();
         let (before, _) = upper.split_once("CHNS OF")?;
         before.rsplit(['(', ' ']).find(|word| !word.is_empty())?.parse().ok()
     })?;
-    (found < stated)
-        .then(|| format!("the header states {stated} channels, but the file has {found}: it may be cut off"))
+    let words = || format!("the header states {stated} channels, but the file has {found}: it may be cut off");
+    (found < stated).then(|| Note::new(NoteKind::CutOff, words()))
 }
 
 /// A note if no line with `mark` (in lower case) ends the last channel.
-pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<String> {
+pub(crate) fn end_note(bytes: &[u8], mark: &str) -> Option<Note> {
     // Text after the last channel has other lines.
     const MAX: usize = 100;
     let lines = bytes.rsplit(|b| matches!(b, b'\n' | b'\r')).map(|bytes| Line { number: 0, bytes });
     let mut last = lines.filter(|line| !line.is_blank()).take(MAX).take_while(Line::is_text);
     let is_there = last.any(|line| line.text().to_ascii_lowercase().contains(mark));
-    (!is_there).then(|| format!("the last channel does not end with a line \"{mark}\": the file may be cut off"))
+    let words = || format!("the last channel does not end with a line \"{mark}\": the file may be cut off");
+    (!is_there).then(|| Note::new(NoteKind::CutOff, words()))
 }
 
 /// Samples in m/s² as a motion.

@@ -9,6 +9,7 @@ pub(crate) use found::{
     peak_note_of, tell_apart,
 };
 
+use crate::notes::{Note, NoteKind};
 use crate::text::sensitivity::Sensitivity;
 use crate::text::units;
 use freestand::motion::Motion;
@@ -66,7 +67,7 @@ pub struct MotionFile {
     /// Its motions, in the order of the file; never empty.
     pub components: Vec<Component>,
     /// Notes for readers of the results: what was concluded or left out.
-    pub notes: Vec<String>,
+    pub notes: Vec<Note>,
 }
 
 /// One motion of a file.
@@ -115,7 +116,7 @@ impl Start {
 pub(crate) struct Reading {
     pub(crate) format: &'static str,
     pub(crate) components: Vec<Component>,
-    pub(crate) notes: Vec<String>,
+    pub(crate) notes: Vec<Note>,
 }
 
 impl Reading {
@@ -146,11 +147,8 @@ impl MotionFile {
     /// Adds a note if a StationXML was named but not used.
     pub(crate) fn with_unused(mut self, options: &ReadOptions) -> Self {
         if let Some(xml) = options.station_xml.as_ref().filter(|_| self.station_xml().is_empty()) {
-            self.notes.push(format!(
-                "{} was not used: a {} record does not need a StationXML file",
-                xml.display(),
-                self.format
-            ));
+            let why = format!("was not used: a {} record does not need a StationXML file", self.format);
+            self.notes.push(Note::new(NoteKind::XmlUnused, format!("{} {why}", xml.display())));
         }
         self
     }

@@ -5,6 +5,7 @@ use freestand::motion::Motion;
 use freestand::signal::scale::{SpectrumFit, factor_to_peak, factor_to_sa, fit_to_spectrum};
 
 use super::{Scale, refused, short_period_warning};
+use crate::notes::{Note, NoteKind};
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 
@@ -39,11 +40,13 @@ pub(super) fn factor_words(factor: f64) -> String {
 
 /// Notes about a target: what was left out of its file, and periods for which the record has few
 /// samples.
-pub(super) fn target_notes(scale: &Scale, dt_s: f64) -> Vec<String> {
+pub(super) fn target_notes(scale: &Scale, dt_s: f64) -> Vec<Note> {
     let (note, periods_s) = match scale {
         Scale::Factor(_) | Scale::Peak { .. } => return Vec::new(),
         Scale::Sa { period_s, .. } => (&None, std::slice::from_ref(period_s)),
         Scale::Spectrum(target) => (&target.note, target.periods_s.as_slice()),
     };
-    note.iter().cloned().chain(short_period_warning("the target", periods_s, dt_s)).collect()
+    let few = short_period_warning("the target", periods_s, dt_s);
+    let of = |kind| move |words: String| Note::new(kind, words);
+    note.iter().cloned().map(of(NoteKind::Target)).chain(few.map(of(NoteKind::ShortPeriod))).collect()
 }

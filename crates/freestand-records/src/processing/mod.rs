@@ -17,6 +17,7 @@ use freestand::signal::scale::LARGE_FACTOR;
 use freestand::signal::taper::tapered;
 
 use crate::formats::{Component, MotionFile};
+use crate::notes::{Note, NoteKind};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::number;
 
@@ -108,7 +109,7 @@ pub struct Processed {
     /// The factor that the samples were multiplied by.
     pub scale_ratio: f64,
     /// Warnings for readers of the results.
-    pub notes: Vec<String>,
+    pub notes: Vec<Note>,
 }
 
 /// Processes one component, in this order: mean of a raw record, baseline, taper, filter, time
@@ -174,11 +175,11 @@ fn station_words(component: &Component) -> String {
 /// the motion is used.
 fn finish(
     motion: Motion,
-    unasked: Vec<String>,
+    unasked: Vec<Note>,
     turned: Option<String>,
     processing: &Processing,
 ) -> Result<Processed, Problem> {
-    let steps = unasked.iter().cloned().chain(turned).collect();
+    let steps = unasked.iter().map(Note::to_string).chain(turned).collect();
     let mut done = Processed { motion, notes: unasked, steps, scale_ratio: 1.0 };
     if let Some(baseline) = processing.baseline {
         done.add(without_baseline(&done.motion, baseline)?);
@@ -208,10 +209,11 @@ fn finish(
     done.scale_ratio = factor;
     done.notes.extend(target_notes(&processing.scale, done.motion.dt_s()));
     if is_found && !(1.0 / LARGE_FACTOR..=LARGE_FACTOR).contains(&factor) {
-        let factor = number(factor, 4);
-        done.notes.push(format!(
-            "a record multiplied by {factor} no longer represents its earthquake: choose a record nearer to the target"
-        ));
+        let words = format!(
+            "a record multiplied by {} no longer represents its earthquake: choose a record nearer to the target",
+            number(factor, 4)
+        );
+        done.notes.push(Note::new(NoteKind::FarFactor, words));
     }
     Ok(done)
 }

@@ -5,6 +5,7 @@ use freestand::signal::rotate::{Pair, RotateError};
 use super::align::{Aligned, aligned};
 use super::{Processed, Processing, Scale, finish, refused};
 use crate::formats::{Component, Direction, MotionFile};
+use crate::notes::{Note, NoteKind};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
@@ -125,18 +126,19 @@ pub fn process_pair(
         return Err(Problem::value(message, "give the factor itself with `scale`"));
     }
     let [one, two] = aligned((first, second), names, processing.keep_mean)?;
-    let finished = |one: Aligned| finish(one.motion, one.steps, None, processing);
+    let finished = |one: Aligned| finish(one.motion, one.notes, None, processing);
     Ok((finished(one)?, finished(two)?))
 }
 
 /// A warning if components that are treated as perpendicular are not.
-pub fn not_perpendicular(first: &Component, second: &Component) -> Option<String> {
+pub fn not_perpendicular(first: &Component, second: &Component) -> Option<Note> {
     let turn = (azimuth_of(first)? - azimuth_of(second)?).rem_euclid(180.0);
     let between = turn.min(180.0 - turn);
     (between < 89.0).then(|| {
-        format!(
+        let words = format!(
             "the components are {between} degrees apart, but spectra over all directions treat them as perpendicular"
-        )
+        );
+        Note::new(NoteKind::NotPerpendicular, words)
     })
 }
 
@@ -152,8 +154,8 @@ pub fn turned(
     azimuth_deg: f64,
     processing: &Processing,
 ) -> Result<Processed, Problem> {
-    let [Aligned { motion: one, steps: mut unasked }, two] = aligned((first.0, second.0), names, processing.keep_mean)?;
-    unasked.extend(two.steps);
+    let [Aligned { motion: one, notes: mut unasked }, two] = aligned((first.0, second.0), names, processing.keep_mean)?;
+    unasked.extend(two.notes);
     let rotated = Pair::new(&one, &two.motion).and_then(|pair| pair.component_at(first.1, second.1, azimuth_deg));
     let motion = rotated.map_err(|error| {
         let hint = match error {

@@ -141,7 +141,11 @@ fn the_mean_of_raw_components_goes_first() {
     let (one, two) =
         process_pair((&file.components[0], &file.components[1]), ("N-S", "E-W"), &Processing::default()).unwrap();
     for (done, end) in [(one, "removed from N-S (raw record)"), (two, "removed from E-W (raw record)")] {
-        assert!(done.notes.len() == 1 && done.notes[0].ends_with(end) && done.steps == done.notes, "{:?}", done.notes);
+        assert!(
+            done.notes.len() == 1 && done.notes[0].to_string().ends_with(end) && done.steps == done.notes,
+            "{:?}",
+            done.notes
+        );
     }
     let azimuth = Processing { azimuth_deg: Some(45.0), ..Processing::default() };
     let (done, _) = process_file(&file, None, &azimuth).unwrap();
@@ -245,9 +249,12 @@ fn short_periods_of_a_target_are_warned_of() {
     assert_eq!((notes(at(0.0)).len(), notes(at(0.1)).len()), (0, 0));
     let said = "the shortest period of the target, 0.03 s, has fewer than ten steps of 0.01 s";
     let sa = notes(at(0.03));
-    assert!(sa[0].starts_with(said) && sa[0].ends_with("`resample = \"0.0025 s\"` gives it ten"), "{sa:?}");
+    assert!(
+        sa[0].to_string().starts_with(said) && sa[0].to_string().ends_with("`resample = \"0.0025 s\"` gives it ten"),
+        "{sa:?}"
+    );
     let spectrum = notes(Scale::Spectrum(target(&[0.0, 0.03, 1.0], &[2.0, 2.0, 2.0], 0.05)));
-    assert!(spectrum.iter().any(|note| note.starts_with(said)), "{spectrum:?}");
+    assert!(spectrum.iter().any(|note| note.to_string().starts_with(said)), "{spectrum:?}");
     // At a quarter of the step it has ten.
     let finer = Processing { resample_dt_s: Some(0.0025), scale: at(0.03), ..Processing::default() };
     assert_eq!(process(&file.components[0], &finer).unwrap().notes.len(), 0);

@@ -2,6 +2,7 @@
 //! damaged.
 
 use super::fortran::Number;
+use crate::notes::{Note, NoteKind};
 
 /// A single number in another form means something only among at least this many. Programs that
 /// omit trailing zeros print one number in ten shorter; that only one in a hundred is shorter has a
@@ -47,13 +48,10 @@ impl DigitStyle {
     }
 
     /// A note about the only number that is printed in a different form.
-    pub(crate) fn note(&self) -> Option<String> {
-        self.odd_one().map(|line| {
-            format!(
-                "line {line}: a number has more or fewer characters after its decimal point than all others: \
-                 the file may be damaged or cut off there"
-            )
-        })
+    pub(crate) fn note(&self) -> Option<Note> {
+        let words = "a number has more or fewer characters after its decimal point than all others: the file may be damaged \
+                     or cut off there";
+        self.odd_one().map(|line| Note::at(line, NoteKind::OddDigits, words))
     }
 
     /// The line of the only number that is printed in a different form.

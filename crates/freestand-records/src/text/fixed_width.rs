@@ -6,6 +6,7 @@ use super::gaps::{gap, ordinary_note};
 use super::line_width::LineWidth;
 use super::lines::{Line, Lines};
 use super::units::missing;
+use crate::notes::Note;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
@@ -138,7 +139,7 @@ impl Block {
         &self,
         format: Format,
         is_marker: impl Fn(f64) -> bool,
-    ) -> Result<Option<String>, Problem> {
+    ) -> Result<Option<Note>, Problem> {
         let line_of = |at: usize| self.first_line + at / format.per_line;
         if let Some(at) = gap(&self.values, &is_marker) {
             return Err(missing(&shorten(&self.values[at].to_string()), line_of(at)));

@@ -2,6 +2,7 @@
 
 use super::fortran::is_gap_mark;
 use super::units::missing;
+use crate::notes::{Note, NoteKind};
 use freestand_input::problem::Problem;
 
 /// Whether a number cannot be a value in any unit, such as 1.7E38. -999 and similar may be ordinary
@@ -22,8 +23,9 @@ pub(crate) fn gap(values: &[f64], is_marker: impl Fn(f64) -> bool) -> Option<usi
 }
 
 /// A note about a value that may mark a missing value but is read as a value.
-pub(crate) fn ordinary_note(value: f64, line: usize) -> String {
-    format!("line {line}: {value} is read as a value because others are as large; it may mark a missing value")
+pub(crate) fn ordinary_note(value: f64, line: usize) -> Note {
+    let words = format!("{value} is read as a value because others are as large; it may mark a missing value");
+    Note::at(line, NoteKind::GapMark, words)
 }
 
 /// The values of a column that may mark missing values, collected line by line and judged at the
@@ -53,7 +55,7 @@ impl Markers {
     ///
     /// # Errors
     /// A value that marks a missing value.
-    pub(crate) fn judge(&self, values: &[f64]) -> Result<Option<String>, Problem> {
+    pub(crate) fn judge(&self, values: &[f64]) -> Result<Option<Note>, Problem> {
         match self.first {
             Some((value, line)) if gap(values, is_gap_mark).is_some() => Err(missing(&value.to_string(), line)),
             first => Ok(first.map(|(value, line)| ordinary_note(value, line))),

@@ -7,6 +7,7 @@ use super::gaps::Markers;
 use super::lines::{Line, Lines};
 use super::sampling::time_step;
 use super::units::missing;
+use crate::notes::{Note, NoteKind};
 use freestand_input::problem::{Problem, ProblemKind};
 
 /// The most samples that interpolation may make without a step from the user: hours at 1 ms, or 10
@@ -24,7 +25,7 @@ pub(crate) struct Pairs {
     pub(crate) first_line: usize,
     pairs_per_line: usize,
     /// Notes about the values.
-    pub(crate) notes: Vec<String>,
+    pub(crate) notes: Vec<Note>,
 }
 
 /// Reads pairs up to the next line of text, which is left unread.
@@ -114,7 +115,7 @@ impl Pairs {
         name: &str,
         asked_s: Option<f64>,
         room: usize,
-    ) -> Result<(f64, Vec<f64>, Option<String>), Problem> {
+    ) -> Result<(f64, Vec<f64>, Option<Note>), Problem> {
         let uneven = match time_step(&self.times_s, self.last_digit_exponent) {
             Ok(dt_s) => return Ok((dt_s, self.values, None)),
             Err(uneven) => uneven,
@@ -135,9 +136,8 @@ impl Pairs {
         };
         let values = on_even_grid(&self.times_s, &self.values, dt_s, room).map_err(|uneven| self.problem(uneven))?;
         let points = self.times_s.len();
-        let note =
-            format!("{name}: {points} points at uneven times were interpolated on straight lines to steps of {dt_s} s");
-        Ok((dt_s, values, Some(note)))
+        let words = format!("{points} points at uneven times were interpolated on straight lines to steps of {dt_s} s");
+        Ok((dt_s, values, Some(Note::of(name, NoteKind::Interpolated, words))))
     }
 
     fn problem(&self, uneven: Uneven) -> Problem {
@@ -173,7 +173,7 @@ mod tests {
         for (found, expected) in values.iter().zip([1.0, 2.0, 3.0, 2.0, 1.0, 0.0]) {
             assert!((found - expected).abs() < 1e-14);
         }
-        assert!(note.unwrap().contains("3 points"));
+        assert!(note.unwrap().to_string().contains("3 points"));
         let (dt_s, values, note) = pairs("0.010 1.0 0.020 3.0 0.030 0.0\n").evenly("up", None, 1000).unwrap();
         assert_eq!((dt_s, values, note), (0.01, vec![1.0, 3.0, 0.0], None));
         let (dt_s, values, _) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n").evenly("up", Some(0.025), 1000).unwrap();

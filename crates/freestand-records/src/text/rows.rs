@@ -4,6 +4,7 @@ use super::fixed_width::Format;
 use super::gaps::Markers;
 use super::line_width::LineWidth;
 use super::lines::Lines;
+use crate::notes::Note;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::counted;
 
@@ -55,7 +56,7 @@ impl Rows {
     ///
     /// # Errors
     /// A value that marks a missing value.
-    pub(crate) fn judge(&self) -> Result<Vec<String>, Problem> {
+    pub(crate) fn judge(&self) -> Result<Vec<Note>, Problem> {
         let judged = self.markers.iter().zip(&self.columns).map(|(markers, column)| markers.judge(column));
         judged.filter_map(Result::transpose).collect()
     }
@@ -81,7 +82,7 @@ pub(crate) fn no_row(lines: &Lines<'_>) -> Problem {
 /// # Errors
 /// No rows, a field that is not a number, a line that is too short although the others are not;
 /// otherwise as [`Rows::push`] and [`Rows::judge`].
-pub(crate) fn read(lines: &mut Lines<'_>, format: Format, notes: &mut Vec<String>) -> Result<Rows, Problem> {
+pub(crate) fn read(lines: &mut Lines<'_>, format: Format, notes: &mut Vec<Note>) -> Result<Rows, Problem> {
     let (mut rows, mut row, mut line_width) = (Rows::of_width(format.per_line), Vec::new(), LineWidth::default());
     for line in lines.by_ref().filter(|line| !line.is_blank()) {
         row.clear();

@@ -151,7 +151,7 @@ fn channels_of_the_caltech_family_are_named() {
         let found: Vec<&str> = file.components.iter().map(|one| one.name.as_str()).collect();
         assert_eq!(found, names);
         assert!(file.components.iter().all(|one| one.station.as_deref() == Some(station) && one.direction.is_some()));
-        assert_eq!(file.notes, Vec::<String>::new(), "{name}");
+        assert_eq!(file.notes, [], "{name}");
     }
 }
 
@@ -195,7 +195,11 @@ fn raw_binary_records_agree_with_their_facts() {
         assert!(used.steps[0].contains("mean of"), "{:?}", used.steps);
     }
     let file = read(&shared.join("records/CI.CLC..HNE.mseed"), None, None);
-    assert!(file.notes.iter().any(|note| note.contains("in CI.CLC.xml, 213945 counts/(M/S**2)")), "{:?}", file.notes);
+    assert!(
+        file.notes.iter().any(|note| note.to_string().contains("in CI.CLC.xml, 213945 counts/(M/S**2)")),
+        "{:?}",
+        file.notes
+    );
 }
 
 #[test]

@@ -25,6 +25,7 @@ use freestand_output::figure::page::draw;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_records::horizontal::HorizontalMotion;
+use freestand_records::notes::{Note, NoteKind};
 
 mod spectra;
 
@@ -65,7 +66,7 @@ pub fn every_floor(building: &Building, storeys: usize) -> Vec<f64> {
     }
 }
 
-/// The floors under one motion: report, motions, spectra, warnings.
+/// The floors under one motion: report, motions, spectra, notes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionFloors {
     /// Their report.
@@ -77,7 +78,7 @@ pub struct MotionFloors {
     /// Pseudo-accelerations, `[level][damping][period]` \[g\]; empty where not requested.
     pub spectra_g: Vec<Vec<Vec<f64>>>,
     /// Warnings for the user.
-    pub warnings: Vec<String>,
+    pub notes: Vec<Note>,
 }
 
 /// The report on the floors under all motions; of several, the median of each number.
@@ -162,11 +163,11 @@ pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors,
     let across_building = request.building.across.as_ref().unwrap_or(&request.building.along);
     let across = recorded.across.as_ref();
     let across = across.map(|second| AxisFloors::new(&second.motion, across_building, request)).transpose()?;
-    let mut warnings = read.notes.clone();
+    let mut notes = read.notes.clone();
     let mut levels = Vec::with_capacity(request.levels_ratio.len());
     for (i, &level_ratio) in request.levels_ratio.iter().enumerate() {
         let axes: Vec<&AxisFloors> = std::iter::once(&along).chain(&across).collect();
-        warnings.extend(late_peak_warning(&recorded.name, level_ratio, &axes, i));
+        notes.extend(late_peak(level_ratio, &axes, i));
         levels.push(motion_level(level_ratio, &axes, i, request)?);
     }
     let verticals = verticals(recorded, request)?;
@@ -191,7 +192,7 @@ pub fn floors(read: &ReadMotion, request: &FloorRequest) -> Result<MotionFloors,
         floors: pairs(along.floors, across.map(|axis| axis.floors)),
         verticals,
         spectra_g,
-        warnings,
+        notes,
     })
 }
 
@@ -316,15 +317,16 @@ fn largest(histories: &[&[f64]]) -> (f64, Option<f64>) {
     }
 }
 
-/// A warning where the floor reaches its peak only after the end of the record.
-fn late_peak_warning(motion: &str, level_ratio: f64, axes: &[&AxisFloors], index: usize) -> Option<String> {
+/// A note where the floor reaches its peak only after the end of the record.
+fn late_peak(level_ratio: f64, axes: &[&AxisFloors], index: usize) -> Option<Note> {
     let later = axes.iter().filter_map(|axis| Some((axis.within_m_s2.get(index)?, *axis.later_m_s2.get(index)?)));
     let late = later.filter(|(within, later)| later > within).map(|(_, later)| later).reduce(f64::max)?;
-    Some(format!(
-        "{motion}, level {level_ratio}: the floor reaches its peak of {} g only after the end of the record: let \
-         it ring down with `tail`",
-        significant(late / G0_M_S2, 4)
-    ))
+    let late_g = late / G0_M_S2;
+    let words = format!(
+        "the floor reaches its peak of {} g only after the end of the record: let it ring down with `tail`",
+        significant(late_g, 4)
+    );
+    Some(Note::of(&format!("level {level_ratio}"), NoteKind::LatePeak, words).amount(late_g, "g"))
 }
 
 impl FloorReport {

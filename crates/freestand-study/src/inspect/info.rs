@@ -18,6 +18,7 @@ use freestand_output::facts::{Facts, table};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
+use freestand_records::notes::{Note, grouped};
 use freestand_records::processing::{Processed, process};
 
 /// A request for the contents and the measures of record files.
@@ -69,11 +70,14 @@ pub struct MotionInfo {
 pub fn info(request: &InfoRequest) -> Result<InfoReport, Problems> {
     let each: Vec<_> = request.files.paths.par_iter().map(|path| info_of_file(path, request)).collect();
     let mut report = InfoReport { motions: Vec::new(), failed: Vec::new(), warnings: Vec::new() };
+    let mut notes = Vec::new();
     for (path, found) in request.files.paths.iter().zip(each) {
         report.motions.extend(found.motions);
-        report.warnings.extend(found.notes.iter().map(|note| format!("{}: {note}", path.display())));
+        let name = path.to_string_lossy();
+        notes.extend(found.notes.into_iter().map(|note| (name.clone(), note)));
         report.failed.extend(found.problems.into_iter().map(|problem| Failed::new(path, problem)));
     }
+    report.warnings = grouped(notes.iter().map(|(name, note)| (name, note)));
     if !report.failed.is_empty() && (report.motions.is_empty() || request.files.paths.len() == 1) {
         return Err(report.failed.into_iter().map(|one| one.problem).collect());
     }
@@ -88,7 +92,7 @@ pub fn info(request: &InfoRequest) -> Result<InfoReport, Problems> {
 #[derive(Debug, Default)]
 struct Found {
     motions: Vec<MotionInfo>,
-    notes: Vec<String>,
+    notes: Vec<Note>,
     problems: Problems,
 }
 
@@ -113,12 +117,12 @@ fn info_of_file(path: &Path, request: &InfoRequest) -> Found {
             problem
         })
     };
-    let each: Vec<Result<(MotionInfo, Vec<String>), Problem>> = components.into_par_iter().map(of).collect();
+    let each: Vec<Result<(MotionInfo, Vec<Note>), Problem>> = components.into_par_iter().map(of).collect();
     let mut found = Found { notes: file.notes.clone(), ..Found::default() };
     for one in each {
         match one {
             Ok((info, more)) => {
-                found.notes.extend(more.into_iter().map(|note| format!("{}: {note}", info.component)));
+                found.notes.extend(more.into_iter().map(|note| note.about(&info.component)));
                 found.motions.push(info);
             }
             Err(problem) => found.problems.push(problem),
@@ -131,7 +135,7 @@ fn info_of_component(
     file: &MotionFile,
     component: &Component,
     request: &InfoRequest,
-) -> Result<(MotionInfo, Vec<String>), Problem> {
+) -> Result<(MotionInfo, Vec<Note>), Problem> {
     let Processed { motion, steps, notes, scale_ratio } =
         process(component, &request.files.processing).map_err(|problem| problem.in_file(&file.path))?;
     let rocking = request.block.map(|block| rocking_measures(&motion, &block, G0_M_S2));

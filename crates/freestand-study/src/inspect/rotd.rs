@@ -8,6 +8,7 @@ use crate::pair::ReadPair;
 use freestand_input::problem::Problem;
 use freestand_output::rows::table_of_columns;
 use freestand_output::table::Table;
+use freestand_records::notes::Note;
 use freestand_records::processing::{not_perpendicular, process_pair, short_period_warning};
 
 /// Spectra over all directions to compute.
@@ -76,9 +77,9 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
     let in_g = |values: &[f64]| values.iter().map(|a| a / G0_M_S2).collect::<Vec<f64>>();
     let ranked = request.percentiles.iter().zip(&spectrum.rotd_m_s2);
     let mut warnings = read.warnings();
-    warnings.extend(not_perpendicular(first, second));
+    let notes = [&one, &two].into_iter().flat_map(|done| &done.notes);
+    warnings.extend(not_perpendicular(first, second).iter().chain(notes).map(Note::to_string));
     warnings.extend(short_period_warning("the spectrum", &request.periods_s, one.motion.dt_s()));
-    warnings.extend([&one, &two].into_iter().flat_map(|done| done.notes.iter().cloned()));
     Ok(RotdReport {
         paths: read.files.iter().map(|file| file.path.to_string_lossy().into_owned()).collect(),
         components: [first.name.clone(), second.name.clone()],

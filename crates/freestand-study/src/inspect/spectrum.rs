@@ -12,6 +12,7 @@ use freestand_input::problem::Problem;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::table_of_columns;
 use freestand_output::table::Table;
+use freestand_records::notes::Note;
 use freestand_records::processing::{few_steps, samples_needed};
 
 /// A response spectrum to compute.
@@ -94,7 +95,7 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
     let mut all = all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter();
     let first =
         all.next().ok_or_else(|| Problem::value("a spectrum needs a damping ratio", "give one, such as 5 %"))?;
-    let mut warnings = read.notes.clone();
+    let mut warnings: Vec<String> = read.notes.iter().map(Note::to_string).collect();
     warnings.extend(short_period_note(&request.periods_s, recorded.motion.dt_s(), request.upsample));
     Ok(SpectrumReport {
         path: recorded.path.to_string_lossy().into_owned(),

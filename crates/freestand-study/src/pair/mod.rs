@@ -7,6 +7,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
+use freestand_records::notes::Note;
 use freestand_records::processing::{Processed, pair_of_one, turned, with_azimuths};
 
 /// Record files with two horizontal components.
@@ -178,7 +179,7 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
     let mut warnings = read.warnings();
     let start = |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
     warnings.extend(read.files.iter().filter_map(start));
-    warnings.extend(processed.notes.iter().cloned());
+    warnings.extend(processed.notes.iter().map(Note::to_string));
     let name = format!("{}-{}deg", name_of(&path), number(request.azimuth_deg.rem_euclid(360.0), 6));
     Ok(Rotated { name, path, azimuth_deg: request.azimuth_deg, processed, warnings })
 }

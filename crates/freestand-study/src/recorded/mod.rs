@@ -24,6 +24,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
 use freestand_output::facts::Facts;
 use freestand_records::formats::{Component, Direction, MotionFile, ReadOptions, Start, parse_motions, parse_unit};
+use freestand_records::notes::{Note, NoteKind};
 use freestand_records::processing::{
     Processed, Processing, Scale, not_perpendicular, pair_of_one, parse_step, process, process_file, process_pair,
     standstill_note,
@@ -98,22 +99,31 @@ pub struct ReadMotion {
     /// The motion.
     pub motion: RecordedMotion,
     /// What the reader concluded or ignored.
-    pub notes: Vec<String>,
+    pub notes: Vec<Note>,
     /// A warning for when the motion is written to a file: see [`start_note`].
-    pub start_note: Option<String>,
+    pub start_note: Option<Note>,
     /// The unit of acceleration in the file; the motion itself is in m/s².
     pub unit: &'static str,
 }
 
+impl ReadMotion {
+    /// Its notes, each with its name.
+    pub fn named_notes(&self) -> impl Iterator<Item = (&str, &Note)> {
+        self.notes.iter().map(|note| (self.motion.name.as_str(), note))
+    }
+}
+
 /// A warning for when the motion of a file with a time column is written to another file: times are
 /// then counted from the first sample, so that they and the time step lose no digit.
-pub fn start_note(file: &MotionFile) -> Option<String> {
+pub fn start_note(file: &MotionFile) -> Option<Note> {
     let start_s = file.components.iter().find_map(|one| match one.start {
         Some(Start::Column(seconds)) => Some(seconds),
         Some(Start::Date(_)) | None => None,
     })?;
     (start_s != 0.0).then(|| {
-        format!("the time column begins at {} s, but the times of the written motion begin at 0 s", number(start_s, 9))
+        let start = number(start_s, 9);
+        let words = format!("the time column begins at {start} s, but the times of the written motion begin at 0 s");
+        Note::new(NoteKind::StartsLater, words)
     })
 }
 
@@ -275,7 +285,7 @@ impl Loaded {
         // Two components that were turned to an azimuth are of one file and have the same unit.
         let component = file.select(files.component.as_deref()).ok().or(file.components.first());
         let unit = component.map_or("m/s2", |component| component.unit);
-        let mut notes: Vec<String> = file.notes.iter().cloned().chain(processed.notes).collect();
+        let mut notes: Vec<Note> = file.notes.iter().cloned().chain(processed.notes).collect();
         if !files.read.is_shock {
             notes.extend(
                 [Some(&motion.motion), motion.across.as_ref().map(|one| &one.motion)]

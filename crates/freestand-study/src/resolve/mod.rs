@@ -16,7 +16,7 @@ mod suite;
 use std::path::{Path, PathBuf};
 
 use crate::options::{self, Options};
-use crate::recorded::MotionFiles;
+use crate::recorded::{MotionFiles, ReadMotion};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
 use crate::target::Target;
 use crate::target::period_code;
@@ -26,6 +26,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::toml_reader::Written;
 use freestand_input::words::number;
+use freestand_records::notes::{Note, grouped};
 
 use recorded::has_measured_floors;
 
@@ -167,7 +168,8 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
     };
     let (options, problems) = options::parse(text, source);
     let is_complete = problems.is_empty();
-    let mut resolver = Resolver { source, base_dir, problems, warnings: Vec::new(), is_complete, reading: None };
+    let mut resolver =
+        Resolver { source, base_dir, problems, warnings: Vec::new(), notes: Vec::new(), is_complete, reading: None };
     let Options { mut ground, mut building, objects, outputs, assessment, worlds, restraint } = options;
     let text = resolver.with_hazard(&mut ground, text, overrides);
     let (text, building_is_assumed) = resolver.with_storeys(&mut building, text, overrides, is_builtin);
@@ -224,6 +226,7 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
             number(building.height_m, 4)
         ));
     }
+    let notes = grouped(resolver.notes.iter().map(|(name, note)| (name, note)));
     match (ground_input, building_input, objects) {
         (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => Ok(Study {
             source: source.map(Path::to_path_buf),
@@ -244,7 +247,7 @@ fn resolve_as(written: Text, source: Option<&Path>, base_dir: &Path, overrides: 
             objects,
             outputs,
             assessment,
-            warnings: resolver.warnings.iter().map(|warning| KeyStyle::File.shown(warning)).collect(),
+            warnings: resolver.warnings.iter().chain(&notes).map(|warning| KeyStyle::File.shown(warning)).collect(),
         }),
         _ => {
             resolver.problems.problems.sort_by_key(|problem| problem.line);
@@ -258,6 +261,8 @@ struct Resolver<'a> {
     base_dir: &'a Path,
     problems: Problems,
     warnings: Vec<String>,
+    /// Of all records that are read, with their names.
+    notes: Vec<(String, Note)>,
     /// No key was refused when the text was read.
     is_complete: bool,
     /// How records are read and processed, if there are any.
@@ -273,6 +278,12 @@ fn or<T: Clone>(written: &Option<Written<T>>, default: T) -> T {
 impl Resolver<'_> {
     fn note(&mut self, line: Option<usize>, message: impl Into<String>, hint: impl Into<String>) {
         self.fault(line, "", Problem::value(message, hint));
+    }
+
+    /// Keeps the notes of records, which are told together.
+    fn take_notes<'m>(&mut self, motions: impl IntoIterator<Item = &'m ReadMotion>) {
+        let notes = motions.into_iter().flat_map(ReadMotion::named_notes);
+        self.notes.extend(notes.map(|(name, note)| (name.to_owned(), note.clone())));
     }
 
     /// Notes a problem that was found elsewhere. A problem that has a line already names its own

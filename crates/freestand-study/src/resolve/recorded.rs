@@ -128,9 +128,7 @@ impl Resolver<'_> {
                 None => self.problems.push(problem),
             }
         }
-        for motion in &motions {
-            self.warnings.extend(motion.notes.iter().map(|note| format!("{}: {note}", motion.motion.name)));
-        }
+        self.take_notes(&motions);
         if let Err(problem) = refuse_copies(motions.iter().map(|read| read.motion.samples())) {
             match lines {
                 Some(lines) => self.fault(lines.first().copied(), "motions", problem),

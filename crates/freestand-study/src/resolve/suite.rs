@@ -8,7 +8,7 @@ use freestand::suite::SuiteScale;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
-use freestand_input::words::{counted, number};
+use freestand_input::words::{counted, number, some};
 use freestand_records::processing::short_period_warning;
 use rayon::prelude::*;
 
@@ -18,12 +18,10 @@ use crate::options::{ComponentsOption, GroundOptions};
 use crate::recorded::{Folder, MotionFiles, ReadMotion, Second, read_folder};
 use crate::study::{BuildingInput, Level, RecordedMotion};
 use crate::suite::{
-    DEFAULT_MOST, DEFAULT_SCALE, LeftOut, PeriodRange, Record, Request, SCALES, Spectra, Suite, select, some,
+    DEFAULT_MOST, DEFAULT_SCALE, LeftOut, NAMED, PeriodRange, Record, Request, SCALES, Spectra, Suite, select,
+    some_left_out,
 };
 use crate::target::Target;
-
-/// How many files an error names.
-const NAMED: usize = 5;
 
 /// The keys that belong to `suite`, with their lines.
 pub(super) fn suite_keys(written: &GroundOptions) -> [(&'static str, Option<usize>); 2] {
@@ -139,23 +137,11 @@ impl Resolver<'_> {
         Some(MotionFiles { second, ..self.reading.clone()? })
     }
 
-    /// What the readers of the chosen records noted, each note once, and periods for which a record is
-    /// too coarse.
+    /// What the readers of the chosen records noted, and periods for which a record is too coarse.
     fn motion_warnings(&mut self, suite: &Suite, members: &[(ReadMotion, f64)]) {
-        let mut notes: Vec<(&str, Vec<String>)> = Vec::new();
-        for (read, _) in members {
-            let name = &read.motion.name;
-            for note in &read.notes {
-                match notes.iter_mut().find(|(text, _)| text == note) {
-                    Some((_, names)) => names.push(name.clone()),
-                    None => notes.push((note, vec![name.clone()])),
-                }
-            }
-        }
+        self.take_notes(members.iter().map(|(read, _)| read));
         let coarsest_s = members.iter().map(|(read, _)| read.motion.motion.dt_s()).fold(0.0, f64::max);
-        let coarse = short_period_warning("the suite", &suite.periods_s, coarsest_s);
-        let notes = notes.into_iter().map(|(note, names)| format!("{}: {note}", some(&names)));
-        self.warnings.extend(notes.chain(coarse));
+        self.warnings.extend(short_period_warning("the suite", &suite.periods_s, coarsest_s));
     }
 }
 
@@ -234,13 +220,12 @@ fn chosen(
 
 /// Why files cannot be used, at the end of a sentence.
 fn because(usable: usize, left_out: &[LeftOut], skipped: &[String]) -> String {
-    let mut reasons: Vec<String> =
-        left_out.iter().take(NAMED).map(|one| format!("{}: {}", one.file, one.reason)).collect();
-    if left_out.len() > NAMED {
-        reasons.push(format!("and {} more", left_out.len() - NAMED));
+    let mut reasons: Vec<String> = Vec::new();
+    if !left_out.is_empty() {
+        reasons.push(some_left_out(left_out));
     }
     if !skipped.is_empty() {
-        reasons.push(format!("not records of horizontal motion: {}", some(skipped)));
+        reasons.push(format!("not records of horizontal motion: {}", some(skipped, NAMED)));
     }
     match (reasons.as_slice(), usable) {
         ([], 0) => " (it has no files)".to_owned(),

@@ -21,6 +21,7 @@ use freestand_input::words::{Choices, name_of, number};
 use freestand_output::facts::{Facts, table};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
+use freestand_records::notes::{Note, NoteKind, grouped};
 
 /// A shock response spectrum to compute.
 #[derive(Debug, Clone, PartialEq)]
@@ -143,7 +144,7 @@ pub fn recorded_shock_spectra(
 ) -> Result<ShockSpectrumReport, Problem> {
     let options =
         ShockSpectrumOptions { kind: request.kind, damping_ratio: request.damping_ratio, upsample: request.upsample };
-    let (mut spectra, mut warnings, mut solve_s) = (Vec::new(), Vec::new(), 0.0);
+    let (mut spectra, mut notes, mut solve_s) = (Vec::new(), Vec::new(), 0.0);
     for read in motions {
         let recorded = &read.motion;
         let motion = &recorded.motion;
@@ -163,11 +164,14 @@ pub fn recorded_shock_spectra(
         one.path = Some(recorded.path.to_string_lossy().into_owned());
         (one.dt_s, one.samples) = (Some(motion.dt_s()), Some(motion.accel_m_s2().len()));
         one.processing.clone_from(&recorded.processing);
-        let of_file = |text: String| if motions.len() > 1 { format!("{}: {text}", recorded.name) } else { text };
-        warnings.extend(read.notes.iter().cloned().map(of_file));
-        warnings.extend(sampling_warning(request, motion.dt_s(), &found).map(of_file));
+        let all = read.notes.iter().cloned().chain(sampling_note(request, motion.dt_s(), &found));
+        notes.extend(all.map(|note| (&recorded.name, note)));
         spectra.push(one);
     }
+    let warnings = match motions {
+        [_] => notes.iter().map(|(_, note)| note.to_string()).collect(),
+        _ => grouped(notes.iter().map(|(name, note)| (name, note))),
+    };
     Ok(report(request, spectra, solve_s, warnings))
 }
 
@@ -290,34 +294,38 @@ fn report(
 /// ten.
 const FEW_SAMPLES: f64 = 10.0;
 
-/// A warning about frequencies above those of the record, or whose peaks lie between samples.
-fn sampling_warning(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpectrum) -> Option<String> {
+/// A note about frequencies above those of the record, or whose peaks lie between samples.
+fn sampling_note(request: &ShockSpectrumRequest, dt_s: f64, found: &ShockSpectrum) -> Option<Note> {
     let highest_hz = request.frequencies_hz.iter().copied().fold(0.0, f64::max);
     let in_hz = |f: f64| format!("{} Hz", number(f, 4));
     if highest_hz * dt_s > 0.5 {
-        return Some(format!(
+        let words = format!(
             "the record contains nothing above half its sampling rate, {}: oscillators of higher frequency respond \
              only to what is below",
             in_hz(0.5 / dt_s)
-        ));
+        );
+        return Some(Note::new(NoteKind::FewSamples, words));
     }
     let least = found.samples_per_period.iter().copied().fold(f64::INFINITY, f64::min);
-    if !request.upsample && least < FEW_SAMPLES {
-        return Some(format!(
-            "without upsampling, peaks above {} come from fewer than ten samples in a period and may be {} % too low",
-            in_hz(1.0 / (FEW_SAMPLES * dt_s)),
-            number(100.0 * (1.0 - (PI / least).cos()), 2),
-        ));
-    }
-    (request.upsample && least < SAMPLES_PER_PERIOD).then(|| {
+    let low_percent = 100.0 * (1.0 - (PI / least).cos());
+    let low = number(low_percent, 2);
+    let words = if !request.upsample && least < FEW_SAMPLES {
+        let above = in_hz(1.0 / (FEW_SAMPLES * dt_s));
+        format!(
+            "without upsampling, peaks above {above} come from fewer than ten samples in a period and may be {low} % \
+             too low"
+        )
+    } else if request.upsample && least < SAMPLES_PER_PERIOD {
         format!(
             "the record is too long for {SAMPLES_PER_PERIOD} samples in every period: at {} a period has {}, and \
-             peaks may be {} % too low",
+             peaks may be {low} % too low",
             in_hz(highest_hz),
-            number(least, 3),
-            number(100.0 * (1.0 - (PI / least).cos()), 2),
+            number(least, 3)
         )
-    })
+    } else {
+        return None;
+    };
+    Some(Note::new(NoteKind::FewSamples, words))
 }
 
 impl ShockSpectrumReport {

@@ -161,7 +161,7 @@ fn components_are_paired_and_other_files_are_named() {
     assert_eq!(left_out, ["broken.csv", "copy of both0.csv"]);
     assert_eq!(suite.left_out[1].reason, "is the same as both0.csv");
     let warning = study.warnings.iter().find(|one| one.contains("broken.csv")).unwrap();
-    assert!(warning.starts_with("suite: broken.csv is left out: ") && warning.contains("what"), "{warning}");
+    assert!(warning.starts_with("suite: 2 files are left out: broken.csv: ") && warning.contains("what"), "{warning}");
     // Every file that was used can be fingerprinted and protected.
     assert_eq!(motion_paths(&study).len(), 8 + 6);
     assert_eq!(provenance(&study).inputs.len(), 8 + 6);

@@ -6,6 +6,8 @@ use clap::{Args, ValueEnum};
 use freestand::measures::{Integrals, integrals};
 use freestand::motion::Motion;
 use freestand_records::formats::{write_at2, write_csv};
+use freestand_records::notes::grouped;
+use freestand_study::recorded::ReadMotion;
 use freestand_study::study::RecordedMotion;
 use serde::Serialize;
 use serde_json::json;
@@ -85,10 +87,10 @@ pub(crate) fn run(args: &ConvertArgs, global: &GlobalArgs, printer: &Printer) ->
         return Err(Failure::usage("several files cannot share standard output", "name a folder with --out"));
     }
     let files = Files::begin(global, &args.read.inputs(&args.files))?;
-    let (mut motions, mut warnings) = (Vec::new(), Vec::new());
+    let starts = read.iter().filter_map(|one| Some((one.motion.name.as_str(), one.start_note.as_ref()?)));
+    let warnings = grouped(read.iter().flat_map(ReadMotion::named_notes).chain(starts));
+    let mut motions = Vec::new();
     for one in &read {
-        let notes = one.notes.iter().chain(&one.start_note);
-        warnings.extend(notes.map(|note| format!("{}: {note}", one.motion.name)));
         let RecordedMotion { name, path, motion, processing, scale_ratio, .. } = &one.motion;
         motions.push(args.to.write(&files, (path, name), motion, processing, *scale_ratio)?);
     }

@@ -132,7 +132,8 @@ pub(crate) fn run_match(args: &MatchArgs, global: &GlobalArgs, printer: &Printer
     let name = format!("{}-matched", name_of(&args.file));
     let request = MatchRequest { target, record: &read.motion.motion, name, method: args.method, pga_g };
     let report = match_one(request).map_err(|problem| problem.in_file(&args.file))?;
-    finish(report, files, &read.notes, printer)
+    let notes: Vec<String> = read.notes.iter().map(ToString::to_string).collect();
+    finish(report, files, &notes, printer)
 }
 
 /// Writes the motions, draws them with their target, and the first one by itself.

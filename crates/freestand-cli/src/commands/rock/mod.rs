@@ -296,9 +296,9 @@ impl Reading {
 
     /// Adds the notes and the processing of a motion.
     fn enter(&mut self, read: &ReadMotion) {
-        let named = |text: &String| format!("{}: {text}", read.motion.name);
-        self.warnings.extend(read.notes.iter().map(named));
-        self.processing.extend(read.motion.processing.iter().map(named));
+        let name = &read.motion.name;
+        self.warnings.extend(read.notes.iter().map(|note| format!("{name}: {note}")));
+        self.processing.extend(read.motion.processing.iter().map(|step| format!("{name}: {step}")));
     }
 
     /// Writes the history, prints the result and ends the command.

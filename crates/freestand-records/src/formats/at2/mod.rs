@@ -1,6 +1,7 @@
 //! PEER AT2: prose, a unit, a line with NPTS and DT, then the values, any number per line.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading};
+use crate::notes::Note;
 use crate::text::digit_style::DigitStyle;
 use crate::text::fortran::{bad_field, fields, scan};
 use crate::text::gaps::Markers;
@@ -163,7 +164,7 @@ fn value_after(text: &str, at: usize) -> Option<(f64, usize)> {
     Some((number.value, at + rest.len() - trimmed.len() + number.length))
 }
 
-fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<String>) -> Result<(Vec<f64>, usize), Problem> {
+fn read_values(bytes: &[u8], counts: &Counts, notes: &mut Vec<Note>) -> Result<(Vec<f64>, usize), Problem> {
     // A wrong NPTS must not reserve memory that the file cannot fill: a value takes at least two
     // bytes.
     let mut values = Vec::with_capacity(counts.npts.min(bytes.len() / 2 + 1));

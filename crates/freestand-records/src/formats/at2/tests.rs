@@ -1,4 +1,5 @@
 use crate::formats::{Component, ReadOptions, parse_motions};
+use crate::notes::Note;
 use freestand::G0_M_S2;
 use freestand_input::problem::{Problem, ProblemKind};
 
@@ -150,7 +151,7 @@ fn what_is_refused() {
     assert_eq!(problem.line, Some(4));
 }
 
-fn notes(text: &str) -> Vec<String> {
+fn notes(text: &str) -> Vec<Note> {
     parse_motions(text.as_bytes().to_vec(), "x.AT2".as_ref(), &ReadOptions::default()).unwrap().notes
 }
 
@@ -164,20 +165,25 @@ fn printed() -> String {
 #[test]
 fn a_number_that_lost_characters_is_said() {
     let whole = printed();
-    assert_eq!(notes(&whole), Vec::<String>::new());
-    assert_eq!(notes(whole.trim_end()), Vec::<String>::new(), "a file need not end with a line end");
+    assert_eq!(notes(&whole), [""; 0]);
+    assert_eq!(notes(whole.trim_end()), [""; 0], "a file need not end with a line end");
     for lost in 1..=4 {
         let cut = &whole[..whole.trim_end().len() - lost];
         match parse_motions(cut.as_bytes().to_vec(), "x.AT2".as_ref(), &ReadOptions::default()) {
-            Ok(file) => assert!(file.notes.len() == 1 && file.notes[0].starts_with("line 45: "), "{:?}", file.notes),
+            Ok(file) => {
+                assert!(file.notes.len() == 1 && file.notes[0].to_string().starts_with("line 45: "), "{:?}", file.notes)
+            }
             Err(problem) => assert!(lost == 2 || lost == 3, "{lost}: {problem}"),
         }
     }
     // A point, and with it the size of a value: 1e5 g.
     let at = whole.rfind('.').unwrap();
     let lost = notes(&format!("{}{}", &whole[..at], &whole[at + 1..]));
-    assert!(lost.len() == 2 && lost[0].starts_with("line 45: ") && lost[1].contains("value 201 is"), "{lost:?}");
-    assert!(lost[1].contains("check the unit (g)"), "{lost:?}");
+    assert!(
+        lost.len() == 2 && lost[0].to_string().starts_with("line 45: ") && lost[1].to_string().contains("value 201 is"),
+        "{lost:?}"
+    );
+    assert!(lost[1].to_string().contains("check the unit (g)"), "{lost:?}");
 }
 
 #[test]

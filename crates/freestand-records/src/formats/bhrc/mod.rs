@@ -5,6 +5,7 @@
 //! that ends the record.
 
 use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, end_note};
+use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::{Number, fields, is_missing_value, scan};
 use crate::text::lines::{Line, Lines, lines};
@@ -40,7 +41,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     }
     notes.extend(end_note(bytes, "end of record"));
     if components.len() < 3 {
-        notes.push(format!("the file has only {} of three components: it may be cut off", components.len()));
+        let words = format!("the file has only {} of three components: it may be cut off", components.len());
+        notes.push(Note::new(NoteKind::CutOff, words));
     }
     Ok(Reading { format: "BHRC volume 1", components, notes })
 }
@@ -68,7 +70,7 @@ fn component(
     title: &Line<'_>,
     number: usize,
     options: &ReadOptions,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Component, Problem> {
     if let Some(volume) = volume(title).filter(|volume| volume != "VOL1DS") {
         return Err(Problem::new(
@@ -86,7 +88,8 @@ fn component(
     // The letter is alone on its line.
     let name = text.iter().map(|line| line.trim()).find(|line| matches!(*line, "L" | "V" | "T" | "l" | "v" | "t"));
     let name = name.map_or_else(|| format!("component {number}"), str::to_ascii_uppercase);
-    notes.push(format!("{name}: the time step {dt_s} s is the duration divided by the number of values"));
+    let words = format!("the time step {dt_s} s is the duration divided by the number of values");
+    notes.push(Note::of(&name, NoteKind::StepFromDuration, words));
     Found {
         direction: direction(&text, &name),
         name,

@@ -48,7 +48,7 @@ fn three_components_in_tenths_of_g() {
                 assert!((found - value * 0.980665).abs() < 1e-15, "{found} {value}");
             }
         }
-        assert!(found.notes[0].contains("duration"));
+        assert!(found.notes[0].to_string().contains("duration"));
     }
     let found = read(&text).unwrap();
     assert_eq!((found.format, found.components[0].line_of_first_value), ("BHRC volume 1", 28));

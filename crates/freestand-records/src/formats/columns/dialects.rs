@@ -123,7 +123,7 @@ fn one_column_or_a_series() {
     // A whole number above whole numbers may be a value.
     assert_eq!(read(b"2\n1\n3\n", &both).unwrap().components[0].motion.accel_m_s2().len(), 3);
     let file = read(b"4\n0.5\n-0.25\n0.001\n-0.0\n", &both).unwrap();
-    assert!(file.notes[0].contains("number of values"), "{:?}", file.notes);
+    assert!(file.notes[0].to_string().contains("number of values"), "{:?}", file.notes);
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn several_components() {
     assert_eq!(read(timed.as_bytes(), &ReadOptions::default()).unwrap().components.len(), 1);
     // The flag does: that is what it is for.
     let file = read(timed.as_bytes(), &options("", 0.01)).unwrap();
-    assert!(file.components.len() == 2 && file.notes.iter().any(|note| note.contains("if it is the time")));
+    assert!(file.components.len() == 2 && file.notes.iter().any(|note| note.to_string().contains("if it is the time")));
     // Prose that speaks of a step says nothing against a time column.
     let other = "dt = 0.5 s in another file\nunit g\n0.00,0.5\n0.01,-0.25\n0.02,0.001\n";
     assert_eq!(read(other.as_bytes(), &ReadOptions::default()).unwrap().components[0].motion.dt_s(), 0.01);
@@ -189,11 +189,15 @@ fn uneven_times_are_interpolated_only_on_request() {
     }
     assert_eq!((file.components[1].motion.accel_m_s2().len(), file.components[1].motion.dt_s()), (6, 0.01));
     assert_eq!(file.notes.len(), 1);
-    assert!(file.notes[0].contains("4 points became 6 samples; steps were off by up to 0.02 s"), "{}", file.notes[0]);
+    assert!(
+        file.notes[0].to_string().contains("4 points became 6 samples; steps were off by up to 0.02 s"),
+        "{}",
+        file.notes[0]
+    );
     // A step that misses the largest value says so.
     let file = read(text.as_bytes(), &asked(0.02)).unwrap();
     assert_eq!(file.components[0].motion.accel_m_s2(), [1.0, 2.0, 0.0]);
-    assert!(file.notes[1].contains("reduced a peak from 5.00000 to 2.00000"), "{:?}", file.notes);
+    assert!(file.notes[1].to_string().contains("reduced a peak from 5.00000 to 2.00000"), "{:?}", file.notes);
     // Even times stay as they are; times that fall are refused all the same.
     let even = read(b"t [s],a [g]\n0,1\n0.05,2\n0.1,3\n", &asked(0.01)).unwrap();
     assert_eq!((even.components[0].motion.dt_s(), even.notes.len()), (0.05, 0));

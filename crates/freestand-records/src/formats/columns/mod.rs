@@ -1,6 +1,7 @@
 //! Motions in columns, with or without a time column, a header and units.
 
 use crate::motion_file::{Component, Direction, ReadOptions, Reading, Start, motion};
+use crate::notes::{Note, NoteKind};
 use crate::text::dialect::Separator;
 use crate::text::even_grid::{Uneven, on_even_grid};
 use crate::text::fortran::is_gap_mark;
@@ -53,16 +54,17 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     };
     let first = usize::from(counts_rows(&table, &stating, options));
     if first > 0 {
-        notes.push("column 1 counts the rows or samples and was ignored".to_owned());
+        let words = "column 1 counts the rows or samples and was ignored";
+        notes.push(Note::new(NoteKind::ColumnIgnored, words));
     }
     let time = time_source(&table, first, &stating, options)?;
     let (spacing, skip) = match time {
         Time::Step(dt_s) => {
             if table.columns.len() > first + 1 && is_time(&table, first, Some(dt_s)) {
-                notes.push(format!(
-                    "column {} rises by {dt_s} from row to row: if it is the time, leave out `dt`",
-                    first + 1
-                ));
+                let column = first + 1;
+                let words =
+                    format!("column {column} rises by {dt_s} from row to row: if it is the time, leave out `dt`");
+                notes.push(Note::new(NoteKind::MayBeTime, words));
             }
             (Spacing { dt_s, start_s: None, uneven_s: None }, first)
         }
@@ -77,7 +79,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let heading = stating.headings.as_ref().and_then(|all| all.get(i)).cloned().unwrap_or_default();
         let what = if count == 1 { "the acceleration".to_owned() } else { format!("column {}", i + 1) };
         if let Some(other) = other_quantity(&heading) {
-            notes.push(format!("column {} ({}) is {other} and was ignored", i + 1, shorten(&heading.name)));
+            let words = format!("column {} ({}) is {other} and was ignored", i + 1, shorten(&heading.name));
+            notes.push(Note::new(NoteKind::ColumnIgnored, words));
             refused.get_or_insert(other);
             continue;
         }
@@ -151,33 +154,38 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     Ok(Reading { format, components, notes })
 }
 
-fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Problem> {
+fn what_is_stated(table: &Table, notes: &mut Vec<Note>) -> Result<Stating, Problem> {
     let mut stating = Stating { headings: None, line: table.line_of_first_value, unit: None, dt_s: None };
     if let Some(dt_s) = table.series_dt_s {
         stating.dt_s = Some((dt_s, table.line_of_first_value));
-        notes.push(format!("the first row is read as the number of values and the time step, {dt_s} s"));
+        let words = format!("the first row is read as the number of values and the time step, {dt_s} s");
+        notes.push(Note::new(NoteKind::FirstRow, words));
     } else if table.has_row_of_counts {
-        notes.push("the first row is read as the number of values".to_owned());
+        notes.push(Note::new(NoteKind::FirstRow, "the first row is read as the number of values"));
     } else if let Some(count) = table.possible_count() {
-        notes.push(format!(
+        let words = format!(
             "the first row, {count}, is read as a value, but {count} rows follow: remove it if it is their number"
-        ));
+        );
+        notes.push(Note::new(NoteKind::FirstRow, words));
     }
     for (line, text) in &table.comments {
         if let Some(unit) = unit_in_prose(text) {
             stating.unit = Some(Stated { unit, line: *line });
-            notes.push(format!("the unit {} is taken from the comment on line {line}", unit.symbol));
+            let words = format!("the unit {} is taken from the comment on line {line}", unit.symbol);
+            notes.push(Note::new(NoteKind::UnitFromText, words));
         }
         if let Some(dt_s) = dt_in_comment(text) {
             let dt_s = dt_s.map_err(|problem| problem.at_line(*line))?;
             stating.dt_s = Some((dt_s, *line));
-            notes.push(format!("the time step {dt_s} s is taken from the comment on line {line}"));
+            let words = format!("the time step {dt_s} s is taken from the comment on line {line}");
+            notes.push(Note::new(NoteKind::StepFromText, words));
         }
     }
     let rows = table.columns.first().map_or(0, |column| column.values.len());
     for (line, text) in table.header.iter().chain(&table.comments) {
         if let Some(count) = count_in_words(text).filter(|count| *count != rows as f64) {
-            notes.push(format!("line {line} states {count} values, but the table has {rows} rows: it may be cut off"));
+            let words = format!("line {line} states {count} values, but the table has {rows} rows: it may be cut off");
+            notes.push(Note::new(NoteKind::CountDiffers, words));
         }
     }
     if let Some((headings, line)) = headings_of(table) {
@@ -192,13 +200,15 @@ fn what_is_stated(table: &Table, notes: &mut Vec<String>) -> Result<Stating, Pro
         stating.unit =
             prose.filter_map(|(line, text)| unit_in_prose(text).map(|unit| Stated { unit, line: *line })).next_back();
         if let Some(stated) = stating.unit {
-            notes.push(format!("the unit {} is taken from line {}", stated.unit.symbol, stated.line));
+            let words = format!("the unit {} is taken from line {}", stated.unit.symbol, stated.line);
+            notes.push(Note::new(NoteKind::UnitFromText, words));
         }
     }
     if stating.dt_s.is_none() && has_no_time(table, &stating) {
         stating.dt_s = table.header.iter().find_map(|(line, text)| Some((step_in_prose(text)?, *line)));
         if let Some((dt_s, line)) = stating.dt_s {
-            notes.push(format!("the time step {dt_s} s is taken from line {line}"));
+            let words = format!("the time step {dt_s} s is taken from line {line}");
+            notes.push(Note::new(NoteKind::StepFromText, words));
         }
     }
     Ok(stating)
@@ -318,7 +328,7 @@ fn spacing_of_column(
     at: usize,
     stating: &Stating,
     options: &ReadOptions,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Spacing, Problem> {
     let Some(column) = table.columns.get(at) else {
         return Err(Problem::new(ProblemKind::Format, "there are no columns")
@@ -336,7 +346,7 @@ fn spacing_of_column(
     let stated = heading.and_then(|heading| heading.unit);
     if stated.is_none() {
         let column = if at == 0 { "the first column".to_owned() } else { format!("column {}", at + 1) };
-        notes.push(format!("{column} is read as time in seconds"));
+        notes.push(Note::new(NoteKind::TimeAssumed, format!("{column} is read as time in seconds")));
     }
     let to_si = |time: f64| stated.map_or(time, |unit| unit.to_si(time));
     let step = match (time_step(&column.values, column.last_digit_exponent), options.uneven_dt_s) {
@@ -373,27 +383,29 @@ fn resampled(
     values: &[f64],
     dt_s: f64,
     most: usize,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Vec<f64>, Uneven> {
     let samples = on_even_grid(times_s, values, dt_s, most)?;
     let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
     let (before, after) = (peak(values), peak(&samples));
     let furthest = times_s.windows(2).fold(0.0, |most: f64, pair| most.max((pair[1] - pair[0] - dt_s).abs()));
-    let note = format!(
+    let words = format!(
         "uneven times were interpolated on straight lines to steps of {dt_s} s: {} points became {} samples; steps \
          were off by up to {} s",
         values.len(),
         samples.len(),
         number(furthest, 3)
     );
+    let note = Note::new(NoteKind::Interpolated, words).amount(furthest, "s");
     // Components share their times, so the note is written once.
     if !notes.contains(&note) {
         notes.push(note);
     }
     // A peak between two samples is reduced, unless the step has every time on its grid.
     if after < before * (1.0 - 1e-9) {
-        notes
-            .push(format!("interpolation reduced a peak from {before:.5} to {after:.5} m/s2: a shorter step keeps it"));
+        let words =
+            format!("interpolation reduced a peak from {before:.5} to {after:.5} m/s2: a shorter step keeps it");
+        notes.push(Note::new(NoteKind::PeakReduced, words).amount(100.0 * (before - after) / before, "%"));
     }
     Ok(samples)
 }

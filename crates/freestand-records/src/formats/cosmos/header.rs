@@ -3,6 +3,7 @@
 use super::Series;
 use crate::formats::volumes::{first_integer, step_in};
 use crate::motion_file::ReadOptions;
+use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::{is_missing_value, scan};
 use crate::text::lines::Lines;
@@ -73,7 +74,7 @@ impl Header {
     }
 
     /// The value of one count \[m/s²\]: volts per count divided by volts per g.
-    pub(super) fn count_m_s2(&self, notes: &mut Vec<String>) -> Result<f64, Problem> {
+    pub(super) fn count_m_s2(&self, notes: &mut Vec<Note>) -> Result<f64, Problem> {
         let positive = |number: usize, what: &str| {
             self.real(number).filter(|value| *value > 0.0).ok_or_else(|| {
                 let message = format!("the values are counts, but the header does not give the {what}");
@@ -85,7 +86,8 @@ impl Header {
         let volts = positive(22, "recorder's microvolts per count (real header 22)")? / 1e6;
         let volts_a_g = positive(42, "sensor's volts per g (real header 42)")?;
         if let Some(gain) = self.real(47).filter(|gain| *gain != 1.0 && *gain != 0.0) {
-            notes.push(format!("the header states a gain of {gain} (real header 47), which was not applied"));
+            let words = format!("the header states a gain of {gain} (real header 47), which was not applied");
+            notes.push(Note::new(NoteKind::FactorIgnored, words));
         }
         Ok(volts / volts_a_g * G0_M_S2)
     }

@@ -8,6 +8,7 @@ mod header;
 
 use super::volumes::first_integer;
 use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, peak_note};
+use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::is_missing_value;
 use crate::text::lines::{Line, Lines, lines};
@@ -92,7 +93,7 @@ fn refuse_open(open: Option<usize>) -> Result<(), Problem> {
 fn finish(
     format: &'static str,
     mut components: Vec<Component>,
-    mut notes: Vec<String>,
+    mut notes: Vec<Note>,
     refused: &[(String, usize)],
 ) -> Result<Reading, Problem> {
     if components.is_empty() {
@@ -106,7 +107,8 @@ fn finish(
         return Err(problem.hint("use the acceleration file of the same record"));
     }
     if !refused.is_empty() {
-        notes.push(format!("{} series of quantities other than acceleration left out", refused.len()));
+        let words = format!("{} series of quantities other than acceleration left out", refused.len());
+        notes.push(Note::new(NoteKind::ChannelLeftOut, words));
     }
     crate::motion_file::tell_apart(&mut components);
     Ok(Reading { format, components, notes })
@@ -160,7 +162,7 @@ fn series(line: &Line<'_>) -> Result<Option<Series>, Problem> {
 
 /// The values, up to the line that ends them. Some networks count one more or one less; the end
 /// line decides.
-fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -> Result<Block, Problem> {
+fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<Note>) -> Result<Block, Problem> {
     let try_count = |count: usize| {
         let mut at = rest.clone();
         let block = series.format.read(&mut at, count, "the record")?;
@@ -183,7 +185,8 @@ fn read_values(series: &Series, rest: &mut Lines<'_>, notes: &mut Vec<String>) -
         if let Ok((block, at)) = try_count(count)
             && at.ahead().is_some_and(|line| line.text().to_ascii_lowercase().contains("end-of-data"))
         {
-            notes.push(format!("line {} declares {} values, but the record has {count}", series.line, series.count));
+            let words = format!("line {} declares {} values, but the record has {count}", series.line, series.count);
+            notes.push(Note::new(NoteKind::CountDiffers, words));
             *rest = at;
             return Ok(block);
         }
@@ -279,7 +282,7 @@ fn component(
     block: Block,
     channel: usize,
     options: &ReadOptions,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Component, Problem> {
     let unit = unit(series)?;
     let is_raw = unit == COUNTS;
@@ -291,8 +294,8 @@ fn component(
         notes.extend(block.refuse_missing(series.format, |value| is_unknown(value) && !is_ordinary(value))?);
         let count = block.values.iter().filter(|value| is_ordinary(**value)).count();
         if count > 0 {
-            let values = counted(count, "value");
-            notes.push(format!("{}: {values} of -999 or -9999 read as counts, not as missing", shorten(&name)));
+            let words = format!("{} of -999 or -9999 read as counts, not as missing", counted(count, "value"));
+            notes.push(Note::of(&name, NoteKind::GapMark, words));
         }
     } else {
         notes.extend(block.refuse_missing(series.format, is_unknown)?);

@@ -119,7 +119,7 @@ fn counts_need_the_sensitivity() {
     let file = read(&text(&raw)).unwrap();
     let one = &file.components[0];
     assert_eq!((file.format, one.unit, one.is_raw, one.motion.dt_s()), ("COSMOS V0", "counts", true, 0.01));
-    assert!(file.notes[0].contains("1 value of -999"));
+    assert!(file.notes[0].to_string().contains("1 value of -999"));
     // 2 microvolts a count over 0.5 V/g are 4e-6 g a count; three factors, so some units in the
     // last place.
     for (found, count) in one.motion.accel_m_s2().iter().zip([100.0, -999.0, -50.0, 1e6]) {
@@ -143,7 +143,7 @@ fn channels_follow_one_another_and_other_quantities_are_left_out() {
     let file = read(&[text(&UNCORRECTED), text(&velocity), text(&up), text(&UNCORRECTED)].concat()).unwrap();
     let names: Vec<&str> = file.components.iter().map(|one| one.name.as_str()).collect();
     assert_eq!(names, ["360 deg, channel 1", "UP", "360 deg, channel 3"]);
-    assert!(file.notes.iter().any(|note| note.contains("1 series of quantities other")));
+    assert!(file.notes.iter().any(|note| note.to_string().contains("1 series of quantities other")));
     let problem = read(&text(&velocity)).unwrap_err();
     assert!(problem.starts_with("x.v1c:46: holds a velocity"), "{problem}");
     // All three series of a channel below one header.
@@ -241,7 +241,7 @@ fn channels_that_are_not_there_are_said() {
         .replace("-99999.999", "     1.000")
         .replace("Recorder: x", "Recorder: x ( 2 Chns of   3 at Sta)");
     let two = one.clone() + &one;
-    assert_eq!(read(&two).unwrap().notes, Vec::<String>::new());
+    assert_eq!(read(&two).unwrap().notes, [""; 0]);
     assert_eq!(read(&one).unwrap().notes, ["the header states 2 channels, but the file has 1: it may be cut off"]);
     let cut = two.trim_end().strip_suffix(UNCORRECTED.end).unwrap();
     assert_eq!(
@@ -254,7 +254,7 @@ fn channels_that_are_not_there_are_said() {
 #[test]
 fn the_value_for_unknown_stands_out() {
     let gap = text(&UNCORRECTED).replace("     2.000    -2.000", "     2.000  -999.000");
-    assert!(read(&gap).unwrap().notes[0].contains("line 48: -999 is read as a value"));
+    assert!(read(&gap).unwrap().notes[0].to_string().contains("line 48: -999 is read as a value"));
     let weak = gap.replace("-99999.999", "   499.000");
     assert!(read(&weak).unwrap_err().contains("x.v1c:48: \"-999\" marks a missing value"));
 }

@@ -2,6 +2,7 @@
 //! columns, in gal.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::scan;
 use crate::text::head::{Head, leading_number};
@@ -178,7 +179,7 @@ fn check_times(rows: &Rows, rate_hz: f64) -> Result<(), Problem> {
 
 /// Checks the length of the record, which is rounded to few digits and may or may not count the
 /// last step.
-fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<String>, Problem> {
+fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<Note>, Problem> {
     let Ok((line, text)) = header.value("#RecordLength") else { return Ok(None) };
     let Some(length) = scan(text.as_bytes()) else { return Ok(None) };
     let rounding_s = 10f64.powi(length.last_digit_exponent.clamp(-9, 9));
@@ -187,9 +188,8 @@ fn check_length(header: &Header, rows: &Rows, rate_hz: f64) -> Result<Option<Str
     if (found as f64 - expected).abs() <= 1.0 + rounding_s * rate_hz {
         // Neither way of counting gives fewer rows than the length.
         let is_short = expected - found as f64 > 0.5 + 0.5 * rounding_s * rate_hz;
-        return Ok(is_short.then(|| {
-            format!("{found} rows were read, but {} s at {rate_hz} Hz would be {expected:.0}", length.value)
-        }));
+        let words = || format!("{found} rows were read, but {} s at {rate_hz} Hz would be {expected:.0}", length.value);
+        return Ok(is_short.then(|| Note::new(NoteKind::CountDiffers, words())));
     }
     let message = format!(
         "the header declares {} s at {rate_hz} Hz, which are {:.0} rows, but the file has {found}",

@@ -68,7 +68,7 @@ fn headers_of_other_hands() {
     let turned = read(&text.replace("U(+); N(+)", "N(-); U(-)")).unwrap();
     let directions: Vec<_> = turned.components.iter().map(|one| one.direction).collect();
     assert_eq!(directions, [Some(Direction::Azimuth(180.0)), None, Some(Direction::Azimuth(90.0))]);
-    assert!(read(&text.replace("-3.000\n", "-6.000\n")).unwrap().notes[0].contains("header states a peak"));
+    assert!(read(&text.replace("-3.000\n", "-6.000\n")).unwrap().notes[0].to_string().contains("header states a peak"));
 }
 
 #[test]

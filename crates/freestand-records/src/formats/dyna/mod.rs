@@ -2,6 +2,7 @@
 //! `KEY: value`, then one value per line.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, length_note, peak_note};
+use crate::notes::{Note, NoteKind};
 use crate::text::keyed::{Header, entry, read_rows};
 use crate::text::lines::lines;
 use crate::text::units::{Stated, decide, record_unit, requested};
@@ -34,10 +35,12 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let rows = read_rows(&mut rest, 1, declared, &mut notes)?;
     let values = rows.columns.into_iter().next().unwrap_or_default();
     if declared.is_none() {
-        notes.push(format!("the header does not say how many values there are; {} were found", values.len()));
+        let words = format!("the header does not say how many values there are; {} were found", values.len());
+        notes.push(Note::new(NoteKind::CountUnstated, words));
     }
     if header.text("BASELINE_CORRECTION").to_ascii_uppercase().contains("NOT REMOVED") {
-        notes.push("the header says that the baseline was not removed: the values may have an offset".to_owned());
+        let words = "the header says that the baseline was not removed: the values may have an offset";
+        notes.push(Note::new(NoteKind::NotCorrected, words));
     }
     let (name, direction) = name_and_direction(&header, path);
     let component = Found {

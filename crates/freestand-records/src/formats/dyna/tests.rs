@@ -50,7 +50,7 @@ fn esm_and_afad() {
             assert_eq!((one.direction, one.motion.dt_s()), (Some(Direction::Azimuth(90.0)), 0.005));
             // Exact: the printed decimals are the values.
             assert_eq!(one.motion.accel_m_s2(), expected());
-            assert_eq!(found.notes, Vec::<String>::new());
+            assert_eq!(found.notes, [""; 0]);
         }
     }
     let found = read(&file()).unwrap();
@@ -74,9 +74,9 @@ fn what_a_header_leaves_open() {
     let found = read(&file().replace("STREAM: HNE\n", "").replace("NDATA: 5", "NDATA: ")).unwrap();
     assert_eq!((found.components[0].name.as_str(), found.notes.len()), ("x", 1));
     let found = read(&file().replace("BASELINE REMOVED", "BASELINE NOT REMOVED")).unwrap();
-    assert!(found.notes[0].contains("offset"));
+    assert!(found.notes[0].to_string().contains("offset"));
     let found = read(&file().replace("S^2: 2.250000", "S^2: 4.000000")).unwrap();
-    assert!(found.notes[0].contains("header states a peak"));
+    assert!(found.notes[0].to_string().contains("header states a peak"));
     // Step and unit may come from the user.
     let options = ReadOptions { unit: Some("cm/s2".to_owned()), dt_s: Some(0.005), ..ReadOptions::default() };
     let bare = file().replace("SAMPLING_INTERVAL_S: 0.005000", "SAMPLING_INTERVAL_S: ").replace("UNITS: cm/s^2\n", "");

@@ -6,11 +6,12 @@
 //! file formats".
 
 use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, length_note, peak_note};
+use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::{fields, is_missing_value};
 use crate::text::lines::{Line, Lines, lines};
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::{Unit, shorten};
+use freestand_input::quantity::Unit;
 use freestand_input::words::counted;
 use std::path::Path;
 
@@ -61,7 +62,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
         components.push(component(&mut rest, volume, number, options, &mut notes)?);
     }
     if components.len() < 3 {
-        notes.push(format!("the file has only {} of three components: it may be cut off", components.len()));
+        let words = format!("the file has only {} of three components: it may be cut off", components.len());
+        notes.push(Note::new(NoteKind::CutOff, words));
     }
     Ok(Reading { format, components, notes })
 }
@@ -70,7 +72,7 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
 ///
 /// # Errors
 /// Numbers where a component should begin: the header declared fewer than there are.
-fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<Option<Line<'a>>, Problem> {
+fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<Note>) -> Result<Option<Line<'a>>, Problem> {
     let mut ignored = 0;
     let mut title = None;
     for line in rest.by_ref().filter(|line| !line.is_blank()) {
@@ -86,7 +88,8 @@ fn next_title<'a>(rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<Optio
         ignored += 1;
     }
     if ignored > 0 {
-        notes.push(format!("{} of text between or after the components ignored", counted(ignored, "line")));
+        let words = format!("{} of text between or after the components ignored", counted(ignored, "line"));
+        notes.push(Note::new(NoteKind::TextIgnored, words));
     }
     Ok(title)
 }
@@ -97,7 +100,7 @@ fn component(
     volume: Volume,
     number: usize,
     options: &ReadOptions,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Component, Problem> {
     let text: Vec<String> = rest.by_ref().take(TEXT_LINES - 1).map(|line| line.text()).collect();
     let integers = INTEGERS.read(rest, 40, "the integer header")?;
@@ -121,7 +124,8 @@ fn component(
     let factor = reals.values[7];
     let is_scaled = volume == Volume::Uncorrected && factor > 0.0 && (factor - 1.0).abs() > 1e-9;
     if is_scaled {
-        notes.push(format!("{}: the readings are in units of {factor} mm/s2, according to the header", shorten(&name)));
+        let words = format!("the readings are in units of {factor} mm/s2, according to the header");
+        notes.push(Note::of(&name, NoteKind::Readings, words));
     }
     let scale = if is_scaled { factor } else { 1.0 };
     let component = Found {
@@ -144,10 +148,9 @@ fn component(
     // Real 24: the duration. In a complete file, integers 34 to 36 are equal.
     notes.extend(length_note(&component, reals.values[23]));
     if let Some(other) = others.into_iter().find(|&other| other != 0 && other != found) {
-        notes.push(format!(
-            "{}: {found} accelerations were read, but the header declares {other} velocities or displacements",
-            shorten(&component.name)
-        ));
+        let words =
+            format!("{found} accelerations were read, but the header declares {other} velocities or displacements");
+        notes.push(Note::of(&component.name, NoteKind::CountDiffers, words));
     }
     Ok(component)
 }

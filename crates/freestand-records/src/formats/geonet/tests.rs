@@ -90,7 +90,7 @@ fn three_components_of_two_volumes() {
                 // Exact: the printed decimals are the values.
                 assert_eq!(one.motion.accel_m_s2(), values.iter().map(|v| v / 1000.0).collect::<Vec<_>>());
             }
-            assert_eq!(found.notes, Vec::<String>::new());
+            assert_eq!(found.notes, [""; 0]);
         }
         let found = read(&text).unwrap();
         assert_eq!((found.components[0].name.as_str(), found.components[0].line_of_first_value), ("S16W", 27));
@@ -117,7 +117,7 @@ fn one_component_and_other_counts() {
     }
     let found = read(&Part { factor: 0.5, ..part("Uncorrected", "N", &values) }.text()).unwrap();
     assert_eq!(found.components[0].motion.accel_m_s2()[0], values[0] * 0.5 * 1e-3);
-    assert!(found.notes.len() == 2 && found.notes[0].contains("0.5 mm/s2"), "{:?}", found.notes);
+    assert!(found.notes.len() == 2 && found.notes[0].to_string().contains("0.5 mm/s2"), "{:?}", found.notes);
     assert_eq!(found.notes[1], "the file has only 1 of three components: it may be cut off");
     // A corrected record whose velocities are cut off is incomplete, though all its
     // accelerations are there.
@@ -125,7 +125,7 @@ fn one_component_and_other_counts() {
     let cut: Vec<&str> = text.lines().take(31).collect();
     assert!(read(&cut.join("\n")).unwrap_err().contains("x.V1A:31: the file ends after 2 of 3 lines of velocity"));
     let found = read(&format!("{text}--- end of file ---\n")).unwrap();
-    assert!(found.notes[0].contains("of text between or after the components ignored"));
+    assert!(found.notes[0].to_string().contains("of text between or after the components ignored"));
 }
 
 #[test]
@@ -150,7 +150,7 @@ fn what_is_refused() {
 fn lengths_and_numbers_that_contradict_are_said() {
     let values = values();
     let three: String = ["N", "E", "Up"].map(|name| part("Corrected", name, &values).text()).concat();
-    assert_eq!(read(&three).unwrap().notes, Vec::<String>::new());
+    assert_eq!(read(&three).unwrap().notes, [""; 0]);
     let long = read(&three.replacen("      0.  0.0050", "    0.88  0.0050", 1)).unwrap();
     assert_eq!(long.notes, ["N: 23 values at 0.02 s last 0.46 s, but the header states 0.88 s: the step may be wrong"]);
     let odd = Part { others: 22, ..part("Corrected", "N", &values) }.text();
@@ -166,7 +166,7 @@ fn minus_999_is_missing_where_it_stands_out() {
     assert!(strong.contains(&-999.0));
     let found = read(&part("Corrected", "N", &strong).text()).unwrap();
     assert_eq!(found.components[0].motion.accel_m_s2().len(), 23);
-    assert!(found.notes[0].contains("-999 is read as a value"), "{:?}", found.notes);
+    assert!(found.notes[0].to_string().contains("-999 is read as a value"), "{:?}", found.notes);
     let weak: Vec<f64> = strong.iter().map(|value| if *value == -999.0 { -999.0 } else { value / 10.0 }).collect();
     assert!(read(&part("Corrected", "N", &weak).text()).unwrap_err().contains("\"-999\" marks a missing value"));
 }

@@ -3,6 +3,7 @@
 //! offset.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, file_stem, peak_note_of};
+use crate::notes::{Note, NoteKind};
 use crate::text::fortran::{fields, scan};
 use crate::text::head::{Head, leading_number};
 use crate::text::lines::{Lines, lines};
@@ -40,7 +41,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let mut notes = Vec::new();
     notes.extend(check_duration(&header, rate_hz, values.len())?);
     if borehole {
-        notes.push(format!("{}: recorded at the bottom of a borehole, not at the surface", shorten(&name)));
+        let words = "recorded at the bottom of a borehole, not at the surface";
+        notes.push(Note::of(&name, NoteKind::Borehole, words));
     }
     for count in &mut values {
         *count *= scale.per_count;
@@ -193,7 +195,7 @@ fn read_counts(rest: &mut Lines<'_>) -> Result<(Vec<f64>, usize), Problem> {
 
 /// Checks the duration, which the header states instead of the number of values. One value more or
 /// less depends on where the last second ends.
-fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<String>, Problem> {
+fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<Note>, Problem> {
     let (line, _) = header.value("duration time")?;
     let duration_s = header.number("duration time")?;
     let expected = (duration_s * rate_hz).round();
@@ -206,8 +208,8 @@ fn check_duration(header: &Header, rate_hz: f64, found: usize) -> Result<Option<
             .at_line(line)
             .hint("the file may be cut off: fetch it again, or correct the duration if no value is missing"));
     }
-    Ok((difference == 1.0)
-        .then(|| format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}")))
+    let words = || format!("{found} values were read, but {duration_s} s at {rate_hz} Hz would be {expected}");
+    Ok((difference == 1.0).then(|| Note::new(NoteKind::CountDiffers, words())))
 }
 
 #[cfg(test)]

@@ -58,9 +58,9 @@ fn counts_become_gal_and_keep_their_offset() {
     assert_eq!((one.line_of_first_value, one.motion.accel_m_s2().len()), (18, 200));
     // 8000 and 8500 counts of 0.002 gal; three roundings of 1.1e-16 each.
     assert!((one.motion.accel_m_s2()[0] - 0.16).abs() < 1e-15 && (one.motion.peak_m_s2() - 0.17).abs() < 1e-15);
-    assert_eq!(found.notes, Vec::<String>::new(), "the header's peak is the one about the mean");
+    assert_eq!(found.notes, [""; 0], "the header's peak is the one about the mean");
     let other = read(&file("N-S", &counts(), 17.0)).unwrap();
-    assert!(other.notes[0].contains("header states a peak of 0.17"), "{:?}", other.notes);
+    assert!(other.notes[0].to_string().contains("header states a peak of 0.17"), "{:?}", other.notes);
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn directions_by_name_and_by_number() {
         let found = read(&file(dir, &counts(), 0.995)).unwrap();
         let one = &found.components[0];
         assert_eq!((one.name.as_str(), one.direction), (name, direction), "{dir}");
-        assert_eq!(found.notes.iter().any(|note| note.contains("borehole")), borehole, "{dir}");
+        assert_eq!(found.notes.iter().any(|note| note.to_string().contains("borehole")), borehole, "{dir}");
     }
 }
 
@@ -155,7 +155,7 @@ fn what_is_wrong_names_its_line() {
         match read(&text.replacen(from, to, 1)) {
             Err(problem) => assert!(problem.starts_with(line) && problem.contains(message), "{problem}"),
             // One value less only makes a note.
-            Ok(found) => assert!(message == "anything" && found.notes[0].starts_with("199 values"), "{to}"),
+            Ok(found) => assert!(message == "anything" && found.notes[0].to_string().starts_with("199 values"), "{to}"),
         }
     }
     let header_only: String = text.lines().take(17).map(|line| format!("{line}\n")).collect();

@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::motion_file::{Found, ReadOptions, Reading};
+use crate::notes::{Note, NoteKind};
 use crate::text::fortran::number;
 use crate::text::lines::{Line, lines};
 use crate::text::sampling::time_step;
@@ -131,11 +132,9 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let (head, joints) = table(bytes)?;
     let mut notes = Vec::new();
     if head.title.as_ref().is_some_and(|title| title.to_ascii_lowercase().contains("relative")) {
-        notes.push(
-            "the title says that the accelerations are relative to the ground: rocking needs absolute ones; export \
-             \"Joint Accelerations - Absolute\""
-                .to_owned(),
-        );
+        let words = "the title says that the accelerations are relative to the ground: rocking needs absolute ones; \
+                     export \"Joint Accelerations - Absolute\"";
+        notes.push(Note::new(NoteKind::Relative, words));
     }
     let requested = requested(options.unit.as_deref())?;
     let mut labels: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();

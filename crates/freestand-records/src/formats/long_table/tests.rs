@@ -69,7 +69,7 @@ fn sap2000_in_another_dialect() {
     assert_eq!(file.components[0].motion.dt_s(), 0.005);
     // 20.5 in/s² of 0.0254 m: one product and one division.
     assert!((file.components[0].motion.accel_m_s2()[1] + 0.5207).abs() < 1e-15);
-    assert!(file.notes[0].contains("rocking needs absolute"), "{:?}", file.notes);
+    assert!(file.notes[0].to_string().contains("rocking needs absolute"), "{:?}", file.notes);
 }
 
 #[test]

@@ -9,6 +9,7 @@ mod steim;
 pub(super) use record::Source;
 
 use crate::motion_file::{Component, Direction, Found, ReadOptions, Reading, Start, without_line};
+use crate::notes::{Note, NoteKind};
 use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::Unit;
@@ -56,7 +57,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
                 components.push(Component { start, station_xml, ..component });
             }
             Err(problem) => {
-                notes.push(format!("{}; it was left out", problem.message));
+                notes.push(Note::new(NoteKind::ChannelLeftOut, format!("{}; it was left out", problem.message)));
                 first_left_out.get_or_insert(problem);
             }
         }
@@ -79,7 +80,7 @@ fn scaled(
     name: String,
     stations: &mut Stations<'_>,
     options: &ReadOptions,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Result<Found, Problem>, Problem> {
     let Series { source, start, end, dt_s, mut values, notes: found } = series;
     notes.extend(found);
@@ -106,7 +107,8 @@ fn scaled(
             (Unit::acceleration("m/s2", 0, 1.0), scaling.direction)
         }
         (None, Some(unit)) => {
-            notes.push(format!("{full_name}: the values are assumed to be in {}, without a sensitivity", unit.symbol));
+            let words = format!("the values are assumed to be in {}, without a sensitivity", unit.symbol);
+            notes.push(Note::of(&full_name, NoteKind::UnitAssumed, words));
             (*unit, Direction::parse(&source.channel))
         }
         (None, None) => {
@@ -165,7 +167,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self) -> Vec<Note> {
         let skipped = [
             (self.control_headers, "block", "of control headers ignored, with any response in them"),
             (self.texts, "record", "of text ignored"),
@@ -175,7 +177,7 @@ impl<'a> Scan<'a> {
         skipped
             .iter()
             .filter(|(count, ..)| *count > 0)
-            .map(|(count, noun, what)| format!("{} {what}", counted(*count, noun)))
+            .map(|(count, noun, what)| Note::new(NoteKind::RowsIgnored, format!("{} {what}", counted(*count, noun))))
             .collect()
     }
 }

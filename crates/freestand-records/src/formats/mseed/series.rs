@@ -3,6 +3,7 @@
 use super::record::{Record, Source, problem};
 use super::steim::{self, Packing};
 use crate::formats::instant::Instant;
+use crate::notes::{Note, NoteKind};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::counted;
 
@@ -14,7 +15,7 @@ pub(super) struct Series {
     pub(super) dt_s: f64,
     pub(super) values: Vec<f64>,
     /// What was concluded or left out.
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Note>,
 }
 
 /// How much the rates of one channel may differ: a measured rate varies by parts in a million.
@@ -28,7 +29,7 @@ const RATE_TOLERANCE: f64 = 1e-4;
 pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Option<Series>, Problem> {
     let name = source.full_name();
     records.sort_by_key(|record| (record.start, record.number));
-    let mut notes: Vec<String> = quality_note(&records, &name).into_iter().collect();
+    let mut notes = Vec::from_iter(quality_note(&records, &name));
     let all = records.len();
     records.dedup_by(|later, first| {
         (later.start, later.samples, later.encoding) == (first.start, first.samples, first.encoding)
@@ -36,7 +37,8 @@ pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Optio
     });
     let Some(first) = records.first() else { return Ok(None) };
     if records.len() < all {
-        notes.push(format!("{name}: {} ignored", counted(all - records.len(), "repeated record")));
+        let words = format!("{} ignored", counted(all - records.len(), "repeated record"));
+        notes.push(Note::of(&name, NoteKind::RowsIgnored, words));
     }
     let Some(dt_s) = first.dt_s else {
         return Err(problem(first.number, first.at, "has no sampling rate")
@@ -57,9 +59,8 @@ pub(super) fn join(source: Source, mut records: Vec<Record<'_>>) -> Result<Optio
         .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
     }
     if first.encoding.is_none() {
-        notes.push(format!(
-            "{name}: no encoding is stated (blockette 1000); read as Steim-1, whose check samples match"
-        ));
+        let words = "no encoding is stated (blockette 1000); read as Steim-1, whose check samples match";
+        notes.push(Note::of(&name, NoteKind::Encoding, words));
     }
     let end = records.last().map_or(first.start, |last| end_of(last, dt_s));
     Ok(Some(Series { source, start: first.start, end, dt_s, values, notes }))
@@ -103,34 +104,32 @@ fn check_steps(records: &[Record<'_>], dt_s: f64, name: &str) -> Result<(), Prob
 
 /// A note if the clock and the rate disagree: each step may be off by half a sample, but not all in
 /// the same direction.
-fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<String> {
+fn drift_note(records: &[Record<'_>], dt_s: f64, name: &str) -> Option<Note> {
     let (first, last) = (records.first()?, records.last()?);
     let samples: usize = records.iter().take(records.len() - 1).map(|record| record.samples).sum();
     let drift_s = last.start.seconds_since(first.start) - samples as f64 * dt_s;
     (drift_s.abs() > 0.5 * dt_s).then(|| {
-        format!(
-            "{name}: the last record begins {:.6} s {} than the samples before it and the rate of {} Hz imply",
+        let words = format!(
+            "the last record begins {:.6} s {} than the samples before it and the rate of {} Hz imply",
             drift_s.abs(),
             if drift_s > 0.0 { "later" } else { "earlier" },
             1.0 / dt_s
-        )
+        );
+        Note::of(name, NoteKind::Clock, words).amount(drift_s, "s")
     })
 }
 
 /// A note about flags that mark samples as faulty.
-fn quality_note(records: &[Record<'_>], name: &str) -> Option<String> {
+fn quality_note(records: &[Record<'_>], name: &str) -> Option<Note> {
     let flags = ["saturated amplifier", "clipped", "spikes", "glitches", "missing or padded data"];
     let set = records.iter().fold(0, |set, record| set | record.quality);
     let found: Vec<&str> =
         flags.iter().enumerate().filter(|(bit, _)| set >> bit & 1 != 0).map(|(_, flag)| *flag).collect();
     let first = records.iter().find(|record| record.quality & 0x1F != 0)?;
     let count = records.iter().filter(|record| record.quality & 0x1F != 0).count();
-    Some(format!(
-        "{name}: {} flagged ({}), the first is record {}",
-        counted(count, "record"),
-        found.join(", "),
-        first.number
-    ))
+    let (records, found) = (counted(count, "record"), found.join(", "));
+    let words = format!("{records} flagged ({found}), the first is record {}", first.number);
+    Some(Note::of(name, NoteKind::Flagged, words))
 }
 
 fn refuse_other_encodings(record: &Record<'_>) -> Result<(), Problem> {

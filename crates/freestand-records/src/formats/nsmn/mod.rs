@@ -2,6 +2,7 @@
 //! E-W and U-D in gal.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::notes::{Note, NoteKind};
 use crate::text::fortran::scan;
 use crate::text::keyed::{Entry, Header, entry, read_rows};
 use crate::text::lines::lines;
@@ -40,7 +41,8 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
     let requested = requested(options.unit.as_deref())?;
     let unit = match (stated, requested, lookup("gal")) {
         (None, None, Some(gal)) => {
-            notes.push("no line states the unit: the values are read in gal, as in all files of this form".to_owned());
+            let words = "no line states the unit: the values are read in gal, as in all files of this form";
+            notes.push(Note::new(NoteKind::UnitAssumed, words));
             gal
         }
         _ => decide(stated, requested, "the record")?,
@@ -69,17 +71,16 @@ pub(super) fn read(bytes: &[u8], _path: &Path, options: &ReadOptions) -> Result<
 
 /// The words of the line above the numbers if all are directions; else the order that all files
 /// have.
-fn column_names(header: &Header, notes: &mut Vec<String>) -> Vec<String> {
+fn column_names(header: &Header, notes: &mut Vec<Note>) -> Vec<String> {
     let last = header.entries.last().filter(|entry| entry.value.is_empty());
     let names: Vec<String> =
         last.map(|entry| entry.key.split_whitespace().map(str::to_owned).collect()).unwrap_or_default();
     if !names.is_empty() && names.iter().all(|name| Direction::parse(name).is_some()) {
         return names;
     }
-    notes.push(format!(
-        "no line names the columns: they are read as {}, as in all files of this form",
-        COLUMNS.join(", ")
-    ));
+    let columns = COLUMNS.join(", ");
+    let words = format!("no line names the columns: they are read as {columns}, as in all files of this form");
+    notes.push(Note::new(NoteKind::ColumnsAssumed, words));
     COLUMNS.map(str::to_owned).to_vec()
 }
 

@@ -51,7 +51,7 @@ fn three_columns_in_gal() {
         assert_eq!(found.components[2].motion.accel_m_s2(), [0.000071, -120.25, 0.0, 2.0].map(|v| v / 100.0));
         assert_eq!((found.components[0].motion.dt_s(), found.components[0].line_of_first_value), (0.01, 13));
         assert_eq!(found.components[0].station.as_deref(), Some("1210 BINGÖL MERKEZÝ"));
-        assert_eq!(found.notes, Vec::<String>::new());
+        assert_eq!(found.notes, [""; 0]);
     }
 }
 
@@ -67,11 +67,11 @@ fn other_spellings_and_missing_lines() {
     assert_eq!(found.components.iter().map(|c| c.name.as_str()).collect::<Vec<_>>(), ["N-S", "E-W", "U-D"]);
     let found = read(replace("RAW PGA VALUES (gal)    : (N-S) 3.5 (E-W) 0.5 (U-D) 120.25\n", "")).unwrap();
     assert_eq!((found.components[0].unit, found.notes.len()), ("gal", 1));
-    assert!(found.notes[0].contains("no line states the unit"));
+    assert!(found.notes[0].to_string().contains("no line states the unit"));
     assert_eq!(read(replace("(N-S) 3.5", "(N-S) 9.5")).unwrap().notes.len(), 1);
     let mut bytes = file();
     bytes.extend(b"\n\nend of file\n");
-    assert!(read(bytes).unwrap().notes[0].contains("follows the last value"));
+    assert!(read(bytes).unwrap().notes[0].to_string().contains("follows the last value"));
     // One component alone.
     let mut bytes: Vec<u8> = file().split_inclusive(|&b| b == b'\n').take(11).flatten().copied().collect();
     bytes.extend(b"   U-D\n 1.0\n-2.0\n 3.0\n-120.25\n");

@@ -6,6 +6,7 @@ use super::instant::Instant;
 use crate::motion_file::{
     Component, Direction, Found, ReadOptions, Reading, Start, length_note, peak_note, without_line,
 };
+use crate::notes::{Note, NoteKind};
 use crate::text::lines::lines;
 use crate::text::units;
 use freestand_input::problem::{Problem, ProblemKind};
@@ -99,8 +100,8 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         return Err(wrong(format!("sample {} is {}, which marks a missing value", at + 1, values[at]))
             .hint("a motion with gaps cannot be used: repair the record or cut it before the gap"));
     }
-    let mut notes =
-        vec![format!("the samples are assumed to be in {}; a SAC file does not state its unit", unit.symbol)];
+    let words = format!("the samples are assumed to be in {}; a SAC file does not state its unit", unit.symbol);
+    let mut notes = vec![Note::new(NoteKind::UnitAssumed, words)];
     notes.extend(header.notes());
     let text = |word: usize, bytes: usize| header.text(word, bytes);
     let channel = text(600, 8);
@@ -212,9 +213,10 @@ impl Header<'_> {
         })
     }
 
-    fn notes(&self) -> Option<String> {
+    fn notes(&self) -> Option<Note> {
         let scale = self.real(word::SCALE).filter(|scale| *scale != 1.0)?;
-        Some(format!("SCALE is {scale} in the header; the samples were not multiplied by it"))
+        let words = format!("SCALE is {scale} in the header; the samples were not multiplied by it");
+        Some(Note::new(NoteKind::FactorIgnored, words))
     }
 
     /// CMPINC is in degrees from the upward vertical, CMPAZ in degrees from north; within five

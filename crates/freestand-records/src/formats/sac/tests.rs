@@ -62,7 +62,7 @@ fn the_unit_is_asked_for() {
     let third = found.components[0].motion.accel_m_s2()[2];
     // The unit and the product are rounded, each to half an epsilon.
     assert!((third - 12e-9).abs() <= f64::EPSILON * 12e-9, "{third}");
-    assert!(found.notes[0].contains("assumed to be in nm/s2"));
+    assert!(found.notes[0].to_string().contains("assumed to be in nm/s2"));
 }
 
 #[test]
@@ -79,10 +79,10 @@ fn directions_scale_and_peak_are_told() {
     }
     let found = read(&file(false, 6, &[(3, 2.0), (1, -12344.0), (2, 12.0)], &[])).unwrap();
     assert_eq!(found.notes.len(), 3, "{:?}", found.notes);
-    assert!(found.notes[2].contains("more than any ground or floor motion"), "{:?}", found.notes);
-    assert!(found.notes[1].contains("SCALE is 2") && found.notes[1].contains("not multiplied"));
+    assert!(found.notes[2].to_string().contains("more than any ground or floor motion"), "{:?}", found.notes);
+    assert!(found.notes[1].to_string().contains("SCALE is 2") && found.notes[1].to_string().contains("not multiplied"));
     let found = read(&file(false, 6, &[(1, -1.0), (2, 12.0)], &[])).unwrap();
-    assert!(found.notes[1].contains("states a peak of 12"), "{:?}", found.notes);
+    assert!(found.notes[1].to_string().contains("states a peak of 12"), "{:?}", found.notes);
 }
 
 #[test]
@@ -157,7 +157,11 @@ fn a_number_of_samples_below_zero_is_refused() {
 fn an_end_that_contradicts_the_step_is_said() {
     for (end, count) in [(5.06, 1), (5.08, 1), (5.16, 2)] {
         let found = read(&file(false, 6, &[(5, 5.0), (6, end)], &[(79, 3)]).split_off(0)[..644]).unwrap();
-        let found = found.notes.into_iter().filter(|note| !note.contains("more than the ground")).collect::<Vec<_>>();
+        let found = found
+            .notes
+            .into_iter()
+            .filter(|note| !note.to_string().contains("more than the ground"))
+            .collect::<Vec<_>>();
         assert_eq!(found.len(), count, "{end}: {found:?}");
     }
 }

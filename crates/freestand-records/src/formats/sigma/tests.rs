@@ -57,7 +57,7 @@ fn values_that_touch() {
         assert_eq!(one.station.as_deref(), Some("2987 / A Town - V. River, Italy"));
         // Exact: the values have fewer digits than are printed.
         assert_eq!(one.motion.accel_m_s2(), values());
-        assert_eq!(found.notes, Vec::<String>::new());
+        assert_eq!(found.notes, [""; 0]);
     }
 }
 
@@ -80,5 +80,5 @@ fn what_is_refused_and_what_is_noted() {
     assert_eq!(read(&one).unwrap().components[0].unit, "m/s2");
     assert!(read(&one.replace("PGA (m/s/s)", "PGA        ")).unwrap_err().contains("unit of the record is not stated"));
     let found = read(&text.replacen("    : 1.5", "    : 2.5", 1)).unwrap();
-    assert!(found.notes[0].contains("header states a peak"));
+    assert!(found.notes[0].to_string().contains("header states a peak"));
 }

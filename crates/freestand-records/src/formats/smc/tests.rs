@@ -67,8 +67,8 @@ fn values_that_touch_are_read_by_column() {
 #[test]
 fn a_peak_that_differs_from_the_header_is_said_and_its_sign_does_not_matter() {
     let peak = values().iter().fold(0.0f64, |a, b| a.max(b.abs()));
-    assert_eq!(read(&file(&values(), (-peak, 0.1))).unwrap().notes, Vec::<String>::new());
-    assert!(read(&file(&values(), (2.0 * peak, 0.1))).unwrap().notes[0].contains("header states a peak"));
+    assert_eq!(read(&file(&values(), (-peak, 0.1))).unwrap().notes, [""; 0]);
+    assert!(read(&file(&values(), (2.0 * peak, 0.1))).unwrap().notes[0].to_string().contains("header states a peak"));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //! then a column for each channel, in gal.
 
 use crate::motion_file::{Direction, Found, ReadOptions, Reading, peak_note};
+use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::Format;
 use crate::text::fortran::{fields, scan};
 use crate::text::head::Head;
@@ -229,7 +230,7 @@ impl Header {
 
     /// The number of rows is the largest of the channels' numbers. Rows after the end of a shorter
     /// channel are ignored for it.
-    fn check_counts(&self, columns: &mut [Vec<f64>], names: &[String], notes: &mut Vec<String>) -> Result<(), Problem> {
+    fn check_counts(&self, columns: &mut [Vec<f64>], names: &[String], notes: &mut Vec<Note>) -> Result<(), Problem> {
         let (line, counts) = self.numbers("NUM. TOTAL DE MUESTRAS", columns.len())?;
         let found = columns.first().map_or(0, Vec::len);
         let most = counts.iter().fold(0.0f64, |a, b| a.max(*b));
@@ -244,14 +245,15 @@ impl Header {
         for ((column, name), &count) in columns.iter_mut().zip(names).zip(&counts) {
             if count < most {
                 column.truncate(count.max(0.0) as usize);
-                notes.push(format!("{}: the rows after its {count} values were ignored", shorten(name)));
+                let words = format!("the rows after its {count} values were ignored");
+                notes.push(Note::of(name, NoteKind::RowsIgnored, words));
             }
         }
         Ok(())
     }
 
     /// Checks the durations: they reveal a file that was decimated without correcting its step.
-    fn check_durations(&self, dt_s: f64, columns: &[Vec<f64>], notes: &mut Vec<String>) -> Result<(), Problem> {
+    fn check_durations(&self, dt_s: f64, columns: &[Vec<f64>], notes: &mut Vec<Note>) -> Result<(), Problem> {
         let Ok((line, durations)) = self.numbers("DURACION DEL REGISTRO", columns.len()) else { return Ok(()) };
         let Some((column, &stated_s)) = columns.iter().zip(&durations).find(|(column, stated_s)| {
             // Durations are printed with one or two digits, or rounded to the second.
@@ -271,7 +273,7 @@ impl Header {
                 .at_line(line)
                 .hint("the record was decimated (FACTOR DE DECIMACION): correct the time step"));
         }
-        notes.push(message);
+        notes.push(Note::new(NoteKind::DurationDiffers, message));
         Ok(())
     }
 }

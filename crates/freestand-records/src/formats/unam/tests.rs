@@ -103,15 +103,15 @@ fn headers_of_other_hands() {
         assert!(text.contains(from), "{from}");
         let found = read(&text.replace(from, to)).unwrap_or_else(|problem| panic!("{to}: {problem}"));
         assert_eq!(found.components[2].motion.accel_m_s2()[7], 1234.5 / 100.0, "{to}");
-        assert_eq!(found.notes, Vec::<String>::new(), "{to}");
+        assert_eq!(found.notes, [""; 0], "{to}");
     }
     let peak = read(&text.replace("/2.25/", "/4.50/")).unwrap();
-    assert!(peak.notes[0].starts_with("V: the largest value is"), "{:?}", peak.notes);
+    assert!(peak.notes[0].to_string().starts_with("V: the largest value is"), "{:?}", peak.notes);
     let short = read(&text.replace("/120/120/120/", "/120/119/120/")).unwrap();
     assert_eq!(short.components[1].motion.accel_m_s2().len(), 119);
-    assert!(short.notes[0].contains("after its 119 values"), "{:?}", short.notes);
+    assert!(short.notes[0].to_string().contains("after its 119 values"), "{:?}", short.notes);
     let duration = read(&text.replace("/1.20/1.20/1.20/", "/12.0/12.0/12.0/")).unwrap();
-    assert!(duration.notes[0].contains("last 1.20 s, but the header states 12 s"), "{:?}", duration.notes);
+    assert!(duration.notes[0].to_string().contains("last 1.20 s, but the header states 12 s"), "{:?}", duration.notes);
 }
 
 #[test]
@@ -135,7 +135,7 @@ fn what_is_wrong_names_its_line() {
         assert!(problem.starts_with(line) && problem.contains(message), "{problem}");
     }
     let duration = text.replace("/1.20/1.20/1.20/", "/2.20/2.20/2.20/");
-    assert_eq!(read(&duration).unwrap().notes, Vec::<String>::new(), "within the second to which some are rounded");
+    assert_eq!(read(&duration).unwrap().notes, [""; 0], "within the second to which some are rounded");
     let thinned = text
         .replace("/1.20/1.20/1.20/", "/3.60/3.60/3.60/")
         .replace("FACTOR DE DECIMACION                    : 1", "FACTOR DE DECIMACION                    : 3");

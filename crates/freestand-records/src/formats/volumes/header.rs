@@ -1,6 +1,7 @@
 //! The header of a channel: text, whole numbers, and what they state.
 
 use super::{MAX_REALS, is_numbers, not_acceleration, unannounced};
+use crate::notes::{Note, NoteKind};
 use crate::text::fortran::{number, scan};
 use crate::text::lines::{Line, Lines};
 use crate::text::units::{TENTHS_OF_G, record_unit, unit_in_prose};
@@ -37,7 +38,7 @@ pub(super) fn read_header(
     rest: &mut Lines<'_>,
     columns: usize,
     may_end: bool,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Option<Header>, Problem> {
     let mut header = Header { text: Vec::new(), first_line: 0, integers: Vec::new() };
     let start = rest.clone();
@@ -97,12 +98,12 @@ pub(super) fn read_header(
 ///
 /// # Errors
 /// Numbers, which may be a channel with a damaged header.
-fn end<'a>(mut tail: Lines<'a>, rest: &mut Lines<'a>, notes: &mut Vec<String>) -> Result<(), Problem> {
+fn end<'a>(mut tail: Lines<'a>, rest: &mut Lines<'a>, notes: &mut Vec<Note>) -> Result<(), Problem> {
     if let Some(first) = tail.ahead() {
         if let Some(line) = tail.find(is_numbers) {
             return Err(unannounced(&line));
         }
-        notes.push(format!("line {}: the text after the last channel was ignored", first.number));
+        notes.push(Note::at(first.number, NoteKind::TextIgnored, "the text after the last channel was ignored"));
     }
     *rest = tail;
     Ok(())

@@ -13,6 +13,7 @@ pub(super) use header::{first_integer, is_full_integer_row, step_in};
 use crate::motion_file::{
     Component, Direction, Found, ReadOptions, Reading, channels_note, end_note, length_note, peak_note,
 };
+use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::is_missing_value;
 use crate::text::lines::{Line, Lines, lines};
@@ -93,7 +94,8 @@ pub(super) fn read(bytes: &[u8], options: &ReadOptions, network: &Network) -> Re
     if let Some((what, line)) = left_out.first().filter(|_| components.is_empty()) {
         return Err(not_acceleration(what, *line));
     }
-    notes.extend(left_out.iter().map(|(what, line)| format!("line {line}: a channel that holds {what} was left out")));
+    let left_out = left_out.iter().map(|(what, line)| (line, format!("a channel that holds {what} was left out")));
+    notes.extend(left_out.map(|(line, words)| Note::at(*line, NoteKind::ChannelLeftOut, words)));
     notes.extend(channels_note(&last_text, channel));
     notes.extend(network.end_mark.and_then(|mark| end_note(bytes, mark)));
     crate::motion_file::tell_apart(&mut components);
@@ -143,7 +145,7 @@ fn is_title(text: &str) -> bool {
     ["POINT", "PTS", "FORMAT", "UNIT", "DATA"].iter().any(|word| upper.contains(word))
 }
 
-type Read = Result<(Component, Vec<String>), Problem>;
+type Read = Result<(Component, Vec<Note>), Problem>;
 
 fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<'_>, options: &ReadOptions) -> Read {
     let upper = title.text.to_ascii_uppercase();
@@ -172,15 +174,17 @@ fn read_series(header: &Header, title: &Title, channel: usize, rest: &mut Lines<
         None if !is_volume_two(&header.text) => header.unit()?,
         stated => stated,
     };
-    let name = shorten(&header.name(channel));
+    let name = header.name(channel);
     if let Some(other) = header.other_count(title.count, is_volume_two(&header.text)) {
         let (line, count) = (title.line, title.count);
-        notes.push(format!("{name}: line {line} declares {count} values, but the header declares {other}"));
+        let words = format!("line {line} declares {count} values, but the header declares {other}");
+        notes.push(Note::of(&name, NoteKind::CountDiffers, words));
     }
     // One part in a thousand: rates and steps are printed with three digits or more.
     let (dt_s, _) = step;
     if let Some(other_s) = header.step().filter(|other_s| (other_s - dt_s).abs() > 1e-3 * dt_s) {
-        notes.push(format!("{name}: the time step is {dt_s} s above the values, but {other_s} s in the header"));
+        let words = format!("the time step is {dt_s} s above the values, but {other_s} s in the header");
+        notes.push(Note::of(&name, NoteKind::StepDiffers, words));
     }
     found(header, channel, unit, step, block, options).map(|component| (component, notes))
 }
@@ -210,7 +214,7 @@ fn read_pairs(header: &Header, channel: usize, rest: &mut Lines<'_>, options: &R
     }
     let first_line = pairs.first_line;
     let name = header.name(channel);
-    let (dt_s, values, note) = pairs.evenly(&shorten(&name), options.uneven_dt_s, room)?;
+    let (dt_s, values, note) = pairs.evenly(&name, options.uneven_dt_s, room)?;
     let block = Block { values, first_line };
     // A step from the user is for files that do not state one; here the times do.
     found(header, channel, header.unit()?, (dt_s, first_line), block, options)
@@ -377,7 +381,7 @@ fn skip_series(title: &Title, rest: &mut Lines<'_>) -> Result<(), Problem> {
 }
 
 /// A note if the values do not have the peak that the text states.
-fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Option<String> {
+fn peak_of(header: &Header, is_volume_two: bool, component: &Component) -> Option<Note> {
     if is_volume_two {
         let line = header.lines_with("PEAK ACC").next()?;
         return peak_note(component, 0.01 * number_after(&line, "=")?);

@@ -5,6 +5,7 @@ use freestand::motion::Motion;
 use super::raw::take_mean;
 use super::refused;
 use crate::formats::Component;
+use crate::notes::{Note, NoteKind};
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 
@@ -21,7 +22,7 @@ pub(super) struct Aligned {
     /// The motion.
     pub(super) motion: Motion,
     /// What was done to it without a request; notes about both are with the first.
-    pub(super) steps: Vec<String>,
+    pub(super) notes: Vec<Note>,
 }
 
 /// Trims two components to the times that both have; `names` are their names in words.
@@ -43,15 +44,16 @@ pub(super) fn aligned(
     let length = left_1.min(left_2);
     let mut one = cut(first, names.0, skip_1..skip_1 + length, keep_mean)?;
     let mut two = cut(second, names.1, skip_2..skip_2 + length, keep_mean)?;
-    if let Some(step) = one_step(&one.motion, &two.motion, names) {
+    if let Some(note) = one_step(&one.motion, &two.motion, names) {
         two.motion = Motion::new(one.motion.dt_s(), two.motion.accel_m_s2().to_vec())
             .map_err(|error| refused("the time step", error, ONE_RECORD))?;
-        two.steps.insert(0, step);
+        two.notes.insert(0, note);
     }
     if one.motion.accel_m_s2() == two.motion.accel_m_s2() && one.motion.peak_m_s2() > 0.0 {
-        both.push(format!("components {} and {} are identical", names.0, names.1));
+        let words = format!("components {} and {} are identical", names.0, names.1);
+        both.push(Note::new(NoteKind::Identical, words));
     }
-    one.steps.splice(..0, both);
+    one.notes.splice(..0, both);
     Ok([one, two])
 }
 
@@ -60,7 +62,7 @@ pub(super) fn aligned(
 fn later_by(
     (first, second): (&Component, &Component),
     names: (&str, &str),
-    both: &mut Vec<String>,
+    both: &mut Vec<Note>,
 ) -> Result<i64, Problem> {
     let (Some(start_1), Some(start_2)) = (first.start, second.start) else { return Ok(0) };
     let (start_1_s, start_2_s) = (start_1.seconds(), start_2.seconds());
@@ -75,32 +77,34 @@ fn later_by(
     }
     if (later - whole).abs() > SAME_TIME {
         let part = number((later - whole).abs(), 2);
-        both.push(format!("components {} and {} are {part} of a sample apart", names.0, names.1));
+        let words = format!("components {} and {} are {part} of a sample apart", names.0, names.1);
+        both.push(Note::new(NoteKind::Apart, words));
     }
     Ok(whole as i64)
 }
 
 /// A note if two steps differ by so little that the last samples still coincide: recordings of one
 /// clock whose times were rounded. `None` if the steps are equal or differ by more.
-fn one_step(one: &Motion, two: &Motion, names: (&str, &str)) -> Option<String> {
+fn one_step(one: &Motion, two: &Motion, names: (&str, &str)) -> Option<Note> {
     let (dt_s, other_s) = (one.dt_s(), two.dt_s());
     let intervals = one.accel_m_s2().len().saturating_sub(1) as f64;
     let drift = (dt_s - other_s).abs() * intervals / dt_s.min(other_s);
     let is_one = dt_s != other_s && drift < SAME_TIME;
     is_one.then(|| {
-        format!(
+        let words = format!(
             "time step of {} taken as {dt_s} s, that of {}, in place of {other_s} s: they differ by {} of a sample at \
              the end",
             names.1,
             names.0,
             number(drift, 2)
-        )
+        );
+        Note::new(NoteKind::StepsDiffer, words)
     })
 }
 
 /// The samples of a component that are kept, without the mean for a raw one, and what was done.
 fn cut(component: &Component, name: &str, kept: std::ops::Range<usize>, keep_mean: bool) -> Result<Aligned, Problem> {
-    let mut steps = Vec::new();
+    let mut notes = Vec::new();
     let mut motion = component.motion.clone();
     let samples = motion.accel_m_s2();
     let (skip, surplus) = (kept.start, samples.len().saturating_sub(kept.end));
@@ -112,18 +116,20 @@ fn cut(component: &Component, name: &str, kept: std::ops::Range<usize>, keep_mea
             if count == 1 { format!("{end} sample") } else { format!("{end} {count} samples") }
         };
         if skip > 0 {
-            steps.push(format!("{} of {name} left out: the other component begins later", samples(skip, "first")));
+            let words = format!("{} of {name} left out: the other component begins later", samples(skip, "first"));
+            notes.push(Note::new(NoteKind::Trimmed, words));
         }
         if surplus > 0 {
-            steps.push(format!("{} of {name} left out: the other component ends earlier", samples(surplus, "last")));
+            let words = format!("{} of {name} left out: the other component ends earlier", samples(surplus, "last"));
+            notes.push(Note::new(NoteKind::Trimmed, words));
         }
     }
     if component.is_raw && !keep_mean {
-        let (centred, mean_m_s2) = take_mean(&motion)?;
-        steps.push(format!("mean of {mean_m_s2:.6} m/s2 removed from {name} (raw record)"));
+        let (centred, note) = take_mean(&motion, &format!(" from {name}"))?;
+        notes.push(note);
         motion = centred;
     }
-    Ok(Aligned { motion, steps })
+    Ok(Aligned { motion, notes })
 }
 
 #[cfg(test)]

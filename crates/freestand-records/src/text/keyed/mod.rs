@@ -5,6 +5,7 @@ use super::digit_style::DigitStyle;
 use super::fortran::{Number, bad_field, fields, is_missing_word, number};
 use super::lines::{Line, Lines};
 use super::rows::Rows;
+use crate::notes::{Note, NoteKind};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
@@ -139,7 +140,7 @@ pub(crate) fn read_rows(
     rest: &mut Lines<'_>,
     width: usize,
     declared: Option<(usize, usize)>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Rows, Problem> {
     let (mut rows, mut row) = (Rows::of_width(width), Vec::with_capacity(width));
     let mut digit_styles: Vec<DigitStyle> = (0..width).map(|_| DigitStyle::default()).collect();
@@ -154,7 +155,10 @@ pub(crate) fn read_rows(
         if let Err(bad) = fields(line.bytes, each) {
             // A footer may follow the last value.
             if row.is_empty() && declared.is_some_and(|(count, _)| count == rows.count()) {
-                notes.push(format!("line {} follows the last value and was ignored", line.number));
+                notes.push(Note::new(
+                    NoteKind::TextIgnored,
+                    format!("line {} follows the last value and was ignored", line.number),
+                ));
                 break;
             }
             return Err(bad_field(&bad, line.number));
@@ -179,14 +183,15 @@ fn wrong_count(declared: usize, found: usize) -> Problem {
 ///
 /// # Errors
 /// A row of numbers.
-pub(crate) fn refuse_more_values(rest: &mut Lines<'_>, notes: &mut Vec<String>) -> Result<(), Problem> {
+pub(crate) fn refuse_more_values(rest: &mut Lines<'_>, notes: &mut Vec<Note>) -> Result<(), Problem> {
     let Some(line) = rest.by_ref().find(|line| !line.is_blank()) else { return Ok(()) };
     if is_row(&line) {
         return Err(Problem::new(ProblemKind::Format, "there are more values than the header declares")
             .at_line(line.number)
             .hint("correct the number in the header if the values belong to the record"));
     }
-    notes.push(format!("line {} follows the last value and was ignored", line.number));
+    notes
+        .push(Note::new(NoteKind::TextIgnored, format!("line {} follows the last value and was ignored", line.number)));
     Ok(())
 }
 

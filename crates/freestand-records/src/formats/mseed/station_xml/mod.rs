@@ -4,6 +4,7 @@
 use super::Source;
 use crate::formats::instant::Instant;
 use crate::motion_file::{Direction, ReadOptions};
+use crate::notes::{Note, NoteKind};
 use crate::text::units::record_unit;
 use freestand_input::file::InputFile;
 use freestand_input::file::load;
@@ -62,7 +63,7 @@ struct Sensitivity {
 pub(super) struct Scaling {
     pub(super) counts_per_m_s2: f64,
     pub(super) direction: Option<Direction>,
-    pub(super) notes: Vec<String>,
+    pub(super) notes: Vec<Note>,
 }
 
 /// What an instrument measures.
@@ -239,12 +240,13 @@ impl Inventory {
             }
         };
         let file = self.name();
-        let mut notes = vec![format!(
-            "{name}: counts are divided by the sensitivity in {file}, {words}; the response of the instrument is not \
-             removed"
-        )];
+        let words = format!(
+            "counts are divided by the sensitivity in {file}, {words}; the response of the instrument is not removed"
+        );
+        let mut notes = vec![Note::of(&name, NoteKind::Sensitivity, words)];
         if epoch.end.is_some_and(|until| until < end) {
-            notes.push(format!("{name}: the record continues past the end of its epoch in {file}"));
+            let words = format!("the record continues past the end of its epoch in {file}");
+            notes.push(Note::of(&name, NoteKind::EpochEnds, words));
         }
         Ok(Sensed::Acceleration(Scaling { counts_per_m_s2, direction: epoch.direction(), notes }))
     }

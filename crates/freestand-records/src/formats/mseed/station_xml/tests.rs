@@ -67,7 +67,7 @@ fn every_spelling_of_an_acceleration_is_taken() {
             "{unit}"
         );
         assert!(
-            found.notes[0].contains("XX.ABC.xml") && found.notes[0].contains("is not removed"),
+            found.notes[0].to_string().contains("XX.ABC.xml") && found.notes[0].to_string().contains("is not removed"),
             "{:?}",
             found.notes
         );
@@ -83,7 +83,7 @@ fn an_accelerometer_may_be_described_by_displacement() {
     let found = scaling(&text, "HNE", "", "2020-01-01").unwrap();
     // Three roundings.
     assert!((found.counts_per_m_s2 - 2000.0).abs() < 4.0 * f64::EPSILON * 2000.0);
-    assert!(found.notes[0].contains("(2 pi f)^2"), "{:?}", found.notes);
+    assert!(found.notes[0].to_string().contains("(2 pi f)^2"), "{:?}", found.notes);
     for (channel, frequency, message) in
         [("HNE", "0", "frequency is missing"), ("BHZ", "2", "an accelerometer is expected")]
     {
@@ -208,7 +208,7 @@ fn the_description_is_named_or_next_to_the_record() {
         let file = read(folder, None, None).unwrap();
         let one = &file.components[0];
         assert_eq!((one.motion.peak_m_s2(), one.unit, one.is_raw), (peak_m_s2, "m/s2", true), "{name}");
-        assert!(file.notes[0].contains(&format!("in {name}, {value} counts/(M/S**2)")), "{:?}", file.notes);
+        assert!(file.notes[0].to_string().contains(&format!("in {name}, {value} counts/(M/S**2)")), "{:?}", file.notes);
         assert_eq!(file.station_xml(), [InputFile::new(&folder.join(name), text(value).as_bytes())]);
     }
     // Channels that sense something else are left out, as long as one remains.
@@ -220,8 +220,12 @@ fn the_description_is_named_or_next_to_the_record() {
     let options = ReadOptions { station_xml: Some(folder.join("both.xml")), ..ReadOptions::default() };
     let file = parse_motions([seismometer.clone(), mseed_record()].concat(), &folder.join("x"), &options).unwrap();
     assert_eq!(file.components.iter().map(|one| one.name.as_str()).collect::<Vec<_>>(), ["HNE"]);
-    assert!(file.notes[0].contains("XX.ABC..HHE: the instrument measures a velocity (M/S)"), "{:?}", file.notes);
-    assert!(file.notes[0].ends_with("it was left out"), "{:?}", file.notes);
+    assert!(
+        file.notes[0].to_string().contains("XX.ABC..HHE: the instrument measures a velocity (M/S)"),
+        "{:?}",
+        file.notes
+    );
+    assert!(file.notes[0].to_string().ends_with("it was left out"), "{:?}", file.notes);
     let error = parse_motions(seismometer, &folder.join("x"), &options).unwrap_err().to_string();
     assert!(error.contains("both.xml:") && error.contains("measures a velocity"), "{error}");
     put("other.xml", "500");
