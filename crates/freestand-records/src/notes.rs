@@ -179,13 +179,13 @@ mod tests {
     /// For the tests of readers, which know the sentences.
     impl PartialEq<&str> for Note {
         fn eq(&self, words: &&str) -> bool {
-            self.to_string() == *words
+            format!("{self}") == *words
         }
     }
 
     impl PartialEq<Note> for String {
         fn eq(&self, note: &Note) -> bool {
-            *self == note.to_string()
+            *self == format!("{note}")
         }
     }
 
