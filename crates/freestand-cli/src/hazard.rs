@@ -53,7 +53,8 @@ pub(crate) struct CurveArgs {
     /// that of the fragilities]
     #[arg(long, value_name = "IM", read = measure)]
     hazard_im: Option<Given<Measure>>,
-    /// Longitude and latitude in degrees: of a hazard file with several sites, or of exported objects
+    /// Longitude and latitude in degrees: the site to use of a hazard file with several, or the place
+    /// of exported objects
     #[arg(long, value_name = "LON,LAT", read = coordinates)]
     pub(crate) site_coordinates: Option<Given<(f64, f64)>>,
 }

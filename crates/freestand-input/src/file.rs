@@ -92,7 +92,7 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
     };
     check_allowed(path)?;
     if is_named_pipe(path) {
-        return Err(Problem::new(ProblemKind::Io, "is a named pipe, not a file: reading it could wait for ever")
+        return Err(Problem::new(ProblemKind::Io, "is a named pipe, not a file: reading it might never end")
             .in_file(path)
             .hint("give a regular file"));
     }
@@ -116,8 +116,8 @@ pub fn load_up_to(path: &Path, most: u64, too_long: &str, remedy: &str) -> Resul
     Ok(bytes)
 }
 
-/// Whether a file is a pipe that has a name in a folder: to open it waits for somebody who writes. A pipe
-/// of a shell, such as `/dev/stdin` or `<(...)`, has no name of its own, and its writer.
+/// Whether a file is a pipe that has a name in a folder: opening it waits for a writer. A pipe of a
+/// shell, such as `/dev/stdin` or `<(...)`, has no name of its own and already has its writer.
 #[cfg(unix)]
 fn is_named_pipe(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt;

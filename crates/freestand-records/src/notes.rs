@@ -40,7 +40,7 @@ impl Note {
         Self { about, ..self }
     }
 
-    /// How much it is about: of several records the most is said.
+    /// How much it is about: of several records the largest is stated.
     #[must_use]
     pub fn amount(self, amount: f64, unit: &'static str) -> Self {
         Self { amount: Some((amount.abs(), unit)), ..self }
@@ -92,7 +92,7 @@ kinds! {
     TextIgnored "text below the values was ignored in {}"
     ColumnIgnored "a column was ignored in {}"
     RowsIgnored "rows, blocks or records were ignored in {}"
-    ChannelLeftOut "a channel that is no acceleration was left out of {}"
+    ChannelLeftOut "a channel that is not an acceleration was left out of {}"
     UnitFromText "the unit is taken from the text of {}"
     StepFromText "the time step is taken from the text of {}"
     StepFromDuration "the time step is the duration divided by the number of values in {}"
@@ -117,7 +117,7 @@ kinds! {
     MeanRemoved "the mean was removed from {}"
     Trimmed "samples that only one of two components has were left out of {}"
     Apart "the samples of the two components are not at the same instants in {}"
-    StepsDiffer "the time steps of the two components differ by their rounding in {}"
+    StepsDiffer "the time steps of the two components differ by rounding in {}"
     Identical "the two components are identical in {}"
     NotPerpendicular "the two components are not perpendicular, but are treated as if they were, in {}"
     FarFactor "the factor is so far from 1 that the motion no longer represents its earthquake in {}"

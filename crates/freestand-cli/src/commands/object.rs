@@ -124,8 +124,8 @@ pub(crate) struct ObjectArgs {
     /// Largest number of simulated earthquakes [default: until the answer is settled, at most 1280]
     #[arg(long, value_name = "N", value_parser = at_least_one)]
     worlds: Option<NonZeroUsize>,
-    /// Units of the texts; the JSON document is in SI [default: those of most of --mass, --height,
-    /// --thickness]
+    /// Units of the texts; the JSON document is in SI [default: those in which most of
+    /// --mass, --height and --thickness are typed]
     #[arg(long, value_parser = choice(&UnitSystem::ALL))]
     units: Option<UnitSystem>,
 }

@@ -258,7 +258,7 @@ fn a_hazard_adds_intensities_until_the_rates_are_told() {
     assert_eq!(fs::read_to_string(folder.join("one/outcomes.csv")).unwrap(), runs);
 
     let ida = refused(folder, &on_floor(&motions, &law));
-    assert!(ida.contains("a hazard asks for intensities of stripes, and the method is ida"), "{ida}");
+    assert!(ida.contains("a hazard curve adds intensities to stripes, but the method is ida"), "{ida}");
     let stripes = ["--method", "stripes", "--hazard-im", "pfa", "--hazard-power", "k0=1e-2 /yr, k=2, reference=1 g"];
     let other = refused(folder, &on_floor(&motions, &stripes));
     assert!(other.contains("for pfa of the floor, and the outcomes are for pfv of the floor"), "{other}");

@@ -260,8 +260,8 @@ def restrain_list(
 ) -> RestrainListResult:
     """The forces that the code asks of the restraints of all objects of a list.
 
-    Masses, sizes and floors are those of the list; the hazard is one of `place`, `code` with its values, `study` and
-    `floor_acceleration_g`.
+    Masses, sizes and floors are those of the list; the hazard comes from one of `place`, `code` with its values,
+    `study` and `floor_acceleration_g`.
 
     Parameters
     ----------

@@ -64,14 +64,14 @@ pub fn parse_sensitivity(text: &str) -> Result<Sensitivity, Problem> {
 
 /// The problem of a column in volts whose sensor is not known; `example` is a sensitivity.
 pub(crate) fn no_sensitivity(heading: &Heading, line: usize, example: &str) -> Problem {
-    let message = format!("\"{}\" is in volts, and the sensitivity of its sensor is not given", shorten(&heading.name));
+    let message = format!("\"{}\" is in volts, but the sensitivity of its sensor is not given", shorten(&heading.name));
     Problem::value(message, format!("give it as `sensitivity`, such as \"{example}\"")).at_line(line)
 }
 
 /// The problem of a sensitivity for a column that is not in volts.
 pub(crate) fn not_in_volts(what: &str, line: usize) -> Problem {
     Problem::value(
-        format!("{what} is not in volts, and a sensitivity is given"),
+        format!("{what} is not in volts, but a sensitivity is given"),
         "leave out `sensitivity`, or name the unit \
          of the column, such as \"[mV]\"",
     )

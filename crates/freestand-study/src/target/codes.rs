@@ -291,9 +291,9 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
         });
         target.facts.push(fact("Second spectrum of the annex", two.as_str()));
         target.warnings.push(format!(
-            "the national annex has two spectra, {one} and {two}: assess and object calculate both and take the worse \
-             for each object, restrain takes the larger acceleration of the ground, everything else {one} alone, whose \
-             velocity is the larger, unless `spectrum_type` is given"
+            "the national annex has two spectra, {one} and {two}: assessments calculate both and take the worse for \
+             each object, restraints are designed for the larger acceleration of the ground, and everything else uses \
+             {one} alone, whose velocity is the larger, unless `spectrum_type` is given"
         ));
         target.alternative = Some(other.into());
     }

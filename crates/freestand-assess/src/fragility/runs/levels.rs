@@ -1,4 +1,4 @@
-//! The intensities of stripes that nobody chose, and those that a hazard asks for.
+//! The intensities of stripes that nobody chose, and those that are added for a hazard.
 
 use freestand::fragility::{FitKind, Outcomes, Run, fit_curves};
 use freestand::risk::{
@@ -113,7 +113,7 @@ impl Levels {
 
 /// The most intensities that are added.
 pub(super) const MOST_ADDED: usize = 100;
-/// The most rounds in which they are: each halves the gaps, so that two intensities that are a factor of 1000
+/// The most rounds in which they are added: each halves the gaps, so that two intensities that are a factor of 1000
 /// apart are a factor of 1.002 apart after them.
 pub(super) const ROUNDS: usize = 12;
 
@@ -132,7 +132,7 @@ pub(super) fn hazard(request: &RunsRequest, measures: &[(Measure, At)]) -> Resul
     let Some((source, &(measure, at))) = request.hazard.as_ref().zip(measures.first()) else { return Ok(None) };
     if request.method != Method::Stripes {
         let method = name_of(METHODS, request.method);
-        let message = format!("a hazard asks for intensities of stripes, and the method is {method}");
+        let message = format!("a hazard curve adds intensities to stripes, but the method is {method}");
         let hint = "give `method = \"stripes\"`, or leave the hazard out";
         return Err(Problem::value(message, hint).of(&["hazard"]).into());
     }

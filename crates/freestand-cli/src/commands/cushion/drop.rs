@@ -37,11 +37,11 @@ Examples:
 
 A file has columns of time and acceleration with their units (time [ms],acceleration [g]),
 positive upward, and a few milliseconds of free fall before the contact, whose mean is the zero
-line. A column in V or mV needs the --sensitivity of the sensor. Lines such as \"# mass: 0.365 kg\", \"# height: 100 mm\", \"# impactor: flat\" or \"# boundary:
-glued\" before the columns are used unless a flag replaces them. A record that cannot give a
-stiffness is shown with the reasons. Drops are pooled as repeats of one test if they have the same
-impactor, boundary and mass. The exit status is 1 if a record gives no stiffness or the drops cannot
-be pooled.")]
+line. A column in V or mV needs the --sensitivity of the sensor. Lines such as
+\"# mass: 0.365 kg\", \"# height: 100 mm\", \"# impactor: flat\" or \"# boundary: glued\" before the
+columns are used unless a flag replaces them. A record that cannot give a stiffness is shown with
+the reasons. Drops are pooled as repeats of one test if they have the same impactor, boundary and
+mass. The exit status is 1 if a record gives no stiffness or the drops cannot be pooled.")]
 pub(crate) struct DropArgs {
     /// Files with drops on one pad
     #[arg(value_name = "FILE", required = true)]

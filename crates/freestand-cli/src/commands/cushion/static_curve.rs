@@ -48,7 +48,8 @@ pub(crate) struct StaticArgs {
     /// Reverse the signs of force and displacement, for a press that writes compression as negative
     #[arg(long)]
     invert: bool,
-    /// Sensitivity of a sensor whose column is in volts, such as "2 mV/N" or "1 V/mm"; may be given for both
+    /// Sensitivity of a sensor whose column is in volts, such as "2 mV/N" or "1 V/mm"; give it
+    /// once for each such sensor
     #[arg(long, value_name = "SENSITIVITY", read = parse_sensitivity)]
     sensitivity: Vec<Given<Sensitivity>>,
     /// Shape of the impactor; replaces what the files state

@@ -69,7 +69,7 @@ impl Header {
     }
 }
 
-/// The text as a plain table, on the same lines; `None` if it is no file of LabVIEW.
+/// The text as a plain table, on the same lines; `None` if it is not a file of LabVIEW.
 ///
 /// # Errors
 /// A file with several segments or with times for every channel.

@@ -39,7 +39,7 @@ pub fn comments(bytes: &[u8]) -> Vec<(String, String, usize)> {
 /// of the day in the first column.
 ///
 /// # Errors
-/// A file that cannot be read, and what is no text.
+/// A file that cannot be read, or is not text.
 pub fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     let mut bytes = file::load(path)?;
     let plain = || {
