@@ -14,7 +14,7 @@ use freestand_study::study::{Ground, Study};
 
 /// Version of the text that is hashed; raise it with every change of that text or of the content of
 /// a part.
-const FORMAT: u32 = 8;
+const FORMAT: u32 = 9;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.
@@ -57,7 +57,8 @@ fn study_text(toml: &str) -> String {
 /// The motions that were read from files, by their samples: flags of the caller may have changed
 /// how a file is read.
 fn recorded(study: &Study) -> Vec<Value> {
-    let recorded = study.ground.recorded(&study.levels);
+    let other = study.other_ground.iter().flat_map(|ground| ground.recorded(&[]));
+    let recorded = study.ground.recorded(&study.levels).chain(other);
     let one = |motion: &freestand_study::study::RecordedMotion| {
         let inputs: Vec<&str> = motion.other_inputs().map(|file| file.sha256.as_str()).collect();
         json!({

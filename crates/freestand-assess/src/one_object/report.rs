@@ -357,6 +357,7 @@ fn assumptions(
     let names_wall = names_wall(around);
     let is_at_wall = found.at_wall.is_some();
     let mut said: Vec<String> = study.assumed_at(row.item.level_ratio.unwrap_or(0.0)).collect();
+    said.extend(study.two_spectra_words());
     said.push(match (object.cg_height_m, object.width_m) {
         (None, None) => "centre of gravity at half the height; without a width it rocks about one axis only".to_owned(),
         (None, Some(_)) => "centre of gravity at half the height".to_owned(),

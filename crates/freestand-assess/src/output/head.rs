@@ -343,6 +343,7 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     let percent = |share: f64| percent_significant(share, 3);
     let looks = worlds.looks;
     let mut assumed = silent(study, inventory);
+    assumed.extend(study.two_spectra_words().map(|words| format!("Assumed: {words}.")));
     assumed.extend([
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
         format!(

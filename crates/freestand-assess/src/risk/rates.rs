@@ -4,6 +4,7 @@
 use freestand::fragility::{CurveKind, LimitState};
 use freestand::risk::{
     AboveLast, AnnualRates, Capacity, Gap, Hazard, RESOLVED, annual_rate, bounds_by_runs, least_avoided, open_parts,
+    open_rate,
 };
 
 use crate::fragility::ObjectCurves;
@@ -91,7 +92,7 @@ fn of_curve(hazard: &Hazard, limit_state: LimitState, kind: CurveKind, found: &[
 fn what_is_open(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Open {
     let largest = open_parts(hazard, by_curve, most, found).into_iter();
     let gap = largest.max_by(|a, b| a.annual_rate.total_cmp(&b.annual_rate)).map(|part| part.gap);
-    let all = by_curve.annual_rate.or(most);
+    let all = open_rate(by_curve, most);
     Open { gap, levels: all.and_then(|all| Levels::that_may_tell(hazard, found, RESOLVED * all)) }
 }
 

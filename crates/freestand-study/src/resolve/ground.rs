@@ -98,7 +98,7 @@ impl Resolver<'_> {
         building: Option<&BuildingInput>,
         levels: &[Level],
     ) -> Option<Ground> {
-        let (warnings, problems) = (self.warnings.len(), self.problems.len());
+        let (warnings, notes, problems) = (self.warnings.len(), self.notes.len(), self.problems.len());
         let mut written = written.clone();
         written.target.set("spectrum_type", spectrum_type.to_string());
         let ground = self.ground(&written, overrides, building, levels);
@@ -106,6 +106,11 @@ impl Resolver<'_> {
         let new = self.warnings.split_off(warnings);
         let new: Vec<String> = new.iter().filter(|one| !self.warnings.contains(one)).map(|one| said(one)).collect();
         self.warnings.extend(new);
+        for note in self.notes.split_off(notes) {
+            if !self.notes.contains(&note) {
+                self.notes.push(note);
+            }
+        }
         for problem in self.problems.problems.iter_mut().skip(problems) {
             problem.message = said(&problem.message);
         }

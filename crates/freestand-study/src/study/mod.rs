@@ -77,14 +77,14 @@ pub struct Study {
 }
 
 impl Study {
-    /// What was assumed about the shaking of objects at a level, in words; on the ground no building matters.
+    /// What was assumed about the shaking at a level, in words; on the ground no building matters.
     pub fn assumed_at(&self, level_ratio: f64) -> impl Iterator<Item = String> {
         let at_level = self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0);
-        at_level.map(|one| one.words.clone()).chain(self.two_spectra_words())
+        at_level.map(|one| one.words.clone())
     }
 
-    /// That objects are assessed by both spectra of the national annex, where that has two.
-    fn two_spectra_words(&self) -> Option<String> {
+    /// What an assessment says of a national annex with two spectra: it asks both.
+    pub fn two_spectra_words(&self) -> Option<String> {
         let target = self.ground.code_spectrum()?;
         let (one, other) = (target.spectrum_type()?, target.other_type()?);
         Some(format!(

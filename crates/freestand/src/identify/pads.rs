@@ -158,7 +158,7 @@ const CAMPAIGN_SEED: u64 = 60613;
 const TEST_SEED: u64 = 11;
 
 impl Family {
-    /// Drops of each pad on each recorder, for a hundred and more of a family.
+    /// Drops of each pad on each recorder: more than a hundred of each family but the last.
     fn drops(self) -> u64 {
         match self {
             Self::Cubic => 4,

@@ -20,6 +20,6 @@ pub use loss::{
     loss_exceedance,
 };
 pub use money::{MoneyError, expected_annual_loss, present_value_factor_years, renewed_cost};
-pub use open::{Gap, OpenPart, RESOLVED, bounds_by_runs, open_parts};
+pub use open::{Gap, OpenPart, RESOLVED, bounds_by_runs, open_parts, open_rate};
 pub use plan::{Choice, Plan, best_plan};
 pub use rate::{AnnualRates, Bin, annual_rate, annual_rate_below, deaggregation, probability_in_years};

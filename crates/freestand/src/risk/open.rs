@@ -58,8 +58,13 @@ pub fn bounds_by_runs(
     (least, most.or_else(below_lowest))
 }
 
-/// The ranges with more than [`RESOLVED`] of a rate, rising. `most` is the upper end of the rate, which
-/// stands for it where the curve has none.
+/// The rate of which parts are open: that of the curve, but no more than `most`, which the runs allow; `None`:
+/// neither is known.
+pub fn open_rate(by_curve: AnnualRates, most: Option<f64>) -> Option<f64> {
+    [by_curve.annual_rate, most].into_iter().flatten().reduce(f64::min)
+}
+
+/// The ranges with more than [`RESOLVED`] of a rate ([`open_rate`]), rising.
 ///
 /// # Example
 /// Half of the capacities are between 0.1 and 0.2 and the others between 0.2 and 0.21; λ = x⁻¹:
@@ -76,7 +81,7 @@ pub fn bounds_by_runs(
 /// ```
 pub fn open_parts(hazard: &Hazard, by_curve: AnnualRates, most: Option<f64>, found: &[Capacity]) -> Vec<OpenPart> {
     let rate = |x: Option<f64>| x.map_or(0.0, |x| hazard.annual_rate(x));
-    let all = by_curve.annual_rate.or(most);
+    let all = open_rate(by_curve, most);
     // Those below the lowest intensity belong together.
     let (lowest, others): (Vec<Capacity>, Vec<Capacity>) = found.iter().partition(|one| one.is_lowest);
     let open = |one: &Capacity| one.share * (rate(one.from) - rate(one.to));

@@ -1,9 +1,7 @@
 //! The intensities of stripes that nobody chose, and those that are added for a hazard.
 
 use freestand::fragility::{FitKind, Outcomes, Run, fit_curves};
-use freestand::risk::{
-    AboveLast, AnnualRates, Gap, Hazard, OpenPart, annual_rate, bounds_by_runs, capacities, open_parts,
-};
+use freestand::risk::{AboveLast, Gap, Hazard, OpenPart, annual_rate, bounds_by_runs, capacities, open_parts};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::name_of;
 use rayon::prelude::*;
@@ -173,9 +171,7 @@ pub(super) fn open(
             let found = capacities(&outcomes, curve.limit_state, &uplifts);
             let by_curve = annual_rate(hazard, curve.kind);
             let (_, most) = bounds_by_runs(hazard, curve.kind, by_curve, &found, AboveLast::Open);
-            // The curve may say more than its runs allow.
-            let rate = by_curve.annual_rate.map(|rate| most.map_or(rate, |most| rate.min(most)));
-            open_parts(hazard, AnnualRates { annual_rate: rate, ..by_curve }, most, &found)
+            open_parts(hazard, by_curve, most, &found)
         });
         of_curve.collect()
     };

@@ -81,11 +81,11 @@ pub(super) struct ObjectRuns {
 pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<RunsReport, Problems> {
     check_replicates(request.replicates)?;
     let measures = measures_of(request)?;
+    let hazard = levels::hazard(request, &measures)?;
     let go_on = || super::go_on(progress).map_err(Problems::from);
     let Prepared { mut objects, floors, left_out } = prepare(request, &measures, go_on)?;
     check_ground(&measures, &floors)?;
     check_shocks(request.fit, &objects)?;
-    let hazard = levels::hazard(request, &measures)?;
     let mut asked = request.clone();
     if request.method == Method::Stripes && request.scales.is_none() {
         asked.scales = Some(levels::chosen(request, &objects, &floors, &measures, &go_on)?);
@@ -147,8 +147,9 @@ impl Work<'_> {
     ) -> Result<Added, Problems> {
         let limit = levels::limit(request, objects, self.floors, self.measures);
         let mut levels = request.scales.take().unwrap_or_default();
-        let mut added = 0;
-        for round in 1.. {
+        let (mut added, mut round) = (0, 0);
+        loop {
+            round += 1;
             super::go_on(self.progress)?;
             let open = levels::open(&hazard.hazard, objects, (self.floors, self.measures), &levels);
             let room = if round > levels::ROUNDS { 0 } else { levels::MOST_ADDED - added };
@@ -171,7 +172,6 @@ impl Work<'_> {
             levels.extend(more);
             levels.sort_by(f64::total_cmp);
         }
-        Err(missing())
     }
 }
 

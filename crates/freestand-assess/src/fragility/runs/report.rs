@@ -6,7 +6,7 @@ use freestand::fragility::resurrections;
 use freestand_input::file::InputFile;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, name_of, significant};
+use freestand_input::words::{counted, name_of, significant, some};
 use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
@@ -119,13 +119,12 @@ impl RunsReport {
                 counted(runs, "run")
             ));
         }
-        if let Some((first, rest)) = self.added.as_ref().and_then(|added| added.open_ids.split_first()) {
-            let rest = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
+        if let Some(ids) = self.added.as_ref().map(|added| &added.open_ids).filter(|ids| !ids.is_empty()) {
             warnings.push(format!(
-                "more than a tenth of a rate of {}{rest} is still between two intensities of the runs, or below or above \
+                "more than a tenth of a rate of {} is still between two intensities of the runs, or below or above \
                  all of them: at most {MOST_ADDED} are added, and none beyond the largest scale; such rates are only \
                  known between bounds",
-                shorten(first)
+                some(ids, 1)
             ));
         }
         // Some do not depend on the measure.
