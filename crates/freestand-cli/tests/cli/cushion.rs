@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use crate::program::{execute, freestand_in, json};
+use crate::program::{document, execute, freestand_in, json, root};
 
 /// The plate of 0.365 kg from 100 mm on 2190 N/mm: 349.808 g over 1.28255 ms, 60 samples of it,
 /// with a zero line of 1 g and a wobble of 0.5 % in place of noise.
@@ -197,4 +197,18 @@ fn static_tests() {
     assert!(String::from_utf8_lossy(&refused.stderr).contains("--invert"), "{refused:?}");
     let heavy = execute(folder.path(), &["cushion", "static", "press.csv", "--load", "2 kN"]);
     assert_eq!(heavy.status.code(), Some(2));
+}
+
+/// A file and its user who say different things are not read in silence; what says the same is no news.
+#[test]
+fn a_flag_that_contradicts_the_file_is_said() {
+    let warnings = |flags: &[&str]| {
+        let drop = ["cushion", "drop", "validation/cushion/drop-001.csv"];
+        document(&root(), &[&drop[..], flags].concat())["warnings"].to_string()
+    };
+    let other = warnings(&["--mass", "0.5 kg", "--height", "5 in"]);
+    assert!(other.contains("the file says mass 0.365 kg") && other.contains("0.5 kg, is used"), "{other}");
+    assert!(other.contains("the file says height 0.1 m") && other.contains("0.127 m, is used"), "{other}");
+    let same = warnings(&["--mass", "365 g", "--height", "100 mm"]);
+    assert!(!same.contains("the file says"), "{same}");
 }

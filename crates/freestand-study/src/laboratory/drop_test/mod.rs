@@ -17,7 +17,7 @@ use super::{Impactor, check_sensors};
 use crate::recorded::Failed;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive};
-use freestand_input::words::{Choices, counted, significant};
+use freestand_input::words::{Choices, counted, shortest, significant};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::table_of_numbers;
@@ -180,6 +180,7 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
     let in_file = |problem: Problem| problem.in_file(path);
     let bytes = load(path)?;
     let said = Said::of(&bytes).map_err(in_file)?;
+    warnings.extend(said.replaced_by(request).iter().map(|what| format!("{}: {what}", path.display())));
     let read = ReadOptions { is_shock: true, ..request.read.clone() };
     let file = parse_motions(bytes, path, &read)
         .map_err(|error| error.problems.into_iter().next().unwrap_or_else(|| value("the file cannot be read")))?;
@@ -291,7 +292,35 @@ impl Said {
         }
         Ok(said)
     }
+
+    /// What the file says otherwise than the request, which counts.
+    fn replaced_by(&self, request: &DropRequest) -> Vec<String> {
+        let is_other = |(given, said): &(f64, f64)| (given / said - 1.0).abs() > ROUNDING;
+        let number = |key: &str, unit: &str, given: Option<f64>, said: Option<f64>| {
+            let (given, said) = given.zip(said).filter(is_other)?;
+            let [given, said] = [given, said].map(shortest);
+            Some(format!("the file says {key} {said} {unit}; the `{key}` that was given, {given} {unit}, is used"))
+        };
+        let text = |key: &str, given: &Option<String>, said: &Option<String>| {
+            let (given, said) = given.as_ref().zip(said.as_ref()).filter(|(given, said)| given != said)?;
+            Some(format!("the file says {key} {said}; the `{key}` that was given, {given}, is used"))
+        };
+        let all = [
+            number("mass", "kg", request.mass_kg, self.mass_kg),
+            number("height", "m", request.height_m, self.height_m),
+            number("impact_velocity", "m/s", request.impact_velocity_m_s, self.velocity_m_s),
+            number("corner", "Hz", request.filter_corner_hz, self.corner_hz),
+            number("thickness", "m", request.thickness_m, self.thickness_m),
+            number("sphere_radius", "m", request.sphere_radius_m, self.sphere_radius_m),
+            text("impactor", &request.impactor, &self.impactor),
+            text("boundary", &request.boundary, &self.boundary),
+        ];
+        all.into_iter().flatten().collect()
+    }
 }
+
+/// Two numbers are the same that differ by less: 4 in is 101.6 mm.
+const ROUNDING: f64 = 1e-9;
 
 impl DropReport {
     /// The law and its numbers; `None` where a flag forbids a stiffness.
