@@ -2,6 +2,7 @@
 //! freestand-records.
 
 use freestand_records::formats::{ReadOptions, parse_motions};
+use freestand_records::notes::NoteKind;
 use std::path::Path;
 
 /// As freestand::motion has it.
@@ -42,7 +43,7 @@ fn check_with(bytes: &[u8], options: &ReadOptions) -> bool {
                 total += accel_m_s2.len();
                 // Steim-2 packs seven samples into four bytes, text at best one into two.
                 // Interpolation may add any number.
-                let is_interpolated = file.notes.iter().any(|note| note.to_string().contains("straight lines"));
+                let is_interpolated = file.notes.iter().any(|note| note.kind == NoteKind::Interpolated);
                 assert!(accel_m_s2.len() <= 2 * bytes.len() || is_interpolated);
             }
             // But no more than one motion may have, however many components there are.

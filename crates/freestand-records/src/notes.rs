@@ -1,5 +1,6 @@
 //! What a reader concluded, left out or doubts about a record, and the notes of many records in few sentences.
 
+use std::collections::HashSet;
 use std::fmt;
 
 use freestand_input::quantity::shorten;
@@ -158,7 +159,8 @@ fn sentences<N: AsRef<str>>(kind: NoteKind, all: &[(N, &Note)]) -> Vec<String> {
     const NAMED: usize = 3;
     let said = |(name, note): &(N, &Note)| format!("{}: {note}", name.as_ref());
     let mut names: Vec<&str> = all.iter().map(|(name, _)| name.as_ref()).collect();
-    names.dedup();
+    let mut seen = HashSet::new();
+    names.retain(|name| seen.insert(*name));
     if names.len() == 1 {
         return all.iter().map(said).collect();
     }
@@ -212,5 +214,7 @@ mod tests {
         let words = "the bottom of a borehole, not the surface, was recorded in 2 records: A, B (for example A: NS: \
                      recorded in a borehole)";
         assert_eq!(both, [words]);
+        // Wherever its notes stand.
+        assert_eq!(grouped([("A", &north), ("B", &east), ("A", &east)]), [words]);
     }
 }

@@ -169,6 +169,8 @@ struct Tags {
     has_merges: bool,
     sheets: Vec<(String, String)>,
     members: Vec<(String, String)>,
+    /// The last row: one without a number is the next.
+    row: u32,
     hidden: Vec<u32>,
 }
 
@@ -234,9 +236,11 @@ impl Tags {
         let name = inner.split(|byte| byte.is_ascii_whitespace() || *byte == b'/').next().unwrap_or_default();
         let name = name.rsplit(|&byte| byte == b':').next().unwrap_or_default();
         match name {
-            b"row" if matches!(attribute(inner, b"hidden"), Some(b"1" | b"true")) => {
-                let row = attribute(inner, b"r").map(check_place).transpose()?;
-                self.hidden.extend(row.map(|(_, row)| row));
+            b"row" => {
+                let place = attribute(inner, b"r").map(check_place).transpose()?;
+                self.row = place.map_or(self.row.saturating_add(1), |(_, row)| row);
+                let is_hidden = matches!(attribute(inner, b"hidden"), Some(b"1" | b"true"));
+                self.hidden.extend(is_hidden.then_some(self.row));
                 Ok(())
             }
             b"sheet" => {
@@ -247,7 +251,7 @@ impl Tags {
                 self.members.extend(pair(inner, b"Id", b"Target"));
                 Ok(())
             }
-            b"c" | b"row" => attribute(inner, b"r").map_or(Ok(()), |place| check_place(place).map(|_| ())),
+            b"c" => attribute(inner, b"r").map_or(Ok(()), |place| check_place(place).map(|_| ())),
             b"dimension" | b"mergeCell" | b"f" => {
                 self.has_merges |= name == b"mergeCell";
                 attribute(inner, b"ref").map_or(Ok(()), check_range)
@@ -369,6 +373,15 @@ mod tests {
         for text in ["<c r=\"A1\"/>", "<row r=\"1048576\"/>", "<f ref=\"A1:A1\"/>", "<cols r=\"x\"/>", "<c t=\"n\">"] {
             assert_eq!(Tags::default().feed(text.as_bytes()), Ok(()), "{text}");
         }
+    }
+
+    #[test]
+    fn a_row_without_a_number_follows_the_last_one() {
+        let mut tags = Tags::default();
+        let text =
+            "<row hidden='1'/><row/><row r='7'></row><row hidden='true'/><row r='12' hidden='1'/><row hidden='1'>";
+        tags.feed(text.as_bytes()).unwrap();
+        assert_eq!(tags.hidden, [1, 8, 12, 13]);
     }
 
     #[test]

@@ -247,11 +247,13 @@ fn numbered(text: &str, words: &str) -> Option<Storey> {
         ("", "og" | "o g" | "obergeschoss" | "ober") | ("og" | "obergeschoss" | "r", "") => pick(Storey::Above(number)),
         (
             "",
-            "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock" | "stockwerk" | "e"
-            | "er" | "eme" | "ere" | "ieme",
+            "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock" | "stockwerk" | "er"
+            | "eme" | "ere" | "ieme",
         )
         | ("etage" | "kat" | "andar", "")
         | ("", "kat" | "o andar" | "andar" | "a kat") => pick(Storey::Above(number)),
+        // "3E" may be a wing in the east.
+        ("", "e") if text.contains(&format!("{}e", &rest[..length])) => pick(Storey::Above(number)),
         ("piano" | "planta", "") | ("", "o piano" | "piano" | "a planta" | "planta") => pick(Storey::Above(number)),
         ("", "階" | "f階" | "楼" | "层" | "樓" | "层楼") => pick(Storey::FromOne(number)),
         (
@@ -433,6 +435,11 @@ mod tests {
             ("R+3", Some(Above(3))),
             ("3e étage", Some(Above(3))),
             ("1er étage", Some(Above(1))),
+            ("3e", Some(Above(3))),
+            ("2ème", Some(Above(2))),
+            // A wing in the east.
+            ("3E", None),
+            ("3 e", None),
             ("planta 3", Some(Above(3))),
             ("3ª planta", Some(Above(3))),
             ("piano 3", Some(Above(3))),

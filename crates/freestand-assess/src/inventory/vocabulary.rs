@@ -439,41 +439,14 @@ pub(super) fn casters(text: &str) -> Wheels {
         "刹车",
         "ブレーキ",
     ];
-    // With one of these words a cell says something else about its brakes, or about some of them.
-    const NOT: [&str; 32] = [
-        "no",
-        "not",
-        "without",
-        "only",
-        "never",
-        "missing",
-        "defect",
-        "standing",
-        "nicht",
-        "kein",
-        "keine",
-        "ohne",
-        "nur",
-        "sans",
-        "pas",
-        "non",
-        "seulement",
-        "sin",
-        "solo",
-        "senza",
-        "sem",
-        "degil",
-        "of",
-        "davon",
-        "von",
-        "dont",
-        "sur",
-        "some",
-        "two",
-        "half",
-        "teilweise",
-        "when",
+    // With one of these words a cell says something else about its brakes.
+    const NOT: [&str; 19] = [
+        "no", "not", "without", "never", "missing", "defect", "standing", "nicht", "kein", "keine", "ohne", "sans",
+        "pas", "non", "sin", "senza", "sem", "degil", "when",
     ];
+    // With one of these it says something about some of its wheels.
+    const PART: [&str; 13] =
+        ["only", "nur", "seulement", "solo", "of", "davon", "von", "dont", "sur", "some", "two", "half", "teilweise"];
     const OTHER: [&str; 26] = [
         "feet",
         "foot",
@@ -504,19 +477,22 @@ pub(super) fn casters(text: &str) -> Wheels {
     ];
     let words = canonical(text);
     let is_asked = text.contains(['?', '？']);
+    let is_count = |word: &str| word.parse::<u32>().is_ok();
     let padded = format!(" {words} ");
     let says = |all: &[&str]| {
         all.iter().any(|one| if one.is_ascii() { padded.contains(&format!(" {one}")) } else { padded.contains(one) })
     };
     if !is_asked {
-        if says(&NOT_BRAKED) {
-            return Wheels::Said(Casters::Free);
-        }
-        let said =
-            [(Casters::Free, says(&FREE)), (Casters::Braked, says(&BRAKED))].into_iter().find(|(_, is_it)| *is_it);
-        if let Some((casters, _)) = said {
-            let is_turned = words.split(' ').any(|word| NOT.contains(&word));
-            return if is_turned { Wheels::Some } else { Wheels::Said(casters) };
+        // So does a number, but for one at the beginning, which counts all of them.
+        let is_of_some = (0..).zip(words.split(' ')).any(|(i, word)| PART.contains(&word) || i > 0 && is_count(word));
+        let is_turned = is_of_some || words.split(' ').any(|word| NOT.contains(&word));
+        let said = [
+            (Casters::Free, says(&NOT_BRAKED), is_of_some),
+            (Casters::Free, says(&FREE), is_turned),
+            (Casters::Braked, says(&BRAKED), is_turned),
+        ];
+        if let Some((casters, _, is_doubted)) = said.into_iter().find(|(_, is_it, _)| *is_it) {
+            return if is_doubted { Wheels::Some } else { Wheels::Said(casters) };
         }
     }
     let is_number = words.parse::<u32>().is_ok_and(|count| count > 1);
@@ -749,7 +725,13 @@ mod tests {
             // Brakes that nobody says are set, or that some of the wheels have.
             ("with brakes", Wheels::Some),
             ("4, 2 with brakes", Wheels::Some),
+            ("4, 2 locked", Wheels::Some),
             ("4, davon 2 gebremst", Wheels::Some),
+            ("4, 2 without brakes", Wheels::Some),
+            ("no brakes on 2 of 4", Wheels::Some),
+            ("no brakes on 2 castors", Wheels::Some),
+            ("ohne Bremse, davon 2", Wheels::Some),
+            ("4 castors, no brakes", Wheels::Said(Free)),
             ("2 of 4 locked", Wheels::Some),
             ("braked when parked", Wheels::Some),
             ("lockable", Wheels::Some),

@@ -36,6 +36,7 @@ use std::path::Path;
 use crate::motion_file::{Reading, coarse_note, extreme_note, offset_note};
 use crate::notes::printable;
 use crate::text::lines::check_text;
+use crate::text::sensitivity::not_in_volts;
 use freestand_input::file::load;
 use freestand_input::problem::{Problem, Problems};
 
@@ -64,7 +65,7 @@ pub fn read_motions(path: &Path, options: &ReadOptions) -> Result<MotionFile, Pr
 pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> Result<MotionFile, Problems> {
     // Checked first, because a wrong option is not a fault of the file.
     options.check()?;
-    let read = reader(&mut bytes).map_err(|problem| problem.in_file(path))?;
+    let read = reader(&mut bytes, options).map_err(|problem| problem.in_file(path))?;
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
     let Reading { format, mut components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
     if !options.is_shock {
@@ -118,13 +119,21 @@ const FAMILIES: &[Family] = &[
 const SNIFFED_BYTES: usize = 64 << 10;
 
 /// The reader for the content. What is not binary must be text.
-fn reader(bytes: &mut Vec<u8>) -> Result<Reader, Problem> {
-    if let Some(family) = BINARY.iter().find(|family| (family.recognises)(bytes)) {
-        return Ok(family.read);
+///
+/// # Errors
+/// Something else. A sensitivity for a format that has no columns in volts.
+fn reader(bytes: &mut Vec<u8>, options: &ReadOptions) -> Result<Reader, Problem> {
+    let mut family = BINARY.iter().find(|family| (family.recognises)(bytes));
+    if family.is_none() {
+        check_text(bytes)?;
+        let head = &bytes[..bytes.len().min(SNIFFED_BYTES)];
+        family = FAMILIES.iter().find(|family| (family.recognises)(head));
     }
-    check_text(bytes)?;
-    let head = &bytes[..bytes.len().min(SNIFFED_BYTES)];
-    Ok(FAMILIES.iter().find(|family| (family.recognises)(head)).map_or(columns::read, |family| family.read))
+    match (family, options.sensitivity) {
+        (None, _) => Ok(columns::read),
+        (Some(family), None) => Ok(family.read),
+        (Some(_), Some(_)) => Err(not_in_volts("the record")),
+    }
 }
 
 #[cfg(test)]

@@ -56,6 +56,18 @@ fn what_is_no_file_is_said() {
     assert!(found.message.contains("binary") && found.path.is_some() && found.hint.is_some());
 }
 
+#[test]
+fn a_sensitivity_without_effect_is_refused_by_every_format() {
+    let sensitivity = Some(parse_sensitivity("10 mV/g").unwrap());
+    let options = ReadOptions { sensitivity, is_shock: true, ..ReadOptions::default() };
+    let accel_m_s2 = (0..40).map(|i| (f64::from(i) * 0.3).sin()).collect();
+    let at2 = write_at2(&Motion::new(0.01, accel_m_s2).unwrap(), "x");
+    for text in [at2.as_str(), "t [s],a [g]\n0,1\n1,4\n"] {
+        let problem = parse_motions(text.into(), "x".as_ref(), &options).unwrap_err().problems.remove(0);
+        assert!(problem.message.contains("is not in volts") && problem.hint.is_some(), "{problem}");
+    }
+}
+
 fn samples() -> Vec<Vec<u8>> {
     let accel = (0..40).map(|i| (f64::from(i) * 0.3).sin()).collect();
     let motion = Motion::new(0.02, accel).unwrap();

@@ -69,13 +69,12 @@ pub(crate) fn no_sensitivity(heading: &Heading, line: usize, example: &str) -> P
 }
 
 /// The problem of a sensitivity for a column that is not in volts.
-pub(crate) fn not_in_volts(what: &str, line: usize) -> Problem {
+pub(crate) fn not_in_volts(what: &str) -> Problem {
     Problem::value(
         format!("{what} is not in volts, but a sensitivity is given"),
         "leave out `sensitivity`, or name the unit \
          of the column, such as \"[mV]\"",
     )
-    .at_line(line)
     .of(&["sensitivity"])
 }
 

@@ -90,7 +90,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
         let sensor = match (volts, options.sensitivity) {
             (Some(volts), Some(sensor)) => Some((volts, sensor)),
             (Some(_), None) => return Err(no_sensitivity(&heading, stating.line, "10 mV/g")),
-            (None, Some(_)) => return Err(not_in_volts(&what, stating.line)),
+            (None, Some(_)) => return Err(not_in_volts(&what).at_line(stating.line)),
             (None, None) => None,
         };
         let of_sensor = sensor.and_then(|_| lookup("m/s2"));

@@ -1,7 +1,9 @@
 //! Measurement files of LabVIEW (LVM): a header of keys, then columns whose times and units stand in the header.
 
+use crate::text::fortran;
 use crate::text::lines::{Line, lines, text_of};
 use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
 
 const END: &str = "***End_of_Header***";
 
@@ -13,50 +15,75 @@ fn is_end(line: &Line) -> bool {
 struct Header {
     separator: char,
     has_decimal_comma: bool,
-    x_columns: XColumns,
+    has_x_column: bool,
     x_heading: String,
     /// The first time and the step, from which times are calculated: a column of them is rounded.
     times_s: Option<(f64, f64)>,
     units: Vec<String>,
 }
 
-/// Which columns hold times.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum XColumns {
-    No,
-    One,
-    Multi,
-}
-
 impl Header {
-    fn of(rows: &[(usize, String)]) -> Self {
+    /// # Errors
+    /// Channels with times of their own.
+    fn of(rows: &[(usize, String)]) -> Result<Self, Problem> {
         let separator = if rows.iter().any(|(_, row)| row.trim() == "Separator,Comma") { ',' } else { '\t' };
         // A key counts where it stands last: those of the segment follow those of the file.
+        let row_of = |key: &str| {
+            let is_of_key = |row: &str| row.split(separator).next().is_some_and(|cell| cell.trim() == key);
+            rows.iter().rev().find(|(_, row)| is_of_key(row))
+        };
         let values = |key: &str| -> Vec<&str> {
-            let of_key = |row: &str| row.split(separator).next().is_some_and(|cell| cell.trim() == key);
-            let row = rows.iter().rev().find(|(_, row)| of_key(row));
-            row.map_or(Vec::new(), |(_, row)| row.split(separator).skip(1).map(str::trim).collect())
+            row_of(key).map_or(Vec::new(), |(_, row)| row.split(separator).skip(1).map(str::trim).collect())
         };
         let first = |key: &str| values(key).first().copied().unwrap_or_default().to_owned();
         let has_decimal_comma = first("Decimal_Separator") == ",";
-        let number = |key: &str| first(key).replace(',', ".").parse::<f64>().ok();
+        if first("X_Columns") == "Multi" {
+            return Err(of_their_own("every channel of the LabVIEW file has times of its own"));
+        }
+        let numbers = |key: &str| -> Vec<f64> {
+            values(key).iter().filter_map(|value| value.replace(',', ".").parse().ok()).collect()
+        };
+        for key in ["X0", "Delta_X"] {
+            let (mut different, line) = (numbers(key), row_of(key).map_or(0, |(line, _)| *line));
+            different.dedup();
+            if different.len() > 1 {
+                return Err(of_their_own(&format!("the channels of the LabVIEW file differ in {key}")).at_line(line));
+            }
+        }
+        let number = |key: &str| numbers(key).first().copied();
         let dimension = first("X_Dimension");
         let is_time = dimension.is_empty() || dimension.eq_ignore_ascii_case("time");
         let step_s = number("Delta_X").filter(|step_s| is_time && *step_s > 0.0);
         let x_heading =
             if is_time { "time [s]".to_owned() } else { format!("{dimension} [{}]", first("X_Unit_Label")) };
-        Self {
+        Ok(Self {
             separator,
             has_decimal_comma,
-            x_columns: match first("X_Columns").as_str() {
-                "No" => XColumns::No,
-                "Multi" => XColumns::Multi,
-                _ => XColumns::One,
-            },
+            has_x_column: first("X_Columns") != "No",
             x_heading,
             times_s: step_s.map(|step_s| (number("X0").unwrap_or(0.0), step_s)),
             units: values("Y_Unit_Label").into_iter().map(str::to_owned).collect(),
+        })
+    }
+
+    /// Whether the plain table has a column of times or another X.
+    fn has_x(&self) -> bool {
+        self.times_s.is_some() || self.has_x_column
+    }
+
+    /// Checks a written time, which is rounded, against the calculated one.
+    fn check_time(&self, written: &str, time_s: f64, step_s: f64) -> Result<(), Problem> {
+        let text = written.replace(',', ".");
+        let is_near = fortran::number(text.as_bytes()).is_some_and(|number| {
+            let rounding_s = 0.5 * 10f64.powi(number.last_digit_exponent);
+            (number.value - time_s).abs() <= 0.5 * step_s + rounding_s
+        });
+        if is_near || !self.has_x_column || written.is_empty() {
+            return Ok(());
         }
+        let message = format!("the time \"{}\" is not the one of X0 and Delta_X, {time_s:.9} s", shorten(written));
+        Err(Problem::new(ProblemKind::Format, message)
+            .hint("rows may be missing: save the measurement again, or save it as CSV with its written times"))
     }
 
     /// The heading of a channel. N means newton only for a force.
@@ -69,10 +96,15 @@ impl Header {
     }
 }
 
+/// The problem of channels that one column of times does not serve.
+fn of_their_own(message: &str) -> Problem {
+    Problem::new(ProblemKind::Format, message).hint("save it with one X column, or as CSV")
+}
+
 /// The text as a plain table, on the same lines; `None` if it is not a file of LabVIEW.
 ///
 /// # Errors
-/// A file with several segments or with times for every channel.
+/// A file with several segments or with times for every channel; a time that contradicts the header.
 pub(super) fn plain(bytes: &[u8]) -> Result<Option<Vec<u8>>, Problem> {
     let is_lvm =
         lines(bytes).find(|line| !line.is_blank()).is_some_and(|line| line.text().starts_with("LabVIEW Measurement"));
@@ -81,19 +113,15 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Option<Vec<u8>>, Problem> {
         return Ok(None);
     };
     let rows: Vec<(usize, String)> = lines(bytes).take(end).map(|line| (line.number, text_of(line.bytes))).collect();
-    let header = Header::of(&rows);
-    if header.x_columns == XColumns::Multi {
-        return Err(Problem::new(ProblemKind::Format, "every channel of the LabVIEW file has times of its own")
-            .hint("save it with one X column, or as CSV"));
+    let header = Header::of(&rows)?;
+    if let Some(line) = lines(bytes).skip(end).find(is_end) {
+        return Err(Problem::new(ProblemKind::Format, "the LabVIEW file has several segments")
+            .at_line(line.number)
+            .hint("save each of them in a file of its own"));
     }
     let mut out: Vec<u8> = vec![b'\n'; end];
     let (mut row, mut channels) = (0, None);
     for line in lines(bytes).skip(end) {
-        if is_end(&line) {
-            return Err(Problem::new(ProblemKind::Format, "the LabVIEW file has several segments")
-                .at_line(line.number)
-                .hint("save each of them in a file of its own"));
-        }
         let text = text_of(line.bytes);
         let cells: Vec<&str> = text.split(header.separator).map(str::trim).collect();
         match channels {
@@ -102,16 +130,21 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Option<Vec<u8>>, Problem> {
                 let names: Vec<&str> = cells.iter().skip(1).copied().filter(|name| *name != "Comment").collect();
                 channels = Some(names.len());
                 let headings = names.iter().enumerate().map(|(channel, name)| header.heading(channel, name));
-                let x = Some(header.x_heading.clone()).filter(|_| has_x(&header));
+                let x = Some(header.x_heading.clone()).filter(|_| header.has_x());
                 out.extend(x.into_iter().chain(headings).collect::<Vec<_>>().join("\t").bytes());
             }
             Some(channels) => {
+                let written = cells.first().copied().unwrap_or_default();
                 let x = match header.times_s {
-                    Some((first_s, step_s)) => format!("{:.12}", first_s + f64::from(row) * step_s),
-                    None => cells.first().copied().unwrap_or_default().to_owned(),
+                    Some((first_s, step_s)) => {
+                        let time_s = first_s + f64::from(row) * step_s;
+                        header.check_time(written, time_s, step_s).map_err(|problem| problem.at_line(line.number))?;
+                        format!("{time_s:.12}")
+                    }
+                    None => written.to_owned(),
                 };
                 let numbers = cells.iter().skip(1).take(channels).map(|cell| (*cell).to_owned());
-                let x = Some(x).filter(|_| has_x(&header));
+                let x = Some(x).filter(|_| header.has_x());
                 let text = x.into_iter().chain(numbers).collect::<Vec<_>>().join("\t");
                 out.extend(if header.has_decimal_comma { text.replace(',', ".") } else { text }.bytes());
                 row += 1;
@@ -120,11 +153,6 @@ pub(super) fn plain(bytes: &[u8]) -> Result<Option<Vec<u8>>, Problem> {
         out.push(b'\n');
     }
     Ok(Some(out))
-}
-
-/// Whether the plain table has a column of times or another X.
-fn has_x(header: &Header) -> bool {
-    header.times_s.is_some() || header.x_columns == XColumns::One
 }
 
 #[cfg(test)]
@@ -154,6 +182,26 @@ mod tests {
         assert_eq!(table(&format!("{}{}", head.replace("2.5E", "2,5E"), rows.collect::<String>())), found);
         let commas = format!("{HEAD}{ROWS}").replace("Separator\tTab", "Separator\tComma").replace('\t', ",");
         assert_eq!(table(&commas), found);
+    }
+
+    #[test]
+    fn channels_with_steps_or_first_times_of_their_own_are_refused() {
+        for (row, changed, line) in [("2.5E-5\t2.5E-5", "2.5E-5\t5E-5", 18), ("0.0E+0\t0.0E+0", "0.0E+0\t1.0E-3", 17)] {
+            let problem = plain(format!("{HEAD}{ROWS}").replace(row, changed).as_bytes()).unwrap_err();
+            assert!(problem.line == Some(line) && problem.hint.is_some(), "{problem:?}");
+        }
+        assert!(plain(format!("{HEAD}{ROWS}").replace("2.5E-5\t2.5E-5", "2.5E-5\t0.000025").as_bytes()).is_ok());
+    }
+
+    #[test]
+    fn times_that_contradict_the_header_are_refused() {
+        // Half a step and half of the last digit are 0.0000130 s.
+        for (written, is_read) in [("0.000062", true), ("0.000064", false), ("0.000075", false), ("late", false)] {
+            let found = plain(format!("{HEAD}{ROWS}").replace("0.000050", written).as_bytes());
+            let problem = found.err();
+            assert_eq!(problem.is_none(), is_read, "{written}");
+            assert!(problem.is_none_or(|problem| problem.line == Some(23) && problem.hint.is_some()), "{written}");
+        }
     }
 
     #[test]

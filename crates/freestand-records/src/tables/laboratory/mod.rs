@@ -77,7 +77,7 @@ fn read_static(bytes: &[u8], sensitivities: &[Sensitivity]) -> Result<ForceDispl
         let sensor = sensitivities.iter().find(|one| one.dimension() == dimension);
         if let Some(index) = only(&headings, line, |heading| heading.measures(dimension), &what_it_is)? {
             if sensor.is_some() {
-                return Err(not_in_volts(&format!("the {what}"), line));
+                return Err(not_in_volts(&format!("the {what}")).at_line(line));
             }
             return Ok(in_si(&table, &headings, index));
         }
