@@ -179,13 +179,13 @@ mod tests {
     /// For the tests of readers, which know the sentences.
     impl PartialEq<&str> for Note {
         fn eq(&self, words: &&str) -> bool {
-            self.to_string() == *words
+            self.to_string().as_str() == *words
         }
     }
 
     impl PartialEq<Note> for String {
         fn eq(&self, note: &Note) -> bool {
-            *self == note.to_string()
+            note == &self.as_str()
         }
     }
 

@@ -25,6 +25,7 @@ use freestand_output::table::Table;
 use freestand_study::run::{Progress, Step, no_progress};
 use rayon::prelude::*;
 
+pub(crate) use curves::contradictions;
 use curves::{CAPACITY, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
 pub use measure::{At, Measure};

@@ -27,8 +27,8 @@ use freestand_study::run::Progress;
 
 use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
-    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, ObjectCurves, ObjectFragility, fragility_watched, go_on,
-    load_curves,
+    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, ObjectCurves, ObjectFragility, contradictions,
+    fragility_watched, go_on, load_curves,
 };
 use crate::inventory::CellsRequest;
 
@@ -216,7 +216,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     let mut curves: Vec<ObjectCurves> = match &request.curves {
         RiskCurves::File(path) => {
             let (file, curves) = load_curves(path)?;
-            warnings.extend(curves.iter().filter_map(ObjectCurves::contradiction));
+            warnings.extend(contradictions(&curves));
             inputs.push(file);
             curves
         }

@@ -25,7 +25,7 @@ use freestand::rocking::Restitution;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
-use freestand_input::words::{Choices, counted, name_of, number, shortest, significant};
+use freestand_input::words::{Choices, counted, name_of, number, shortest, significant, some};
 use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
@@ -658,13 +658,11 @@ impl RunsReport {
     fn all_warnings(&self) -> Vec<String> {
         let mut warnings = self.study.as_ref().map_or_else(Vec::new, |study| study.said.all_warnings());
         if !self.left_out.is_empty() {
-            let named: Vec<String> =
-                self.left_out.iter().take(NAMED_LEFT_OUT).map(|(id, why)| format!("{} ({why})", shorten(id))).collect();
-            let rest = self.left_out.len().saturating_sub(NAMED_LEFT_OUT);
-            let rest = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+            let named: Vec<String> = self.left_out.iter().map(|(id, why)| format!("{} ({why})", shorten(id))).collect();
+            let named = some(&named, NAMED_LEFT_OUT);
             let objects = counted(self.left_out.len(), "object");
             let verb = if self.left_out.len() == 1 { "was" } else { "were" };
-            warnings.push(format!("{objects} {verb} not run: {}{rest}", named.join(", ")));
+            warnings.push(format!("{objects} {verb} not run: {named}"));
         }
         if self.fit == FitMethod::TwoStage {
             let not: Vec<(&str, &str)> =
