@@ -181,13 +181,13 @@ mod tests {
     /// For the tests of readers, which know the sentences.
     impl PartialEq<&str> for Note {
         fn eq(&self, words: &&str) -> bool {
-            format!("{self}") == *words
+            self.to_string().as_str() == *words
         }
     }
 
     impl PartialEq<Note> for String {
         fn eq(&self, note: &Note) -> bool {
-            *self == format!("{note}")
+            note == &self.as_str()
         }
     }
 

@@ -8,7 +8,7 @@ use freestand::risk::Capacity;
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{shortest, significant};
+use freestand_input::words::{shortest, significant, some};
 
 use super::measure::{At, MEASURES, Measure};
 use super::table::{Row, RowProblems, Table};
@@ -117,6 +117,16 @@ impl ObjectCurves {
             ))
         })
     }
+}
+
+/// What [`ObjectCurves::contradiction`] says of the first object, and which others have one too.
+pub(crate) fn contradictions(curves: &[ObjectCurves]) -> Option<String> {
+    const NAMED: usize = 3;
+    let mut found = curves.iter().filter_map(|one| Some((shorten(&one.id), one.contradiction()?)));
+    let (_, first) = found.next()?;
+    let others: Vec<String> = found.map(|(id, _)| id).collect();
+    let also = if others.is_empty() { String::new() } else { format!(" (also {})", some(&others, NAMED)) };
+    Some(first + &also)
 }
 
 /// Intensities at which the curves of an object are compared, evenly spaced by their logarithm.
@@ -288,6 +298,16 @@ mod tests {
         assert!(said.starts_with("shelf: ") && said.contains("they cross at 0.494 m/s"), "{said}");
         assert!(of("0.6,0.3", "0.5,0.3").unwrap().contains("they do not cross"));
         assert_eq!(of("0.3,0.3", "0.6,0.3"), None);
+    }
+
+    #[test]
+    fn contradictions_of_many_objects_are_one_sentence() {
+        let rows = |id: &str| {
+            format!("{id},pgv,m/s,ground,exceeds,lognormal,0.5,0.1\n{id},pgv,m/s,ground,overturns,lognormal,0.6,1.5\n")
+        };
+        let text: String = (1..=9).map(|number| rows(&format!("o{number}"))).collect();
+        let said = contradictions(&read_text(&format!("{HEAD}\n{text}")).unwrap()).unwrap();
+        assert!(said.starts_with("o1: between ") && said.ends_with(" (also o2, o3, o4 and 5 more)"), "{said}");
     }
 
     /// Capacities of a cell are those that were written, in the unit of the measure.

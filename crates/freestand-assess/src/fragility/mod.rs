@@ -26,6 +26,7 @@ use freestand_output::table::Table;
 use freestand_study::run::{Progress, Step, no_progress};
 use rayon::prelude::*;
 
+pub(crate) use curves::contradictions;
 use curves::{CAPACITY, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
 pub(crate) use hazard::{AVERAGE_KEY, MeasuredHazard, hazard_of, number_and_unit};

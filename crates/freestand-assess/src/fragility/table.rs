@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use freestand_input::formula::unguarded;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::nearest;
+use freestand_input::words::{nearest, some};
 use freestand_study::run::Progress;
 
 use super::go_on;
@@ -95,11 +95,9 @@ impl<'p> RowProblems<'p> {
     pub(crate) fn finish(mut self, path: &Path) -> Result<(), Problems> {
         for (problem, lines) in self.told.problems.iter_mut().zip(&self.again) {
             if !lines.is_empty() {
-                let named: Vec<String> = lines.iter().take(MAX_LINES).map(usize::to_string).collect();
-                let rest = lines.len().saturating_sub(MAX_LINES);
-                let more = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+                let named: Vec<String> = lines.iter().map(usize::to_string).collect();
                 let word = if lines.len() == 1 { "line" } else { "lines" };
-                problem.message = format!("{} (also {word} {}{more})", problem.message, named.join(", "));
+                problem.message = format!("{} (also {word} {})", problem.message, some(&named, MAX_LINES));
             }
         }
         if self.more > 0 {

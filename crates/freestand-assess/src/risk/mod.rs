@@ -27,7 +27,7 @@ use freestand_study::run::Progress;
 use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
     At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, HazardSource, MeasuredHazard, ObjectCurves,
-    ObjectFragility, fragility_watched, go_on, hazard_of, load_curves, number_and_unit,
+    ObjectFragility, contradictions, fragility_watched, go_on, hazard_of, load_curves, number_and_unit,
 };
 use crate::inventory::CellsRequest;
 
@@ -202,7 +202,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     let mut curves: Vec<ObjectCurves> = match &request.curves {
         RiskCurves::File(path) => {
             let (file, curves) = load_curves(path)?;
-            warnings.extend(curves.iter().filter_map(ObjectCurves::contradiction));
+            warnings.extend(contradictions(&curves));
             inputs.push(file);
             curves
         }

@@ -3,7 +3,7 @@
 use freestand::fragility::LimitState;
 use freestand::risk::probability_in_years;
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, number, percent_significant};
+use freestand_input::words::{counted, number, percent_significant, some};
 use freestand_output::figure::Figure;
 use freestand_output::html::{
     CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, opening, paragraph, table, words,
@@ -536,9 +536,7 @@ fn sentence(what: &str) -> String {
 }
 
 fn named(ids: &[&str]) -> String {
-    let first: Vec<String> = ids.iter().take(MAX_NAMED).map(|id| shorten(id)).collect();
-    let more = ids.len().saturating_sub(MAX_NAMED);
-    if more > 0 { format!("{} and {more} more", first.join(", ")) } else { first.join(", ") }
+    some(&ids.iter().map(|id| shorten(id)).collect::<Vec<_>>(), MAX_NAMED)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use freestand::motion::Motion;
 use freestand_input::problem::Problem;
+use freestand_input::words::some;
 
 use crate::study::RecordedMotion;
 
@@ -23,12 +24,9 @@ pub fn refuse_copies<'a, const N: usize>(
             continue;
         }
         names.push(name);
-        let more = names.len().saturating_sub(MOST_NAMED);
-        names.truncate(MOST_NAMED);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
         let message = format!(
-            "{}{more} have the same samples: copies of one record are one earthquake, not several",
-            names.join(", ")
+            "{} have the same samples: copies of one record are one earthquake, not several",
+            some(&names, MOST_NAMED)
         );
         return Err(Problem::value(message, "name every record once"));
     }

@@ -75,13 +75,11 @@ impl RunsReport {
     pub(super) fn all_warnings(&self) -> Vec<String> {
         let mut warnings = self.study.as_ref().map_or_else(Vec::new, |study| study.said.all_warnings());
         if !self.left_out.is_empty() {
-            let named: Vec<String> =
-                self.left_out.iter().take(NAMED_LEFT_OUT).map(|(id, why)| format!("{} ({why})", shorten(id))).collect();
-            let rest = self.left_out.len().saturating_sub(NAMED_LEFT_OUT);
-            let rest = if rest > 0 { format!(" and {rest} more") } else { String::new() };
+            let named: Vec<String> = self.left_out.iter().map(|(id, why)| format!("{} ({why})", shorten(id))).collect();
+            let named = some(&named, NAMED_LEFT_OUT);
             let objects = counted(self.left_out.len(), "object");
             let verb = if self.left_out.len() == 1 { "was" } else { "were" };
-            warnings.push(format!("{objects} {verb} not run: {}{rest}", named.join(", ")));
+            warnings.push(format!("{objects} {verb} not run: {named}"));
         }
         if self.fit == FitMethod::TwoStage {
             let not: Vec<(&str, &str)> =
