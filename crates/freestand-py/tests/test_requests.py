@@ -153,8 +153,9 @@ def test_restrain(tmp_path):
 
 def test_restrain_a_list():
     """The rows are those of the command, as a table."""
-    theirs = told("restrain", "examples/hospital/inventory.csv", "--place", "Wellington", "--storeys", 4, "--units", "si")
-    ours = fs.restrain_list("examples/hospital/inventory.csv", place="Wellington", storeys=4)
+    hospital = ROOT / "examples/hospital/inventory.csv"
+    theirs = told("restrain", hospital, "--place", "Wellington", "--storeys", 4, "--units", "si")
+    ours = fs.restrain_list(hospital, place="Wellington", storeys=4)
     same(ours.to_dict(), theirs)
     assert ours.table.num_rows == ours.objects and 0 < ours.held <= ours.objects
     with pytest.raises(fs.BadValue):

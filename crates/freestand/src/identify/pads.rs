@@ -243,6 +243,16 @@ fn a_slow_filter_is_noticed() {
     assert!(count(&stated, Outcome::holds) > 2 && median_half(&stated) < 0.05, "{stated:?}");
 }
 
+/// A pad without a formula behind a filter at 3/t_c that nobody stated: its curve could take the shape of the filter, and
+/// would be 2 to 17 % too soft. In the campaign all of 32 such drops are flagged and inside their intervals.
+#[test]
+fn a_slow_filter_is_no_part_of_a_curve() {
+    for (_, name, pad) in pads().into_iter().filter(|(_, name, _)| ["tangent", "table, kink up"].contains(name)) {
+        let s = outcomes(&pad, &RECORDERS[5], TEST_SEED, 3, false);
+        assert!(count(&s, Outcome::is_flagged) == 3 && count(&s, Outcome::holds) == 3, "{name}: {s:?}");
+    }
+}
+
 /// The pad of a finding: 1187 N/mm at first, 3175 N/mm at the largest compression. A power law gave 2309 N/mm.
 #[test]
 fn a_hardening_pad_is_no_power_law() {
