@@ -5,16 +5,21 @@
 //! output is collected and printed when the check ends.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead as _, BufReader};
 use std::path::Path;
 use std::process::{Command, ExitStatus};
-use std::time::Instant;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::{Duration, Instant};
 
 use crate::python::{self, Trouble};
 use crate::{arrows, page, risk_tools, source, validate_shock};
 
 /// The exit status of a check that cannot run here. The last line of its output is the reason.
 const NOT_RUN: u8 = 3;
+
+/// The longest that a check may take. What hangs is stopped before whatever waits for all of them
+/// gives up, and its output says where it was. The slowest check takes a third of it.
+const LIMIT: Duration = Duration::from_secs(45 * 60);
 
 /// All packages that have tests. The benchmarks have none, and would request other features of
 /// shared dependencies, so that the Python package could not share them.
@@ -262,7 +267,7 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
         let start = Instant::now();
         let mut text = String::new();
         let ended = check.command(root).and_then(|command| {
-            printed(command, |line| {
+            printed(command, LIMIT, |line| {
                 if !matches!(check, Check::Tests | Check::Examples) || tests.shows(line.trim_end()) {
                     text.push_str(line);
                 }
@@ -292,8 +297,8 @@ fn in_a_row(checks: &[Check], root: &Path, tests: &mut Tests) -> Vec<Row> {
 }
 
 /// Runs a command and passes its lines on, those of standard output and standard error in the order
-/// in which they came.
-fn printed(mut command: Command, mut line: impl FnMut(&str)) -> Result<ExitStatus, String> {
+/// in which they came. A command that has not ended at the limit is killed.
+fn printed(mut command: Command, limit: Duration, mut line: impl FnMut(&str)) -> Result<ExitStatus, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let cannot = |error: std::io::Error| format!("cannot run {program}: {error}");
     let (output, input) = std::io::pipe().map_err(cannot)?;
@@ -302,13 +307,19 @@ fn printed(mut command: Command, mut line: impl FnMut(&str)) -> Result<ExitStatu
     // The command holds ends of the pipe. Unless they are closed, the lines do not end when the
     // child ends.
     drop(command);
-    let mut output = BufReader::new(output);
-    let mut bytes = Vec::new();
-    while output.read_until(b'\n', &mut bytes).map_err(|error| error.to_string())? > 0 {
-        line(&String::from_utf8_lossy(&bytes));
-        bytes.clear();
+    let (lines, came) = mpsc::channel();
+    std::thread::spawn(move || BufReader::new(output).split(b'\n').try_for_each(|bytes| lines.send(bytes)));
+    let end = Instant::now() + limit;
+    loop {
+        match came.recv_timeout(end.saturating_duration_since(Instant::now())) {
+            Ok(bytes) => line(&format!("{}\n", String::from_utf8_lossy(&bytes.map_err(|error| error.to_string())?))),
+            Err(RecvTimeoutError::Disconnected) => return child.wait().map_err(|error| error.to_string()),
+            Err(RecvTimeoutError::Timeout) => {
+                child.kill().map_err(cannot)?;
+                return Err(format!("not ended after {} minutes, and stopped", limit.as_secs() / 60));
+            }
+        }
     }
-    child.wait().map_err(|error| error.to_string())
 }
 
 pub fn arrows(root: &Path) -> Result<(), String> {
@@ -441,9 +452,20 @@ mod tests {
         let mut command = Command::new("sh");
         command.args(["-c", "echo one; echo two >&2; printf three; exit 3"]);
         let mut text = String::new();
-        let status = printed(command, |line| text.push_str(line)).unwrap();
-        assert_eq!((text.as_str(), status.code()), ("one\ntwo\nthree", Some(NOT_RUN.into())));
-        assert!(printed(Command::new("no-such-program"), |_| {}).unwrap_err().contains("no-such-program"));
+        let status = printed(command, LIMIT, |line| text.push_str(line)).unwrap();
+        assert_eq!((text.as_str(), status.code()), ("one\ntwo\nthree\n", Some(NOT_RUN.into())));
+        assert!(printed(Command::new("no-such-program"), LIMIT, |_| {}).unwrap_err().contains("no-such-program"));
+    }
+
+    /// What hangs is stopped, and what it printed before is kept.
+    #[cfg(unix)]
+    #[test]
+    fn a_command_that_hangs_is_stopped() {
+        let mut command = Command::new("sh");
+        command.args(["-c", "echo one; exec sleep 3600"]);
+        let mut text = String::new();
+        let problem = printed(command, Duration::from_secs(1), |line| text.push_str(line)).unwrap_err();
+        assert_eq!((text.as_str(), problem.as_str()), ("one\n", "not ended after 0 minutes, and stopped"));
     }
 
     /// Each check runs once, in one of the rows.

@@ -178,10 +178,12 @@ impl<S: Simd> Math<S> {
         each!(i, self.0.not_m64s(a[i]))
     }
 
-    /// `yes` where the mask is true, else `no`.
+    /// `yes` where the mask is true, else `no`. The library's own for f64 is a call in builds for
+    /// tests, which takes five sixths of their time.
     #[inline(always)]
     pub fn select(self, mask: Masks<S>, yes: Numbers<S>, no: Numbers<S>) -> Numbers<S> {
-        each!(i, self.0.select_f64s(mask[i], yes[i], no[i]))
+        let bits = |a| self.0.transmute_u64s_f64s(a);
+        each!(i, self.0.transmute_f64s_u64s(self.0.select_u64s(mask[i], bits(yes[i]), bits(no[i]))))
     }
 
     /// Whether the mask is true anywhere.
