@@ -134,12 +134,15 @@ impl Model {
     /// Classical Runge–Kutta.
     pub(super) fn predict(&self) -> Predicted {
         let step_s = self.scale_s() / STEPS;
-        let (m, g, h) = (self.mass_kg, self.gravity_m_s2, step_s);
-        let rate = |d: f64, v: f64| g - self.force_n(d, v) / m;
+        let (g, h) = (self.gravity_m_s2, step_s);
+        // Every force waits for the one before: a division would take a third of the time.
+        let per_kg = 1.0 / self.mass_kg;
+        let shown = |d: f64, v: f64| self.force_n(d, v) * per_kg;
+        let rate = |d: f64, v: f64| g - shown(d, v);
         let (mut d, mut v) = (0.0, self.speed_m_s);
         let mut out = Predicted {
             step_s,
-            accel_m_s2: vec![self.force_n(d, v) / m],
+            accel_m_s2: vec![shown(d, v)],
             contact_s: 0.0,
             force_peak_m_s2: 0.0,
             end_s: 0.0,
@@ -152,13 +155,13 @@ impl Model {
         let mut last = out.accel_m_s2[0];
         let mut fall = 0.0;
         for _ in 0..LONGEST {
-            let a1 = rate(d, v);
+            let a1 = g - last;
             let (v2, a2) = (v + 0.5 * h * a1, rate(d + 0.5 * h * v, v + 0.5 * h * a1));
             let (v3, a3) = (v + 0.5 * h * a2, rate(d + 0.5 * h * v2, v + 0.5 * h * a2));
             let (v4, a4) = (v + h * a3, rate(d + h * v3, v + h * a3));
             d += h / 6.0 * (v + 2.0 * (v2 + v3) + v4);
             v += h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4);
-            let accel = self.force_n(d, v) / m;
+            let accel = shown(d, v);
             out.compression_m = out.compression_m.max(d);
             if v < 0.0 && accel == 0.0 {
                 break;

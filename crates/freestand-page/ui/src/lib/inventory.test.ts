@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest';
-import { chosen, nextProblem, problemCells, ranked, typedInPython, windowed, type Problem, type Row } from './inventory';
+import { chosen, hiddenRows, nextProblem, problemCells, ranked, rowsOf, typedInPython, windowed, type Problem, type Row } from './inventory';
 
 const row = (rank: number, id: string, more: Partial<Row> = {}): Row => ({
   rank, id, item: null, quantity: 1, floor: '1', decision: 'leave', why: '', row: rank, p_overturn: null, p_overturn_low: null,
   p_overturn_high: null, edge_acceleration_g_median: null, ...more,
 });
-const problem = (cells: string[]): Problem => ({ severity: 'error', kind: 'x', heading: null, count: cells.length, cells, message: '', hint: '', edits: [] });
+const problem = (cells: string[]): Problem => ({ severity: 'error', kind: 'x', heading: null, count: cells.length, rows: [], cells, message: '', hint: '', edits: [] });
 
 test('problems are visited in the order of the sheet, round the end', () => {
   const cells = problemCells([problem(['D7', 'AA3', 'D10']), problem(['B3', 'D7'])]);
@@ -15,6 +15,14 @@ test('problems are visited in the order of the sheet, round the end', () => {
   expect(nextProblem(cells, 'D10')).toBe('B3');
   expect(nextProblem(cells, 'B4')).toBe('D7');
   expect(nextProblem([], 'D10')).toBe(null);
+});
+
+test('a problem of rows without cells names its rows', () => {
+  const hidden = (rows: number[]) => ({ ...problem([]), kind: 'hidden-row', rows });
+  expect([[3], [3, 5], []].map((rows) => rowsOf(hidden(rows)))).toEqual(['Row 3', 'Rows 3, 5', '']);
+  expect(rowsOf(hidden([1, 2, 3]), 2)).toBe('Rows 1, 2 and 1 more');
+  expect(rowsOf({ ...problem(['D7']), rows: [7] })).toBe('');
+  expect([...hiddenRows([problem(['D7']), hidden([3, 5])])]).toEqual([3, 5]);
 });
 
 test('rows that come one by one end in the order of their urgency', () => {

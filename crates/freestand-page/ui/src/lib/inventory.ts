@@ -4,7 +4,7 @@ import { commandLine, type Ask } from './api';
 import { pythonLine } from './python';
 import { t } from './words';
 
-export interface Problem { severity: string; kind: string; heading: string | null; count: number; cells: string[]; message: string; hint: string; edits: string[] }
+export interface Problem { severity: string; kind: string; heading: string | null; count: number; rows: number[]; cells: string[]; message: string; hint: string; edits: string[] }
 export interface Column { column: string; heading: string; name: string; unit: string | null }
 export interface Item {
   row: number; id: string; item: string | null; quantity: number; floor: string | null; level_ratio: number | null;
@@ -68,6 +68,18 @@ export function textOf(cells: Cells, cell: string): string {
 /** Problems by cell, in the order in which one reads the sheet. */
 export function problemCells(problems: Problem[]): { cell: string; problem: Problem }[] {
   return problems.flatMap((problem) => problem.cells.map((cell) => ({ cell, problem }))).sort((a, b) => inSheet(a.cell, b.cell));
+}
+
+/** The rows of a problem that has no cells, such as a hidden row; empty where it is of the whole list. */
+export function rowsOf({ rows, cells }: Problem, most = 10): string {
+  if (rows.length === 0 || cells.length > 0) return '';
+  const [named, more] = [rows.slice(0, most).join(', '), rows.length - most];
+  return more > 0 ? t('inventory.row.more', { rows: named, more }) : t(rows.length === 1 ? 'inventory.row.one' : 'inventory.row.some', { rows: named });
+}
+
+/** The rows that a spreadsheet does not show. */
+export function hiddenRows(problems: Problem[]): Set<number> {
+  return new Set(problems.flatMap((problem) => (problem.kind === 'hidden-row' ? problem.rows : [])));
 }
 
 /** The problem after a cell, round the end; the first without a cell. */
