@@ -211,4 +211,21 @@ fn a_flag_that_contradicts_the_file_is_said() {
     assert!(other.contains("the file says height 0.1 m") && other.contains("0.127 m, is used"), "{other}");
     let same = warnings(&["--mass", "0.000365 t", "--height", "100 mm"]);
     assert!(!same.contains("the file says"), "{same}");
+    // A drop of 100 mm ends with 1.4 m/s.
+    assert!(!warnings(&["--impact-velocity", "1.35 m/s"]).contains("contradicts"));
+    // A mass of 365 kg in place of grams gives what no pad has.
+    assert!(warnings(&["--mass", "365 kg"]).contains("no pad is stiffer than 1e6 N/mm"));
+}
+
+/// Of two impact velocities in one file none is used in silence.
+#[test]
+fn a_file_that_contradicts_itself_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let drop = std::fs::read_to_string(root().join("validation/cushion/drop-001.csv")).unwrap();
+    std::fs::write(folder.path().join("drop.csv"), format!("# impact velocity: 2.8 m/s\n{drop}")).unwrap();
+    let output = execute(folder.path(), &["cushion", "drop", "drop.csv"]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && told.contains("gives 1.4 m/s"), "{told}");
+    let chosen = document(folder.path(), &["cushion", "drop", "drop.csv", "--height", "100 mm"]);
+    assert!(chosen["warnings"].to_string().contains("the impact velocity in the file contradicts"), "{chosen}");
 }

@@ -33,7 +33,7 @@ pub use crate::write::{write_at2, write_csv, write_pair_csv};
 
 use std::path::Path;
 
-use crate::motion_file::{Reading, coarse_note, extreme_note, offset_note};
+use crate::motion_file::{Reading, doubts};
 use crate::notes::printable;
 use crate::text::lines::check_text;
 use crate::text::sensitivity::not_in_volts;
@@ -69,9 +69,7 @@ pub fn parse_motions(mut bytes: Vec<u8>, path: &Path, options: &ReadOptions) -> 
     let reading = read(&bytes, path, options).and_then(Reading::with_components);
     let Reading { format, mut components, mut notes } = reading.map_err(|problem| problem.in_file(path))?;
     if !options.is_shock {
-        notes.extend(components.iter().filter_map(extreme_note));
-        notes.extend(components.iter().filter_map(offset_note));
-        notes.extend(components.iter().filter_map(coarse_note));
+        notes.extend(components.iter().flat_map(doubts));
     }
     // What a header holds goes to terminals and into tables.
     for component in &mut components {

@@ -1,13 +1,12 @@
 //! What is read from a record file: options, components, and what is checked and noted about each.
 
+mod doubts;
 mod found;
 
 pub use crate::text::direction::Direction;
+pub(crate) use doubts::doubts;
 pub(crate) use found::check_step;
-pub(crate) use found::{
-    Found, channels_note, coarse_note, end_note, extreme_note, length_note, motion, offset_note, peak_note,
-    peak_note_of, tell_apart,
-};
+pub(crate) use found::{Found, channels_note, end_note, length_note, motion, peak_note, peak_note_of, tell_apart};
 
 use crate::notes::{Note, NoteKind};
 use crate::text::sensitivity::Sensitivity;

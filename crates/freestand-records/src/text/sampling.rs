@@ -98,8 +98,8 @@ fn uneven(times: &[f64], found: usize, mean: f64, digit: f64) -> Uneven {
     let usual = *steps.select_nth_unstable_by(middle, f64::total_cmp).1;
     let is_odd = |step: f64| (step - usual).abs() > digit.min(0.5 * usual) + 0.02 * usual;
     let odd_steps = steps.iter().filter(|&&step| is_odd(step)).count();
-    // A single odd step is a gap; if one step in ten is odd, the times have too few digits.
-    if digit >= 0.5 * mean && odd_steps * 10 > steps.len() && steps.len() > 10 {
+    // A single odd step is a gap; if one step in ten is odd, or most are zero, the times have too few digits.
+    if digit >= 0.5 * mean && (odd_steps * 10 > steps.len() || usual == 0.0) && steps.len() > 10 {
         return Uneven {
             row: found,
             message: format!("the times are printed too coarsely for a step of about {}", number(mean)),
@@ -218,5 +218,8 @@ mod tests {
         // sample.
         let coarse = time_step(&rounded(1.0 / 1500.0, 3, 1000, 0), -3).unwrap_err();
         assert!(coarse.message.contains("coarse"), "{coarse:?}");
+        // Most times repeat: a clock in ms beside samples at 39 kHz.
+        let coarser = time_step(&rounded(1.0 / 39_000.0, 3, 1000, 0), -3).unwrap_err();
+        assert!(coarser.message.contains("coarse"), "{coarser:?}");
     }
 }

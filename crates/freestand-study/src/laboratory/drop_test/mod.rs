@@ -17,7 +17,7 @@ use super::{Impactor, check_sensors};
 use crate::recorded::Failed;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive};
-use freestand_input::words::{Choices, counted, shortest, significant};
+use freestand_input::words::{self, Choices, counted, shortest, significant};
 use freestand_output::facts;
 use freestand_output::facts::Facts;
 use freestand_output::rows::table_of_numbers;
@@ -192,8 +192,7 @@ fn one(path: &Path, request: &DropRequest, warnings: &mut Vec<String>) -> Result
             value("the mass is not given").hint("give `mass`, or a line \"# mass: 0.365 kg\" in the file"),
         ));
     };
-    let height_m = request.height_m.or(if request.impact_velocity_m_s.is_some() { None } else { said.height_m });
-    let (impact_velocity, velocity_source) = impact_velocity(request, height_m, said.velocity_m_s);
+    let (impact_velocity, velocity_source) = impact_velocity(request, &said).map_err(in_file)?;
     if let ImpactVelocity::Known { speed_m_s, .. } = impact_velocity {
         check_speed(speed_m_s).map_err(in_file)?;
     }
@@ -242,21 +241,31 @@ fn value(message: impl Into<String>) -> Problem {
     Problem::new(ProblemKind::Value, message)
 }
 
-fn impact_velocity(
-    request: &DropRequest,
-    height_m: Option<f64>,
-    said_m_s: Option<f64>,
-) -> (ImpactVelocity, VelocitySource) {
-    let error_ratio = request.velocity_error_ratio;
-    let known = |speed_m_s| ImpactVelocity::Known { speed_m_s, error_ratio };
-    // Gravity may be off during the contact, but it acted during the fall before.
-    let fall = |height_m: f64| (2.0 * G0_M_S2 * height_m).sqrt();
-    match (request.impact_velocity_m_s, height_m, said_m_s) {
-        (Some(speed), ..) => (known(speed), VelocitySource::Given),
-        (None, Some(height_m), _) => (known(fall(height_m)), VelocitySource::Height),
-        (None, None, Some(speed)) => (known(speed), VelocitySource::Given),
-        (None, None, None) => (ImpactVelocity::FromImpulse, VelocitySource::Impulse),
-    }
+/// Whether a velocity may be that after a fall: along rails it is some percent lower than after a free one.
+fn is_after_fall(velocity_m_s: f64, height_m: f64) -> bool {
+    const FRICTION: f64 = 0.1;
+    (velocity_m_s / fall(height_m) - 1.0).abs() <= FRICTION
+}
+
+/// The velocity after a fall. Gravity may be off during the contact, but it acted during the fall before.
+fn fall(height_m: f64) -> f64 {
+    (2.0 * G0_M_S2 * height_m).sqrt()
+}
+
+fn impact_velocity(request: &DropRequest, said: &Said) -> Result<(ImpactVelocity, VelocitySource), Problem> {
+    let known = |speed_m_s| ImpactVelocity::Known { speed_m_s, error_ratio: request.velocity_error_ratio };
+    let (speed_m_s, height_m) = match (request.impact_velocity_m_s, request.height_m) {
+        (None, None) => {
+            said.check_velocity()?;
+            (said.velocity_m_s, said.height_m)
+        }
+        given => given,
+    };
+    Ok(match (speed_m_s, height_m) {
+        (Some(speed_m_s), _) => (known(speed_m_s), VelocitySource::Given),
+        (None, Some(height_m)) => (known(fall(height_m)), VelocitySource::Height),
+        (None, None) => (ImpactVelocity::FromImpulse, VelocitySource::Impulse),
+    })
 }
 
 /// What the comments of a file say.
@@ -293,6 +302,19 @@ impl Said {
         Ok(said)
     }
 
+    /// Refuses a height and a velocity of which only one can be right.
+    fn check_velocity(&self) -> Result<(), Problem> {
+        let Some((height_m, velocity_m_s)) = self.height_m.zip(self.velocity_m_s) else { return Ok(()) };
+        if is_after_fall(velocity_m_s, height_m) {
+            return Ok(());
+        }
+        let [height, velocity, after] = [height_m, velocity_m_s, fall(height_m)].map(|one| words::number(one, 4));
+        let message = format!(
+            "the file says an impact velocity of {velocity} m/s, and a drop height of {height} m, which gives {after} m/s"
+        );
+        Err(value(message).hint("give the right one, as `height` or `impact_velocity`"))
+    }
+
     /// What the file says otherwise than the request, which counts.
     fn replaced_by(&self, request: &DropRequest) -> Vec<String> {
         let is_other = |(given, said): &(f64, f64)| (given / said - 1.0).abs() > ROUNDING;
@@ -305,7 +327,15 @@ impl Said {
             let (given, said) = given.as_ref().zip(said.as_ref()).filter(|(given, said)| given != said)?;
             Some(format!("the file says {key} {said}; the `{key}` that was given, {given}, is used"))
         };
+        let crossed = |is_other: bool, given: &str, said: &str| {
+            is_other.then(|| format!("the {said} in the file contradicts the `{given}` that was given, which is used"))
+        };
+        let other_fall = |velocity: Option<f64>, height: Option<f64>| {
+            velocity.zip(height).is_some_and(|(velocity_m_s, height_m)| !is_after_fall(velocity_m_s, height_m))
+        };
         let all = [
+            crossed(other_fall(request.impact_velocity_m_s, self.height_m), "impact_velocity", "drop height"),
+            crossed(other_fall(self.velocity_m_s, request.height_m), "height", "impact velocity"),
             number("mass", "kg", request.mass_kg, self.mass_kg),
             number("height", "m", request.height_m, self.height_m),
             number("impact_velocity", "m/s", request.impact_velocity_m_s, self.velocity_m_s),
@@ -318,6 +348,9 @@ impl Said {
         all.into_iter().flatten().collect()
     }
 }
+
+/// As in lists of objects.
+const STIFFEST_PAD_N_M: f64 = 1e9;
 
 /// Two numbers are the same that differ by less: 4 in is 101.6 mm.
 const ROUNDING: f64 = 1e-9;
@@ -428,6 +461,9 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
         && found.is_some()
     {
         say(format!("{} samples per contact: 50 or more are better", significant(samples, 3)));
+    }
+    if found.is_some_and(|found| found.stiffness.fit_n_m > STIFFEST_PAD_N_M) {
+        say("no pad is stiffer than 1e6 N/mm: check the mass, the unit of the acceleration and the step".to_owned());
     }
     let spread_ratio = found.map_or(0.0, |found| found.stiffness.spread_ratio());
     if found.is_some_and(|found| found.chosen == FittedLaw::Linear) && spread_ratio > WIDE_SPREAD {
