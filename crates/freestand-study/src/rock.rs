@@ -235,6 +235,10 @@ fn report(request: &RockRequest, rocking: Rocking, friction: Option<f64>, histor
         .fact("frequency_parameter_rad_s", "frequency parameter p", pivot.frequency_parameter_rad_s(gravity))
         .fact("uplift_threshold_g", "uplift threshold", threshold_g)
         .key("model", name_of(MODELS, options.model))
+        .line(
+            "base",
+            shock.map(|_| "rigid; on its pads, which give the shock alone, the object may lift more".to_owned()),
+        )
         .key("accuracy", crate::summary::accuracy_words(options.accuracy))
         .fact("edge_acceleration_g", "shock, from the uplift", shock.and_then(|s| s.edge_acceleration_g))
         .fact("edge_acceleration_impact_velocity_g", "shock, from the impact velocity", by_velocity_g)

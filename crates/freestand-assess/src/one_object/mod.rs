@@ -389,6 +389,9 @@ fn unused(object: &Object, subject: &Subject) -> Vec<String> {
     if around.casters == Some(Casters::Free) && object.friction_ratio.is_some() {
         warnings.push("`friction` has no effect on free casters: they roll by `rolling_resistance`".to_owned());
     }
+    if around.casters == Some(Casters::Free) && object.rests_on.is_some() {
+        warnings.push("`on` has no effect on free casters: the object rolls before it lifts from its pads".to_owned());
+    }
     if around.wall_stiffness_n_m.is_some() && object.mass_kg.is_none() {
         warnings.push("`wall_stiffness` has no effect without `mass`: the shock at a wall needs both".to_owned());
     }

@@ -215,7 +215,11 @@ fn lift_g(found: &Assessment, tally: &Tally) -> f64 {
 /// Its model, its wall and its casters, with the names of `objects.csv`.
 fn around(found: &Assessment, tally: &Tally, units: UnitSystem) -> Facts<'static> {
     let (wall, rolled) = (found.at_wall.as_ref(), found.rolled.as_ref());
-    let lift = "acceleration that lifts an edge";
+    let lift = match found.model {
+        // On its pads it may lift earlier, in resonance with the floor.
+        Some(ObjectModel::Compliant) => "acceleration that lifts an edge, rigid base",
+        _ => "acceleration that lifts an edge",
+    };
     let shock_g = wall.and_then(|wall| wall.acceleration_g_median);
     let facts = Facts::default().key("model", found.model.map(ObjectModel::name));
     // Its casters let an object roll before an edge lifts.

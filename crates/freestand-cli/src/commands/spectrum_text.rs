@@ -51,6 +51,7 @@ pub(crate) struct Seen {
     walls: bool,
     sensitivity: bool,
     slides: bool,
+    has_pads: bool,
 }
 
 impl Seen {
@@ -58,7 +59,8 @@ impl Seen {
     pub(crate) fn new(motions: usize, total: usize, request: &SpectrumRequest) -> Self {
         let tallies = vec![SpectrumTally::default(); motions];
         let (walls, slides) = (!request.options.walls.is_none(), request.surface.is_some());
-        Self { tallies, rows: Vec::new(), total, walls, sensitivity: request.sensitivity, slides }
+        let has_pads = request.cushion.is_some();
+        Self { tallies, rows: Vec::new(), total, walls, sensitivity: request.sensitivity, slides, has_pads }
     }
 
     fn columns(&self) -> Vec<Column> {
@@ -88,6 +90,9 @@ impl Seen {
             );
             text += &format!("… and {more} more rows: {place}\n\n");
             text += &self.motions(motions);
+        }
+        if self.has_pads {
+            text += "\nbase: rigid; on its pads, which give the shock alone, an object may lift more\n";
         }
         let steps = timing.block_steps;
         text += &format!("\n{steps} block-steps in {} s", significant(timing.solve_s, 3));
