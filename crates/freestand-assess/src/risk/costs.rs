@@ -10,7 +10,7 @@ use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
-use crate::inventory::{Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, rating};
+use crate::inventory::{Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, is_list, rating};
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
@@ -200,7 +200,7 @@ fn is_table(bytes: &[u8], path: &Path) -> bool {
             table.column("id").is_some() && (has_costs || table.unused(&COLUMNS).is_none())
         }
         // What is wrong with a table is said of the table.
-        Err(_) => !is_workbook && costs_of_list(path, &CellsRequest::default()).is_err(),
+        Err(_) => !is_workbook && !is_list(path),
     }
 }
 
