@@ -9,8 +9,9 @@ use freestand_input::words::{canonical, some};
 use super::columns::Column;
 use super::numbers::{Number, Piece, pieces, plain};
 use super::vocabulary::is_no_value;
-use super::{Edit, Item, Mapping, ReadOptions, inspect_inventory};
+use super::{Casters, Edit, Item, Mapping, ReadOptions, inspect_inventory};
 use crate::library::Lookup;
+use crate::too_mild::TooMild;
 
 /// How the cells of a list are read.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -280,6 +281,8 @@ pub(crate) fn is_list(path: &Path) -> bool {
 pub(crate) struct ListedCosts {
     pub(crate) currency: Option<String>,
     pub(crate) objects: Vec<(Item, Amounts)>,
+    /// Objects whose runs would be too mild, by what the list says of them.
+    pub(crate) too_mild: Vec<(String, TooMild)>,
     pub(crate) warnings: Vec<String>,
 }
 
@@ -327,6 +330,12 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
     // A number of objects that cannot be read counts as one.
     let counts = inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
     warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
+    let mild = |item: &Item| match (item.surroundings.casters, item.is_round) {
+        (Some(Casters::Free), _) => Some((item.id.clone(), TooMild::Glides)),
+        (_, true) => Some((item.id.clone(), TooMild::Round)),
+        _ => None,
+    };
+    let too_mild = inventory.items.iter().filter_map(mild).collect();
     let columns: Vec<(usize, &CostColumn)> = columns.iter().map(|(slot, _, heading)| (*slot, heading.column)).collect();
     let mut objects = Vec::with_capacity(inventory.items.len());
     for item in inventory.items {
@@ -345,7 +354,7 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
         objects.push((item, amounts));
     }
     warnings.extend(inventory.warnings);
-    Ok(ListedCosts { currency, objects, warnings })
+    Ok(ListedCosts { currency, objects, too_mild, warnings })
 }
 
 /// Refuses cells that state another currency than their column.

@@ -233,6 +233,10 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     let costs = request.inventory.as_deref().map(|path| load_costs(path, &request.list)).transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
     warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
+    // Curves of another origin do not say it of themselves, but the list may.
+    let unsaid: HashSet<&str> = cautious(&curves).filter(|one| one.1.is_none()).map(|one| one.0).collect();
+    let mild = costs.iter().flat_map(|costs| &costs.too_mild).map(|(id, why)| (id.as_str(), Some(*why)));
+    warnings.extend(cautions(mild.filter(|(id, _)| unsaid.contains(id))));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let options = match &request.options {
         Some(path) => {

@@ -793,6 +793,13 @@ fn round_objects_may_fail_more_often_than_their_curves() {
             found["objects"].as_array().unwrap().iter().map(|one| one["caution"].as_str()).collect();
         assert_eq!(cautions, [Some("round"), None, Some("rolls-or-slides")]);
     }
+    // Curves of another origin do not say it of themselves: the list does.
+    let curves = fs::read_to_string(folder.path().join("runs/fragility.csv")).unwrap();
+    let own = curves.replace(",round\n", ",\n").replace(",rolls-or-slides\n", ",\n");
+    write(folder.path(), "own.csv", &own);
+    let of_own = [&["risk", "--fragility", "own.csv", "--inventory", "list.csv"], &hazard[..]].concat();
+    let said = json(folder.path(), &of_own)["warnings"].to_string();
+    assert!(said.contains("1 object is round") && said.contains("1 object is free to roll or slide"), "{said}");
     let outcomes = [&["risk", "--outcomes", "runs/outcomes.csv", "--inventory", "list.csv"], &hazard[..]].concat();
     for (call, page) in [(rates, "of-curves"), (outcomes, "of-outcomes")] {
         let found = json(folder.path(), &[&call[..], &["--out", page]].concat());
