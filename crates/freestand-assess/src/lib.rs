@@ -22,6 +22,7 @@ pub mod validate;
 mod accepted;
 mod assumed;
 mod kept_motions;
+mod too_mild;
 mod two_spectra;
 mod verdict;
 mod worlds;

@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 pub use freestand_study::result::Ranked;
 pub use freestand_study::study::Unstated;
 
+pub use crate::too_mild::TooMild;
+
 /// The verdict: what to do with an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -121,25 +123,6 @@ pub struct Answers {
     pub worlds_needed: Option<u32>,
     /// Why it may fall where the calculation lets it stand, so that it is never left as it is.
     pub too_mild: Option<TooMild>,
-}
-
-/// Why the calculation of an object is too mild: it may fall where it stands there.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum TooMild {
-    /// Its base is round, and it is followed as the square prism around it.
-    Round,
-    /// On its pads, its feet pass through the wall beside it.
-    FeetPassWall,
-}
-
-impl TooMild {
-    /// What is calculated, after "It is".
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Round => "round: not calculated in three dimensions, but as the square prism around it",
-            Self::FeetPassWall => "beside a wall, through which its feet pass in the calculation",
-        }
-    }
 }
 
 /// Motions that are too few for `leave`, however many worlds use them.

@@ -14,7 +14,7 @@ use freestand_input::words::{Choices, counted};
 use freestand_output::rows::csv;
 use serde_json::{Value, json};
 
-use crate::fragility::{FragilityReport, HazardSource, ObjectFragility, hazard_of};
+use crate::fragility::{FragilityReport, HazardPlace, HazardSource, ObjectFragility, hazard_of};
 use crate::risk::{CostRow, Costs, load_costs};
 
 use points::Points;
@@ -127,7 +127,8 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
                 .hazard
                 .as_ref()
                 .map(|source| {
-                    hazard_of(source, Some(report.at), request.site_deg, Some((report.table.measure, report.at)))
+                    let (measure, at) = (report.table.measure, report.at);
+                    hazard_of(source, HazardPlace::OfOutcomes(at), request.site_deg, Some((measure, at)))
                 })
                 .transpose()?;
             warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
@@ -470,7 +471,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("hazard.csv");
         std::fs::write(&path, text_of(&exported, "hazard.csv")).unwrap();
-        let read = hazard_of(&HazardSource::File(path), None, None, None).unwrap();
+        let read = hazard_of(&HazardSource::File(path), HazardPlace::Stated(None), None, None).unwrap();
         assert_eq!((read.measure.name(), read.at), ("sa_avg(0.2:2)".to_owned(), At::Ground));
         // λ = k0 at the reference; points are joined by power laws, so that only their digits
         // differ.

@@ -169,6 +169,7 @@ mod tests {
                 log_likelihood: 0.0,
                 score_per_run: 0.0,
             },
+            caution: None,
             two_stage: Some(TwoStage { rocks, overturns, shock: None, ceiling_g: 1.0, tolerance_g: 2.0 }),
             no_two_stage: None,
             goodness: None,

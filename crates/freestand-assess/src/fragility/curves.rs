@@ -8,13 +8,17 @@ use freestand::risk::Capacity;
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{shortest, significant, some};
+use freestand_input::words::{counted, shortest, significant, some};
 
 use super::measure::{At, MEASURES, Measure};
 use super::table::{Row, RowProblems, Table};
+use crate::too_mild::{TOO_MILD, TooMild};
 
 /// The column of `fragility.csv` with [`capacities_text`].
 pub(crate) const CAPACITY: &str = "capacity";
+
+/// The column of outcomes and curves with the name of a [`TooMild`].
+pub(crate) const CAUTION: &str = "caution";
 
 const HINT: &str =
     "the columns are id,im,im_unit,at,limit_state,kind,median,beta, and lower,upper for a step or bounds";
@@ -33,6 +37,8 @@ pub struct ObjectCurves {
     /// Between which intensities of the runs the capacities are, for each limit state; empty where only
     /// the curves are known.
     pub(crate) capacities: Vec<(LimitState, Vec<Capacity>)>,
+    /// Why the object may fail more often than its curves say; `None`: that is not said.
+    pub(crate) caution: Option<TooMild>,
     /// The line of its first curve in the file, from 1.
     pub line: usize,
 }
@@ -129,6 +135,34 @@ pub(crate) fn contradictions(curves: &[ObjectCurves]) -> Option<String> {
     Some(first + &also)
 }
 
+/// Which objects may fail more often than their curves say: one sentence for each reason.
+pub(crate) fn cautions<'a>(objects: impl Iterator<Item = (&'a str, Option<TooMild>)> + Clone) -> Vec<String> {
+    let said = TOO_MILD.iter().filter_map(|(why, _, words)| {
+        let mut ids = objects.clone().filter(|(_, caution)| *caution == Some(*why)).map(|(id, _)| id);
+        let first = ids.next()?;
+        let many = 1 + ids.count();
+        let (verb, they) = if many == 1 { ("is", "it") } else { ("are", "they") };
+        Some(format!(
+            "{} {verb} {words}; {they} may fail more often than the curves say, for example {}",
+            counted(many, "object"),
+            shorten(first)
+        ))
+    });
+    said.collect()
+}
+
+/// The reason in the column `caution`; `None` without the column or in an empty cell.
+pub(super) fn caution_of(table: &Table, row: &Row) -> Result<Option<TooMild>, Problem> {
+    let Some(column) = table.given(row, CAUTION) else { return Ok(None) };
+    let text = table.text(row, column);
+    let found = TOO_MILD.iter().find(|(_, name, _)| *name == text).map(|(why, ..)| *why);
+    found.map(Some).ok_or_else(|| {
+        let names: Vec<&str> = TOO_MILD.iter().map(|one| one.1).collect();
+        let message = format!("\"{}\" is not a caution", shorten(text));
+        table.cell_problem(row, column, &message).hint(format!("write {}, or leave the cell empty", names.join(", ")))
+    })
+}
+
 /// Intensities at which the curves of an object are compared, evenly spaced by their logarithm.
 const GRID: u32 = 400;
 
@@ -177,6 +211,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
             capacities_of(table.text(row, column), factor).ok_or_else(wrong)
         });
         let found = found.transpose()?.map(|found| (limit_state, found));
+        let caution = caution_of(&table, row)?;
         let number = *places.entry(name.to_owned()).or_insert(objects.len());
         match objects.get_mut(number) {
             None => objects.push(ObjectCurves {
@@ -185,6 +220,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
                 at: place,
                 curves: vec![curve],
                 capacities: found.into_iter().collect(),
+                caution,
                 line: row.line,
             }),
             Some(object) if object.measure != measure || object.at != place => {
@@ -196,6 +232,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
             Some(object) => {
                 object.curves.push(curve);
                 object.capacities.extend(found);
+                object.caution = object.caution.or(caution);
                 object.curves.sort_by_key(|curve| curve.limit_state);
             }
         }
@@ -325,6 +362,24 @@ mod tests {
             let problem = read_text(&row(wrong)).unwrap_err();
             assert!(problem.to_string().contains("f.csv:2: column 9") && problem.hint.is_some(), "{problem}");
         }
+    }
+
+    /// An object has the caution of any of its rows.
+    #[test]
+    fn a_caution_belongs_to_the_object() {
+        let head = format!("{HEAD},caution");
+        let row =
+            |id: &str, state: &str, caution: &str| format!("{id},pgv,m/s,ground,{state},lognormal,1,1,{caution}\n");
+        let rows = row("a", "rocks", "") + &row("a", "overturns", "rolls-or-slides") + &row("b", "rocks", "");
+        let curves = read_text(&format!("{head}\n{rows}")).unwrap();
+        assert_eq!([curves[0].caution, curves[1].caution], [Some(TooMild::Glides), None]);
+        let said = cautions(curves.iter().map(|one| (one.id.as_str(), one.caution)));
+        assert!(said.len() == 1 && said[0].starts_with("1 object is free to roll or slide"), "{said:?}");
+        let problem = read_text(&format!("{head}\n{}", row("a", "rocks", "rolls"))).unwrap_err();
+        assert!(
+            problem.to_string().contains("f.csv:2: column 9 (\"caution\"): \"rolls\" is not a caution"),
+            "{problem}"
+        );
     }
 
     #[test]

@@ -150,7 +150,9 @@ impl MeasuredHazard {
         let named = |measure: Measure, at: At| format!("{} of the {}", measure.name(), at.name());
         let (of_hazard, of_outcomes) = (named(self.measure, self.at), named(measure, at));
         let message = format!("the hazard curve is for {of_hazard}, and the outcomes are for {of_outcomes}");
-        Err(Problem::value(message, "give a hazard curve for the measure of the outcomes").of(&["hazard"]))
+        let hint = "give a hazard curve for the measure of the outcomes, or outcomes for the measure of the curve";
+        let problem = Problem::value(message, hint).of(&["hazard"]);
+        Err(self.file.iter().fold(problem, |problem, file| problem.in_file(&file.path)))
     }
 
     pub(crate) fn facts(&self) -> Facts<'static> {
@@ -178,12 +180,30 @@ impl MeasuredHazard {
     }
 }
 
-/// Reads a hazard; `at` is where a spectral acceleration is taken, `site_deg` the site of an
+/// Where a spectral acceleration of a hazard is taken.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum HazardPlace {
+    /// Where the user says, if anything: a measure of the other place contradicts it.
+    Stated(Option<At>),
+    /// Where that of the outcomes is.
+    OfOutcomes(At),
+}
+
+impl HazardPlace {
+    fn of(self, measure: Measure) -> Result<At, Problem> {
+        match self {
+            Self::Stated(at) => measure.at(at),
+            Self::OfOutcomes(at) => Ok(measure.place().unwrap_or(at)),
+        }
+    }
+}
+
+/// Reads a hazard; `place` is where a spectral acceleration is taken, `site_deg` the site of an
 /// OpenQuake file with several, and `of_curves` the measure of all fragilities, if they have one: that of
 /// a hazard that names none.
 pub(crate) fn hazard_of(
     source: &HazardSource,
-    at: Option<At>,
+    place: HazardPlace,
     site_deg: Option<(f64, f64)>,
     of_curves: Option<(Measure, At)>,
 ) -> Result<MeasuredHazard, Problems> {
@@ -195,13 +215,16 @@ pub(crate) fn hazard_of(
         })
     };
     // Where the measure is that of the fragilities, so is its place.
-    let place_of = |given: Option<Measure>| at.or(of_curves.filter(|_| given.is_none()).map(|one| one.1));
+    let place_of = |given: Option<Measure>| match place {
+        HazardPlace::Stated(at) => HazardPlace::Stated(at.or(of_curves.filter(|_| given.is_none()).map(|one| one.1))),
+        of_outcomes @ HazardPlace::OfOutcomes(_) => of_outcomes,
+    };
     match source {
-        HazardSource::File(path) => from_file(&load(path)?, path, at, site_deg),
+        HazardSource::File(path) => from_file(&load(path)?, path, place, site_deg),
         HazardSource::PowerLaw { text, measure } => {
-            let (measure, at) = (measure_of(*measure)?, place_of(*measure));
+            let (measure, place) = (measure_of(*measure)?, place_of(*measure));
             let hazard = power_law(text, measure).map_err(|problem| problem.named("hazard_power"))?;
-            let at = measure.at(at)?;
+            let at = place.of(measure)?;
             Ok(MeasuredHazard { hazard, measure, at, file: None, warnings: Vec::new() })
         }
         HazardSource::Code { code, site, hazard_factor, fault_distance_km, measure } => {
@@ -216,7 +239,7 @@ const HINT: &str = "write \"pgv [m/s],annual_rate\" with rising intensities and 
 fn from_file(
     bytes: &[u8],
     path: &Path,
-    at: Option<At>,
+    place: HazardPlace,
     site_deg: Option<(f64, f64)>,
 ) -> Result<MeasuredHazard, Problems> {
     let mut problems = RowProblems::default();
@@ -224,7 +247,7 @@ fn from_file(
     let is_openquake = table.headings.iter().any(|heading| heading.name.starts_with("poe-"));
     let file = Some(InputFile::new(path, bytes));
     if is_openquake {
-        return Ok(MeasuredHazard { file, ..openquake(&table, problems, at, site_deg)? });
+        return Ok(MeasuredHazard { file, ..openquake(&table, problems, place, site_deg)? });
     }
     let rates = table.needed("annual_rate")?;
     let (column, measure, factor) = measure_of(&table)?;
@@ -243,7 +266,7 @@ fn from_file(
         Some(point)
     })?;
     let hazard = Hazard::points(points).map_err(|error| table.header_problem(error.to_string()))?;
-    Ok(MeasuredHazard { hazard, measure, at: measure.at(at)?, file, warnings: Vec::new() })
+    Ok(MeasuredHazard { hazard, measure, at: place.of(measure)?, file, warnings: Vec::new() })
 }
 
 /// The problem with a cell that does not continue the curve. It quotes this cell and the one before
@@ -272,7 +295,7 @@ pub(crate) const AVERAGE_KEY: &str = "measure";
 fn openquake(
     table: &Table,
     rows: RowProblems,
-    at: Option<At>,
+    place: HazardPlace,
     site_deg: Option<(f64, f64)>,
 ) -> Result<MeasuredHazard, Problems> {
     let comment = table.comments.join(",");
@@ -386,7 +409,7 @@ fn openquake(
     ];
     let hazard = Hazard::points(points).map_err(|error| table.row_problem(row, error.to_string()))?;
     let warnings = warnings.into_iter().flatten().collect();
-    Ok(MeasuredHazard { hazard, measure, at: measure.at(at)?, file: None, warnings })
+    Ok(MeasuredHazard { hazard, measure, at: place.of(measure)?, file: None, warnings })
 }
 
 fn disorder_of_levels(table: &Table, before: usize, here: usize) -> String {
@@ -524,7 +547,7 @@ mod tests {
     use super::*;
 
     fn file(text: &str) -> Result<MeasuredHazard, Problems> {
-        from_file(text.as_bytes(), Path::new("h.csv"), None, None)
+        from_file(text.as_bytes(), Path::new("h.csv"), HazardPlace::Stated(None), None)
     }
 
     /// The only problem.
@@ -578,7 +601,7 @@ mod tests {
 
     #[test]
     fn curves_of_openquake_become_rates() {
-        let read = |site| from_file(OPENQUAKE.as_bytes(), Path::new("h.csv"), None, site);
+        let read = |site| from_file(OPENQUAKE.as_bytes(), Path::new("h.csv"), HazardPlace::Stated(None), site);
         let read_one = read(Some((151.2, -33.9))).unwrap();
         let Hazard::Points(points) = &read_one.hazard else { panic!() };
         assert_eq!((points.len(), read_one.measure, read_one.warnings.len()), (2, Measure::Pgv, 1));

@@ -26,10 +26,12 @@ use freestand_output::table::Table;
 use freestand_study::run::{Progress, Step, no_progress};
 use rayon::prelude::*;
 
-pub(crate) use curves::contradictions;
-use curves::{CAPACITY, capacities_text};
+use crate::too_mild::{TOO_MILD, TooMild};
+
+use curves::{CAPACITY, CAUTION, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
-pub(crate) use hazard::{AVERAGE_KEY, MeasuredHazard, hazard_of, number_and_unit};
+pub(crate) use curves::{cautions, contradictions};
+pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, MeasuredHazard, hazard_of, number_and_unit};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardGiven, HazardSource};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
@@ -129,6 +131,8 @@ pub struct ObjectFragility {
     pub fit: Fit,
     /// Between which intensities of the runs the capacities are, for each limit state.
     pub(crate) capacities: Vec<(LimitState, Vec<Capacity>)>,
+    /// Why it may fail more often than its curves say; `None`: that is not said.
+    pub(crate) caution: Option<TooMild>,
     /// The probability of exceeding the tolerance, from the shocks.
     pub two_stage: Option<TwoStage>,
     /// Why the outcomes of runs were fitted instead of their shocks.
@@ -252,6 +256,7 @@ fn fitted(
             unresolved,
             reasons: table.reasons.get(i).cloned().unwrap_or_default(),
             fit,
+            caution: table.cautions.get(i).copied().flatten(),
             two_stage,
             no_two_stage,
             goodness,
@@ -262,7 +267,8 @@ fn fitted(
         })
     });
     let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
-    let warnings = gathered(&objects);
+    let mut warnings = cautions(objects.iter().map(|one: &ObjectFragility| (one.id.as_str(), one.caution)));
+    warnings.extend(gathered(&objects));
     Ok(FragilityReport { request, table, at, objects, warnings, method })
 }
 
@@ -420,7 +426,7 @@ impl ObjectFragility {
     /// Its curves, for a hazard.
     pub(crate) fn curves(&self, measure: Measure, at: At) -> ObjectCurves {
         let (curves, capacities) = (self.fit.curves.clone(), self.capacities.clone());
-        ObjectCurves { id: self.id.clone(), measure, at, curves, capacities, line: 0 }
+        ObjectCurves { id: self.id.clone(), measure, at, curves, capacities, caution: self.caution, line: 0 }
     }
 
     fn capacities_of(&self, state: LimitState) -> &[Capacity] {
@@ -516,6 +522,7 @@ impl ObjectFragility {
             .key("unresolved", self.unresolved)
             .key("counts", counts)
             .key("curves", curves)
+            .key(CAUTION, self.caution.map(|why| name_of(TOO_MILD, why)))
             .key("exceeds_by_shock", shock)
             .key("crossing_im", crossing.map(|(_, _, x)| x))
             .key("log_likelihood", has_fit.then_some(self.fit.log_likelihood))
@@ -628,6 +635,7 @@ impl FragilityReport {
                     .key("motions", object.outcomes.motions())
                     .key("runs", object.runs())
                     .key(CAPACITY, capacities_text(object.capacities_of(curve.limit_state)))
+                    .key(CAUTION, object.caution.map(|why| name_of(TOO_MILD, why)))
             })
         }))
     }

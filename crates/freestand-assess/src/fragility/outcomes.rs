@@ -12,8 +12,10 @@ use freestand_input::words::nearest;
 use freestand_study::run::{Progress, no_progress};
 
 use super::LEAST_ROTATION_RATIO;
+use super::curves::caution_of;
 use super::measure::{MEASURES, Measure};
 use super::table::{Row, RowProblems, Table};
+use crate::result::TooMild;
 
 const HINT: &str = "write one row per run under \"object,motion,pfv [m/s],outcome\", or counts under \
                     \"object,pfv [m/s],no_uplift,rocked,exceeded,overturned\"";
@@ -55,6 +57,8 @@ pub struct OutcomeTable {
     pub(crate) unresolved: Vec<usize>,
     /// Why, in words: each reason once, for each object.
     pub(super) reasons: Vec<Vec<String>>,
+    /// Why each object may fail more often than its runs say; `None`: that is not said.
+    pub(super) cautions: Vec<Option<TooMild>>,
     /// The line of the first row of each object, from 1.
     first_lines: Vec<usize>,
 }
@@ -103,6 +107,7 @@ impl OutcomeTable {
             runs: Vec::new(),
             unresolved: Vec::new(),
             reasons: Vec::new(),
+            cautions: Vec::new(),
             first_lines: Vec::new(),
         };
         let intensity = |row: &Row| Ok::<f64, Problem>(factor * table.positive(row, column)?);
@@ -148,11 +153,13 @@ impl OutcomeTable {
             let shock = problems.keep(table.optional(row, shock));
             let rotation = problems.keep(table.optional(row, rotation));
             let uplift = problems.keep(table.optional(row, uplift));
+            let caution = problems.keep(caution_of(table, row));
             let (Some(object), Some(motion), Some(intensity)) = (object, motion, intensity) else { continue };
             let (Some(class), Some(weight)) = (class, weight) else { continue };
             let (Some(shock), Some(rotation), Some(uplift)) = (shock, rotation, uplift) else { continue };
+            let Some(caution) = caution else { continue };
             let shock = shock.filter(|_| rotation.is_none_or(|ratio| ratio >= LEAST_ROTATION_RATIO));
-            let object = self.object(reading, object, row.line);
+            let object = self.object(reading, object, row.line, caution);
             let motion = reading.motions.place(motion);
             let Some(class) = class else {
                 self.unresolved[object] += 1;
@@ -191,8 +198,9 @@ impl OutcomeTable {
             let object = problems.keep(table.filled(row, object));
             let intensity = problems.keep(intensity(row));
             let counts = columns.map(|column| column.map(|column| problems.keep(table.non_negative(row, column))));
-            let Some((object, intensity)) = object.zip(intensity) else { continue };
-            let object = self.object(reading, object, row.line);
+            let caution = problems.keep(caution_of(table, row));
+            let Some(((object, intensity), caution)) = object.zip(intensity).zip(caution) else { continue };
+            let object = self.object(reading, object, row.line, caution);
             for (class, count) in OutcomeClass::ALL.into_iter().zip(counts) {
                 let Some(Some(weight)) = count else { continue };
                 let run = Run { motion: None, intensity, class, weight };
@@ -233,12 +241,16 @@ impl OutcomeTable {
     }
 
     /// The place of an object; a new one is added.
-    fn object(&mut self, reading: &mut Reading<'_>, id: &str, line: usize) -> usize {
+    fn object(&mut self, reading: &mut Reading<'_>, id: &str, line: usize, caution: Option<TooMild>) -> usize {
         let object = reading.objects.place(id);
         if object == self.unresolved.len() {
             self.unresolved.push(0);
             self.reasons.push(Vec::new());
+            self.cautions.push(None);
             self.first_lines.push(line);
+        }
+        if let Some(known) = self.cautions.get_mut(object) {
+            *known = known.or(caution);
         }
         object
     }

@@ -4,15 +4,14 @@ use std::path::Path;
 
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::canonical;
+use freestand_input::words::{canonical, some};
 
 use super::columns::Column;
 use super::numbers::{Number, Piece, pieces, plain};
-use super::round::too_mild;
 use super::vocabulary::is_no_value;
-use super::{Edit, Item, Mapping, ReadOptions, inspect_inventory};
+use super::{Casters, Edit, Item, Mapping, ReadOptions, inspect_inventory};
 use crate::library::Lookup;
-use crate::result::TooMild;
+use crate::too_mild::TooMild;
 
 /// How the cells of a list are read.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -168,6 +167,11 @@ pub(crate) fn cost_name(name: &str) -> Option<&'static str> {
     COST_COLUMNS.iter().find(|column| column.name == name).map(|column| column.name)
 }
 
+/// What a mapping file says about a heading of costs: its name, and its unit.
+pub(super) fn mapped_cost(heading: &str) -> Option<(&'static str, Option<String>)> {
+    CostHeading::new(heading, None).map(|found| (found.column.name, found.unit))
+}
+
 /// A heading of costs: `Replacement value NZD`, `downtime_cost [EUR/day]`.
 struct CostHeading {
     column: &'static CostColumn,
@@ -188,6 +192,9 @@ impl CostHeading {
         if let Some((mapped, own)) = mapping.and_then(|mapping| mapping.cost(heading)) {
             let column = COST_COLUMNS.iter().find(|column| column.name == mapped)?;
             return Some(Self { column, unit: own.or(unit) });
+        }
+        if mapping.is_some_and(|mapping| mapping.ignores(heading)) {
+            return None;
         }
         let words = canonical(name);
         let is_it = |column: &&CostColumn| canonical(column.name) == words || column.headings.contains(&words.as_str());
@@ -230,7 +237,43 @@ impl CostHeading {
 }
 
 fn is_currency(text: &str) -> bool {
-    matches!(text, "$" | "€" | "£" | "¥") || text.len() == 3 && text.bytes().all(|byte| byte.is_ascii_uppercase())
+    let letters = text.strip_suffix('$').unwrap_or(text);
+    let is_upper = letters.bytes().all(|byte| byte.is_ascii_uppercase());
+    matches!(text, "€" | "£" | "¥") || is_upper && if letters == text { text.len() == 3 } else { letters.len() <= 2 }
+}
+
+/// The code of a currency that is written otherwise; any other text as it is.
+fn code(currency: &str) -> &str {
+    match currency {
+        "€" => "EUR",
+        "£" => "GBP",
+        "A$" | "AU$" => "AUD",
+        "C$" | "CA$" => "CAD",
+        "HK$" => "HKD",
+        "MX$" => "MXN",
+        "NT$" => "TWD",
+        "NZ$" => "NZD",
+        "R$" => "BRL",
+        "S$" => "SGD",
+        "US$" => "USD",
+        _ => currency,
+    }
+}
+
+/// Whether a cell may state this currency in a column of that one: its code, or its sign.
+fn is_of(cell: &str, column: &str) -> bool {
+    const DOLLARS: [&str; 12] = ["ARS", "AUD", "CAD", "CLP", "COP", "FJD", "HKD", "MXN", "NZD", "SGD", "TWD", "USD"];
+    let (cell, column) = (code(cell), code(column));
+    match cell {
+        "$" => column == "$" || DOLLARS.contains(&column),
+        "¥" => matches!(column, "¥" | "JPY" | "CNY"),
+        _ => cell == column,
+    }
+}
+
+/// Whether a file reads as a list as people keep it.
+pub(crate) fn is_list(path: &Path) -> bool {
+    inspect_inventory(path, &ReadOptions::new(&Lookup::NONE)).is_ok()
 }
 
 /// The costs of a list as people keep it.
@@ -238,13 +281,19 @@ fn is_currency(text: &str) -> bool {
 pub(crate) struct ListedCosts {
     pub(crate) currency: Option<String>,
     pub(crate) objects: Vec<(Item, Amounts)>,
+    /// Objects whose runs would be too mild, by what the list says of them.
+    pub(crate) too_mild: Vec<(String, TooMild)>,
     pub(crate) warnings: Vec<String>,
 }
+
+/// The most rows that are named of one problem.
+const NAMED_ROWS: usize = 5;
 
 /// Reads the costs of a list.
 ///
 /// # Errors
-/// A list or a mapping file that cannot be read; a column without its unit; two currencies.
+/// A list or a mapping file that cannot be read; a column without its unit; two currencies, also of a cell and
+/// its column.
 pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<ListedCosts, Problems> {
     let mapping = request.columns.as_deref().map(Mapping::load).transpose()?;
     let options = ReadOptions {
@@ -264,19 +313,29 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
     for (_, heading, column) in &columns {
         let own = column.currency(heading).map_err(|problem| problem.in_file(path))?;
         if let (Some(known), Some(own)) = (&currency, &own)
-            && known != own
+            && code(known) != code(own)
         {
             let message = format!("\"{}\" is in {own}, and other costs are in {known}", shorten(heading));
             return Err(Problem::value(message, "convert all costs to one currency").in_file(path).into());
         }
         currency = currency.or(own);
     }
-    let mut warnings = Vec::new();
+    in_one_currency(&inventory.items, &columns, currency.as_deref()).map_err(|problem| problem.in_file(path))?;
+    let is_ignored = |heading: &&String| mapping.as_ref().is_some_and(|mapping| mapping.ignores(heading));
+    let ignored = inventory.carried.iter().filter(is_ignored).filter(|heading| mapped_cost(heading).is_some());
+    let ignored = ignored.map(|heading| {
+        format!("the column \"{}\" is not counted, because the mapping file says \"ignore\"", shorten(heading))
+    });
+    let mut warnings: Vec<String> = ignored.collect();
     // A number of objects that cannot be read counts as one.
     let counts = inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
     warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
-    let round: Vec<&str> = inventory.items.iter().filter(|item| item.is_round).map(|item| &*item.id).collect();
-    warnings.extend(too_mild(TooMild::Round.words(), &round));
+    let mild = |item: &Item| match (item.surroundings.casters, item.is_round) {
+        (Some(Casters::Free), _) => Some((item.id.clone(), TooMild::Glides)),
+        (_, true) => Some((item.id.clone(), TooMild::Round)),
+        _ => None,
+    };
+    let too_mild = inventory.items.iter().filter_map(mild).collect();
     let columns: Vec<(usize, &CostColumn)> = columns.iter().map(|(slot, _, heading)| (*slot, heading.column)).collect();
     let mut objects = Vec::with_capacity(inventory.items.len());
     for item in inventory.items {
@@ -295,14 +354,40 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
         objects.push((item, amounts));
     }
     warnings.extend(inventory.warnings);
-    Ok(ListedCosts { currency, objects, warnings })
+    Ok(ListedCosts { currency, objects, too_mild, warnings })
+}
+
+/// Refuses cells that state another currency than their column.
+fn in_one_currency(
+    items: &[Item],
+    columns: &[(usize, &str, CostHeading)],
+    currency: Option<&str>,
+) -> Result<(), Problem> {
+    let Some(currency) = currency else { return Ok(()) };
+    let money: Vec<_> = columns.iter().filter(|one| matches!(one.2.column.unit, CostUnit::Money(_))).collect();
+    let cells = items.iter().flat_map(|item| {
+        money.iter().filter_map(move |(slot, heading, _)| Some((item.row, *heading, item.carried.get(*slot)?)))
+    });
+    let mut other =
+        cells.filter(|(.., text)| without_currency(&plain(text)).1.iter().flatten().any(|own| !is_of(own, currency)));
+    let Some((row, heading, text)) = other.next() else { return Ok(()) };
+    let rows: Vec<String> = other.map(|(row, ..)| row.to_string()).collect();
+    let also = match rows.len() {
+        0 => String::new(),
+        1 => format!(" (also row {})", rows[0]),
+        _ => format!(" (also rows {})", some(&rows, NAMED_ROWS)),
+    };
+    let message =
+        format!("\"{}\" is not in {currency}, as the column \"{}\" is{also}", shorten(text), shorten(heading));
+    let hint = format!("convert all costs to one currency, and write {currency} or nothing beside the number");
+    Err(Problem::value(message, hint).at_line(usize::try_from(row).unwrap_or(0)))
 }
 
 /// The number of a cell; an amount of money never has three decimals. Words such as "Mio" are not understood.
 fn amount(text: &str, unit: CostUnit) -> Option<f64> {
     let is_money = matches!(unit, CostUnit::Money(_));
     let text = plain(text);
-    let bare = if is_money { without_currency(&text) } else { text.as_str() };
+    let bare = if is_money { without_currency(&text).0 } else { text.as_str() };
     let percent = bare.strip_suffix('%').filter(|_| !is_money);
     let found = pieces(percent.unwrap_or(bare).trim());
     let [Piece::Number(number)] = found.as_slice() else { return None };
@@ -315,20 +400,16 @@ fn amount(text: &str, unit: CostUnit) -> Option<f64> {
     Some(if percent.is_some() { value / 100.0 } else { value })
 }
 
-/// An amount without its currency, before or behind it.
-fn without_currency(text: &str) -> &str {
+/// An amount without its currency, and the currencies before and behind it.
+fn without_currency(text: &str) -> (&str, [Option<&str>; 2]) {
     let is_part = |c: char| c.is_alphabetic() || matches!(c, '$' | '€' | '£' | '¥');
     let text = text.trim();
-    let start = text.find(|c| !is_part(c)).unwrap_or(0);
-    let text = match text.split_at(start) {
-        (currency, rest) if is_currency(currency) => rest.trim_start(),
-        _ => text,
-    };
-    let end = text.trim_end_matches(is_part).len();
-    match text.split_at(end) {
-        (rest, currency) if is_currency(currency) => rest.trim_end(),
-        _ => text,
-    }
+    let (first, rest) = text.split_at(text.find(|c| !is_part(c)).unwrap_or(0));
+    let before = Some(first).filter(|first| is_currency(first));
+    let text = if before.is_some() { rest.trim_start() } else { text };
+    let (rest, last) = text.split_at(text.trim_end_matches(is_part).len());
+    let behind = Some(last).filter(|last| is_currency(last));
+    (if behind.is_some() { rest.trim_end() } else { text }, [before, behind])
 }
 
 #[cfg(test)]
@@ -346,6 +427,8 @@ mod tests {
             ("1.250,50 EUR", Some(1250.5)),
             ("NZD 3200", Some(3200.0)),
             ("1200€", Some(1200.0)),
+            ("NZ$5000", Some(5000.0)),
+            ("$5000 NZD", Some(5000.0)),
             ("priceless", None),
             ("100-200", None),
             ("85k", None),
@@ -356,6 +439,20 @@ mod tests {
             assert_eq!(amount(text, CostUnit::Money("")), expected, "{text}");
         }
         assert_eq!(amount("5 %", CostUnit::Bare), Some(0.05));
+    }
+
+    #[test]
+    fn a_cell_states_the_currency_of_its_column_or_none() {
+        let fits = |text: &str, column: &str| without_currency(text).1.iter().flatten().all(|own| is_of(own, column));
+        for text in ["5000", "5000 NZD", "NZD 5000", "NZ$5000", "$5000", "$5000 NZD", "5000 NZ$", "approx 5000"] {
+            assert!(fits(text, "NZD") && fits(text, "NZ$"), "{text}");
+        }
+        for text in ["€5000", "5000 EUR", "5000 AUD", "$62000 AUD", "A$5000", "5 MIO", "£5", "¥ 900"] {
+            assert!(!fits(text, "NZD"), "{text}");
+        }
+        assert!(fits("€5", "EUR") && fits("5 EUR", "€") && fits("¥5", "CNY"));
+        // Which dollars a column means is not known.
+        assert!(fits("$5", "$") && !fits("US$5", "$") && !fits("5 USD", "$"));
     }
 
     #[test]

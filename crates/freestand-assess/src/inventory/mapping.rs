@@ -10,7 +10,7 @@ use freestand_study::study::FirstFloor;
 use toml_edit::{Document, Item, Value};
 
 use super::columns::{COLUMNS, Column};
-use super::costs::cost_name;
+use super::costs::{cost_name, mapped_cost};
 use super::floors::Floors;
 use super::headings::{dimension, meaning};
 use super::numbers::Decimal;
@@ -173,6 +173,11 @@ impl Mapping {
         self.columns.iter().find(|(other, _)| *other == words).map(|(_, mapped)| *mapped)
     }
 
+    /// Whether a heading is named as one that is not read.
+    pub(super) fn ignores(&self, heading: &str) -> bool {
+        self.column(heading).is_some_and(|mapped| mapped.column.is_none()) && self.cost(heading).is_none()
+    }
+
     /// The column of costs that the file makes of a heading, and its currency.
     pub(super) fn cost(&self, heading: &str) -> Option<(&'static str, Option<String>)> {
         let words = canonical(heading);
@@ -255,10 +260,14 @@ pub(super) fn written(columns: &[(String, Option<Column>, Option<CellUnit>)], de
     );
     for (heading, column, unit) in columns {
         let key = Value::from(heading.as_str()).to_string();
-        let value = match (column, unit) {
-            (None, _) => "\"ignore\"".to_owned(),
-            (Some(column), None) => format!("\"{}\"", column.name()),
-            (Some(column), Some(unit)) => format!("{{ name = \"{}\", unit = \"{}\" }}", column.name(), unit.symbol()),
+        let named = match column {
+            Some(column) => Some((column.name(), unit.map(|unit| unit.symbol().to_owned()))),
+            None => mapped_cost(heading),
+        };
+        let value = match named {
+            None => "\"ignore\"".to_owned(),
+            Some((name, None)) => format!("\"{name}\""),
+            Some((name, Some(unit))) => format!("{{ name = \"{name}\", unit = {} }}", Value::from(unit)),
         };
         text += &format!("{} = {value}\n", key.trim());
     }
@@ -306,10 +315,16 @@ mod tests {
     fn what_is_written_is_read() {
         let mm = find("mm", Dimension::Length).ok();
         let text = written(
-            &[("Höhe \"h\"".to_owned(), Some(Column::Height), mm), ("x".to_owned(), None, None)],
+            &[
+                ("Höhe \"h\"".to_owned(), Some(Column::Height), mm),
+                ("x".to_owned(), None, None),
+                ("Replacement value NZD".to_owned(), None, None),
+            ],
             Some(Decimal::Comma),
         );
         let mapping = Mapping::parse(&text).unwrap();
+        assert_eq!(mapping.cost("Replacement value NZD"), Some(("replacement_cost", Some("NZD".to_owned()))), "{text}");
+        assert!(mapping.ignores("x") && !mapping.ignores("Replacement value NZD") && !mapping.ignores("y"));
         assert_eq!(mapping.column("Höhe \"h\"").map(|mapped| mapped.column), Some(Some(Column::Height)));
     }
 }

@@ -54,7 +54,7 @@ use serde::{Deserialize, Serialize};
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
 pub use costs::CellsRequest;
-pub(crate) use costs::{Amounts, Cost, cost_name, costs_of_list};
+pub(crate) use costs::{Amounts, Cost, cost_name, costs_of_list, is_list};
 pub use edits::Edit;
 pub use floors::Floors;
 pub use kept::{items_from_lines, lines_of_items};
@@ -72,7 +72,6 @@ pub use report::{
     CellsReport, CheckReport, Counts, HeadingReport, LeftOutReport, ObjectReport, ProblemReport, RowReport, SHOWN,
     SenseReport, check_report, problem_reports, senses,
 };
-pub(crate) use round::too_mild;
 pub use template::{template_csv, template_xlsx};
 pub(crate) use vocabulary::rating;
 

@@ -1,21 +1,10 @@
 //! Whether an object is round: by a column, by a mark in a size, or by its name.
 
-use freestand_input::quantity::shorten;
-use freestand_input::words::{canonical, counted};
+use freestand_input::words::canonical;
 
 /// Words for a diameter in the cell of a size, in the form of [`canonical`].
 const DIAMETER: [&str; 12] =
     ["ø", "⌀", "dia", "diam", "diameter", "diametre", "diametro", "durchmesser", "round", "rund", "rond", "直径"];
-
-/// That objects may fall where their calculation lets them stand; `None` without objects.
-pub(crate) fn too_mild(why: &str, ids: &[&str]) -> Option<String> {
-    let first = shorten(ids.first()?);
-    let (verb, they) = if ids.len() == 1 { ("is", "it") } else { ("are", "they") };
-    Some(format!(
-        "{} {verb} {why}; {they} may fail more often than the curves say, for example {first}",
-        counted(ids.len(), "object"),
-    ))
-}
 
 /// A length without the words that make it a diameter, and whether there were any: `Ø230`,
 /// `500 dia`, `dia. 500 mm`.

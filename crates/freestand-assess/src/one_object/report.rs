@@ -334,7 +334,9 @@ fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
     if let Some(why) = answers.too_mild {
         said.push(format!("it is {}: the real object may fall where the calculated one stands", why.words()));
     }
-    if let Some(needed) = answers.worlds_needed.filter(|_| !is_given) {
+    // Where it falls, no number of earthquakes would show that it stays.
+    let is_open = !is_given && answers.falls != FallsAnswer::Falls;
+    if let Some(needed) = answers.worlds_needed.filter(|_| is_open) {
         let accepted = percent_significant(found.accepted_ratio, 2);
         said.push(format!(
             "{} simulated earthquakes cannot show that it stays, even if it falls in none: at an accepted {accepted} at \
@@ -360,7 +362,7 @@ fn assumptions(
     let is_free = around.casters == Some(Casters::Free);
     let names_wall = names_wall(around);
     let is_at_wall = found.at_wall.is_some();
-    let mut said: Vec<String> = study.assumed_at(row.item.level_ratio.unwrap_or(0.0)).collect();
+    let mut said: Vec<String> = study.assumed_at(row.item.level_ratio.unwrap_or(0.0), request.units).collect();
     said.extend(study.two_spectra_words());
     said.push(match (object.cg_height_m, object.width_m) {
         (None, None) => "centre of gravity at half the height; without a width it rocks about one axis only".to_owned(),

@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::accepted::accepted;
 use crate::assumed;
 use crate::inventory::{Casters, Inventory, Surroundings, console_lines};
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
@@ -311,7 +312,7 @@ pub(crate) fn silent(study: &Study, inventory: &Inventory) -> Vec<String> {
 
 /// What nobody stated of the place and the building.
 fn nobody_stated(study: &Study) -> Option<String> {
-    let all: Vec<String> = study.assumed_at(1.0).collect();
+    let all: Vec<String> = study.assumed_at(1.0, UnitSystem::Si).collect();
     (!all.is_empty()).then(|| format!("Assumed, because nobody stated it: {}.", all.join("; ")))
 }
 

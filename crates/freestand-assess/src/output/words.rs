@@ -89,11 +89,13 @@ pub fn ranked_milli(value: Ranked, unit: &str) -> String {
 /// `42 % (31–53 %)`.
 pub fn probability(probability: Probability) -> String {
     let Probability { value, low, high } = probability;
-    if low == high {
-        return percent(value, 0);
-    }
+    if low == high { percent(value, 0) } else { with_interval(probability, "") }
+}
+
+/// With its interval, and `after` that in the brackets.
+fn with_interval(Probability { value, low, high }: Probability, after: &str) -> String {
     let digits = |share: f64| fixed(100.0 * share, usize::from(high < 0.1));
-    format!("{} % ({}–{} %)", digits(value), digits(low), digits(high))
+    format!("{} % ({}–{} %{after})", digits(value), digits(low), digits(high))
 }
 
 /// P(it falls) in words; a dash where it is not known. Motions that are too few to leave an object
@@ -111,8 +113,7 @@ pub fn exceeded(found: &Assessment) -> String {
 pub fn chance(found: &Assessment) -> String {
     let Some(answers) = &found.answers else { return "–".to_owned() };
     let is_shock = answers.falls == FallsAnswer::Stays && answers.asks_shock && found.p_exceed.is_some();
-    let comma = if answers.few_motions.is_some() { "," } else { "" };
-    if is_shock { format!("exceeded{comma} {}", exceeded(found)) } else { format!("falls{comma} {}", falls(found)) }
+    if is_shock { format!("exceeded {}", exceeded(found)) } else { format!("falls {}", falls(found)) }
 }
 
 fn with_motions(found: &Assessment, p: Option<Probability>) -> String {
@@ -120,10 +121,7 @@ fn with_motions(found: &Assessment, p: Option<Probability>) -> String {
     let few = found.answers.as_ref().and_then(|answers| answers.few_motions);
     few.map_or_else(
         || probability(p),
-        |few| {
-            let motions = counted(few.motions as usize, "motion");
-            format!("{motions}: {} to {}", fixed(100.0 * p.low, 0), percent(p.high, 0))
-        },
+        |few| with_interval(p, &format!(", {}", counted(few.motions as usize, "motion"))),
     )
 }
 
@@ -197,7 +195,7 @@ mod tests {
         found.answers.as_mut().unwrap().few_motions = crate::result::FewMotions::of(3, Some(44));
         assert_eq!(
             (chance(&found).as_str(), falls(&found).as_str()),
-            ("falls, 3 motions: 0 to 78 %", "3 motions: 0 to 78 %")
+            ("falls 0 % (0–78 %, 3 motions)", "0 % (0–78 %, 3 motions)")
         );
         let answers = found.answers.as_mut().unwrap();
         (answers.few_motions, answers.falls) = (None, FallsAnswer::Stays);

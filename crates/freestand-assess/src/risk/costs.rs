@@ -10,7 +10,8 @@ use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
 use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
-use crate::inventory::{Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, rating};
+use crate::inventory::{Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, is_list, rating};
+use crate::too_mild::TooMild;
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
@@ -112,6 +113,8 @@ pub(crate) struct Costs {
     pub(crate) file: InputFile,
     pub(crate) currency: Option<String>,
     pub(crate) rows: Vec<CostRow>,
+    /// Objects whose runs would be too mild, by what a list says of them.
+    pub(crate) too_mild: Vec<(String, TooMild)>,
     pub(crate) warnings: Vec<String>,
 }
 
@@ -188,7 +191,7 @@ pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Prob
     };
     let rows: Vec<CostRow> = found.objects.into_iter().map(row).collect();
     let warnings = dear(&rows, path).chain(found.warnings).collect();
-    Ok(Costs { file, currency: found.currency, rows, warnings })
+    Ok(Costs { file, currency: found.currency, rows, too_mild: found.too_mild, warnings })
 }
 
 /// Whether a file has the names of costs themselves; any other is read as a list as people keep it.
@@ -200,7 +203,7 @@ fn is_table(bytes: &[u8], path: &Path) -> bool {
             table.column("id").is_some() && (has_costs || table.unused(&COLUMNS).is_none())
         }
         // What is wrong with a table is said of the table.
-        Err(_) => !is_workbook && costs_of_list(path, &CellsRequest::default()).is_err(),
+        Err(_) => !is_workbook && !is_list(path),
     }
 }
 
@@ -272,7 +275,7 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
         warnings.extend((blank > 0).then_some(said));
     }
     warnings.extend(dear(&rows, path));
-    Ok(Costs { file: InputFile::new(path, bytes), currency, rows, warnings })
+    Ok(Costs { file: InputFile::new(path, bytes), currency, rows, too_mild: Vec::new(), warnings })
 }
 
 /// The text of a cell, which no row above may have; `known` has the lines of the texts above.

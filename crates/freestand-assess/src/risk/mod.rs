@@ -26,10 +26,11 @@ use freestand_study::run::Progress;
 
 use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
-    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, HazardSource, MeasuredHazard, ObjectCurves,
-    ObjectFragility, contradictions, fragility_watched, go_on, hazard_of, load_curves, number_and_unit,
+    At, DEFAULT_REPLICATES, FragilityReport, FragilityRequest, HazardPlace, HazardSource, MeasuredHazard, ObjectCurves,
+    ObjectFragility, cautions, contradictions, fragility_watched, go_on, hazard_of, load_curves, number_and_unit,
 };
 use crate::inventory::CellsRequest;
+use crate::result::TooMild;
 
 use costs::{OptionRow, Options, curve_id, load_options};
 use objects::{LossBounds, ObjectRisk};
@@ -202,6 +203,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     let mut curves: Vec<ObjectCurves> = match &request.curves {
         RiskCurves::File(path) => {
             let (file, curves) = load_curves(path)?;
+            warnings.extend(cautions(cautious(&curves)));
             warnings.extend(contradictions(&curves));
             inputs.push(file);
             curves
@@ -217,7 +219,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     };
     let measures = || curves.iter().map(|one| (one.measure, one.at));
     let only = measures().next().filter(|first| measures().all(|other| other == *first));
-    let hazard = hazard_of(&request.hazard, request.hazard_at, request.site_deg, only)?;
+    let hazard = hazard_of(&request.hazard, HazardPlace::Stated(request.hazard_at), request.site_deg, only)?;
     warnings.extend(hazard.warnings.iter().cloned());
     inputs.extend(hazard.file.iter().cloned());
     let path = match &request.curves {
@@ -231,6 +233,10 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     let costs = request.inventory.as_deref().map(|path| load_costs(path, &request.list)).transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
     warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
+    // Curves of another origin do not say it of themselves, but the list may.
+    let unsaid: HashSet<&str> = cautious(&curves).filter(|one| one.1.is_none()).map(|one| one.0).collect();
+    let mild = costs.iter().flat_map(|costs| &costs.too_mild).map(|(id, why)| (id.as_str(), Some(*why)));
+    warnings.extend(cautions(mild.filter(|(id, _)| unsaid.contains(id))));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let options = match &request.options {
         Some(path) => {
@@ -287,6 +293,10 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
     };
     let assumptions = assumed(request, &hazard, &objects, options.as_deref());
     Ok(RiskReport { years, currency, hazard, objects, portfolio, measures, not_run, assumptions, inputs, warnings })
+}
+
+fn cautious(curves: &[ObjectCurves]) -> impl Iterator<Item = (&str, Option<TooMild>)> + Clone {
+    curves.iter().map(|one| (one.id.as_str(), one.caution))
 }
 
 /// What was used because nobody stated it, as one sentence; empty where all was stated.
@@ -674,6 +684,9 @@ impl RiskReport {
                 let bounds = object.loss.map_or(String::new(), |loss| loss.words(&format!("{currency} a year")));
                 let least = least(object.is_at_least);
                 text += &format!("  loss        {least}{} {currency} a year{bounds}\n", number(loss, 4));
+            }
+            if let Some(why) = object.curves.caution {
+                text += &format!("  caution     {}; it may fail more often than its curves say\n", why.words());
             }
             if !object.not_counted.is_empty() && object.expected_annual_loss.is_some() {
                 text += &format!("  not counted {}\n", object.not_counted.join(", "));

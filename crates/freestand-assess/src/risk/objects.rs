@@ -4,10 +4,11 @@ use freestand::fragility::{CurveKind, LimitState, percentiles};
 use freestand::risk::{
     AnnualRates, Bin, Hazard, annual_rate, deaggregation, expected_annual_loss, probability_in_years,
 };
-use freestand_input::words::number;
+use freestand_input::words::{name_of, number};
 use freestand_output::facts::Facts;
 
 use crate::fragility::{ObjectCurves, ObjectFragility, ends};
+use crate::too_mild::TOO_MILD;
 
 use super::costs::{CostRow, Effect};
 use super::rates::{Open, StateRates, least_fall, object_rates};
@@ -197,7 +198,8 @@ impl ObjectRisk {
                     limit_state,
                     rates,
                     open,
-                    ci95: ci95.and_then(|ci95| joined(ci95, by_runs, most)),
+                    // An interval over the motions has an upper end, and the rate has none.
+                    ci95: ci95.filter(|_| curves.caution.is_none()).and_then(|ci95| joined(ci95, by_runs, most)),
                     lacks_interval: lacks.is_some(),
                     probability: rates.annual_rate.map(|rate| probability_in_years(rate, years)),
                     years,
@@ -302,6 +304,7 @@ impl ObjectRisk {
         Facts::default()
             .key("id", self.id.clone())
             .key("limit_states", states)
+            .key("caution", self.curves.caution.map(|why| name_of(TOO_MILD, why)))
             .key("deaggregation", bins)
             .key("accepted_annual_rate", self.accepted_rate)
             .key("accepted_exceed_annual_rate", self.accepted_exceed_rate)
@@ -607,6 +610,7 @@ mod tests {
 
     use super::*;
     use crate::fragility::{At, Measure};
+    use crate::result::TooMild;
 
     fn state(
         limit_state: LimitState,
@@ -741,10 +745,34 @@ mod tests {
         assert_eq!(without, LossBounds { least: 2.0 * 900.0, best: 2.0 * 900.0, most: None });
     }
 
+    /// An object that may fail more often than its curves say has no most, whatever its curves.
+    #[test]
+    fn a_caution_leaves_a_loss_without_a_bound() {
+        let hazard = Hazard::power_law(1.0, 1.0, 1.0).unwrap();
+        for kind in [CurveKind::None { lower: 2.0 }, CurveKind::Lognormal { median: 2.0, beta: 0.3 }] {
+            let of = |caution| {
+                let one = ObjectCurves { caution, ..curves(&[(LimitState::Overturns, kind)]) };
+                ObjectRisk::new(&one, None, Some(&cost(0.0, 1.0)), &hazard, 50.0, Some(1.0))
+            };
+            let (without, with) = (of(None), of(Some(TooMild::Glides)));
+            assert!(without.loss.unwrap().most.is_some() && without.verdict == Some(RiskVerdict::Accepted));
+            assert_eq!((with.loss.unwrap().most, with.is_at_least, with.verdict), (None, true, None), "{kind:?}");
+            assert_eq!(with.expected_annual_loss, without.expected_annual_loss);
+        }
+    }
+
     fn curves(rows: &[(LimitState, CurveKind)]) -> ObjectCurves {
         let curves = rows.iter().map(|&(limit_state, kind)| Curve { limit_state, kind }).collect();
         let capacities = Vec::new();
-        ObjectCurves { id: "a".to_owned(), measure: Measure::Pgv, at: At::Ground, curves, capacities, line: 2 }
+        ObjectCurves {
+            id: "a".to_owned(),
+            measure: Measure::Pgv,
+            at: At::Ground,
+            curves,
+            capacities,
+            caution: None,
+            line: 2,
+        }
     }
 
     /// k = 1 and steps: the rate of an intensity x is 1/x.

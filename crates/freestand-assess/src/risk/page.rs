@@ -9,7 +9,7 @@ use freestand_output::html::{
     CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, opening, paragraph, table, words,
 };
 
-use crate::fragility::{At, Measure};
+use crate::fragility::{At, Measure, cautions};
 use crate::inventory::Rating;
 
 use super::costs::CostRow;
@@ -474,7 +474,8 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
             }
         }
     }
-    let mut lines: Vec<String> = Vec::new();
+    let curves = report.objects.iter().map(|one| (one.id.as_str(), one.curves.caution));
+    let mut lines: Vec<String> = cautions(curves).into_iter().map(|said| said + ".").collect();
     for one in &report.not_run {
         let item = if one.item.is_empty() { String::new() } else { format!(" ({})", shorten(&one.item)) };
         let why = one.why.as_ref().map_or("no reason is known".to_owned(), |why| why.trim_end_matches('.').to_owned());
@@ -509,7 +510,7 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
     if !unjudged.is_empty() {
         lines.push(format!("An accepted rate of these objects, whose own rate is not known: {}.", named(&unjudged)));
     }
-    if report.portfolio.as_ref().is_some_and(|portfolio| portfolio.is_at_least) {
+    if report.portfolio.as_ref().is_some_and(|portfolio| portfolio.fails_at_lowest) {
         lines.push(
             "Earthquakes weaker than the weakest that was calculated. They cause losses too, so the losses of all \
              objects together are at least as large as stated."

@@ -35,7 +35,8 @@ pub(crate) struct Portfolio {
     worlds: usize,
     expected_annual_loss: f64,
     /// The least and the most that it can be, whatever happens between the intensities; the most is
-    /// `None` where something fails at the lowest one.
+    /// `None` where something fails at the lowest one,
+    /// or may fail more often than its curves say.
     bounds: (f64, Option<f64>),
     pub(super) curve: Vec<LossPoint>,
     /// The same at the least and, as far as it is known, at the most.
@@ -43,6 +44,8 @@ pub(crate) struct Portfolio {
     most: Option<Vec<LossPoint>>,
     pub(super) independent: Vec<LossPoint>,
     pub(super) is_at_least: bool,
+    /// Whether motions below those that were calculated cause losses too.
+    pub(super) fails_at_lowest: bool,
 }
 
 /// An object with costs.
@@ -108,7 +111,9 @@ pub(crate) fn portfolio(
         })
         .collect();
     let fails_at = fails_at_lowest(&worlds, table.measure);
-    let is_at_least = fails_at.is_some();
+    let fails_at_lowest = fails_at.is_some();
+    let is_cautious = priced.iter().filter_map(|one| one.risk).any(|one| one.curves.caution.is_some());
+    let is_at_least = fails_at_lowest || is_cautious;
     warnings.extend(fails_at);
     let curve = loss_exceedance(&all);
     let losses: Vec<f64> = curve.iter().map(|point| point.loss).collect();
@@ -125,6 +130,7 @@ pub(crate) fn portfolio(
         independent: independent(&worlds, &priced, &losses, warnings),
         curve,
         is_at_least,
+        fails_at_lowest,
     }))
 }
 

@@ -49,6 +49,11 @@ pub(super) fn object_rates(curves: &ObjectCurves, factor: f64, hazard: &Hazard) 
     };
     let mut states: Vec<StateRates> = curves.curves.iter().map(of).collect();
     put_in_order(&mut states);
+    // Nothing says how much more often such an object fails.
+    for one in states.iter_mut().filter(|_| curves.caution.is_some()) {
+        one.rates.annual_rate_upper = None;
+        one.most = None;
+    }
     states
 }
 

@@ -152,11 +152,8 @@ impl Nominal {
     }
 
     /// Why it may fail where its runs let it stand; `None`: they are not known to be too mild.
-    pub(crate) fn too_mild(&self) -> Option<&'static str> {
-        if self.subject.way.glides().is_some() {
-            return Some("free to roll or slide, which counts only where a stop overturns it");
-        }
-        self.subject.too_mild.map(TooMild::words)
+    pub(crate) fn too_mild(&self) -> Option<TooMild> {
+        self.subject.way.glides().map(|_| TooMild::Glides).or(self.subject.too_mild)
     }
 
     /// Whether it has a tolerance that can be compared.

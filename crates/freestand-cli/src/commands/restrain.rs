@@ -10,6 +10,7 @@ use freestand_assess::restrain::{
     DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard, RestrainListReport, RestrainListRequest,
     RestrainReport, RestrainRequest, ToConfirm, restrain, restrain_list,
 };
+use freestand_input::file::load as load_file;
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::quantity::{Dimension, UnitSystem};
 use freestand_study::resolve::{Overrides, load};
@@ -204,10 +205,12 @@ fn run_list(list: &Path, args: &RestrainArgs, global: &GlobalArgs, printer: &Pri
     let (floor, factors) = (floor(args, &mut values), factors(args, &mut values));
     let anchor_inset_m = values.read(&args.anchor_inset);
     values.finish()?;
+    // Where the list cannot be read either, that is what to mend first. It is read once more only here.
+    let hazard = hazard(args, acceleration).map_err(|failure| load_file(list).err().map_or(failure, Failure::from))?;
     let request = RestrainListRequest {
         list: list.to_owned(),
         cells: args.cells.request()?,
-        hazard: hazard(args, acceleration)?,
+        hazard,
         floor,
         factors,
         anchor_inset_m,

@@ -621,3 +621,35 @@ fn flags_that_would_be_ignored_are_refused() {
         read.status.code() == Some(2) && String::from_utf8(read.stderr).unwrap().contains("--unit without a record")
     );
 }
+
+/// What is refused about measures names the cause, the file and a remedy that works.
+#[test]
+fn measures_that_are_not_known_have_a_remedy_that_works() {
+    let folder = tempfile::tempdir().unwrap();
+    let motion = &motions(folder.path())[0];
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    write(
+        "study.toml",
+        &format!("[building]\nlevels = [{{ name = \"ground\", level_ratio = 0, motions = [\"{motion}\"] }}]\n"),
+    );
+    write("list.csv", "id,floor,height [mm],depth [mm]\nA,ground,1800,500\n");
+    write("pga.csv", "pga [g],annual_rate\n0.1,0.05\n1,0.001\n");
+    write("pfa.csv", "pfa [g],annual_rate\n0.1,0.05\n1,0.001\n");
+    write("sa.csv", "sa(0.5) [g],annual_rate\n0.1,0.05\n1,0.001\n");
+    let base = ["fragility", "study.toml", "--inventory", "list.csv", "--bootstrap", "0", "--im"];
+    let output = |more: &[&str]| execute(folder.path(), &[&base[..], more].concat());
+    for more in [&["pga"][..], &["pga", "--at", "ground"]] {
+        let told = String::from_utf8(output(more).stderr).unwrap();
+        assert!(told.contains("the study gives the motions of the floors"), "{told}");
+        assert!(told.contains("write pfa or pfv") && !told.contains("give --at ground"), "{told}");
+    }
+    assert_eq!(output(&["pfa"]).status.code(), Some(0));
+    let stripes = ["pfa", "--method", "stripes", "--hazard"];
+    let told = String::from_utf8(output(&[&stripes[..], &["pga.csv"]].concat()).stderr).unwrap();
+    assert!(told.contains("pga.csv: ") && told.contains("is for pga of the ground"), "{told}");
+    assert!(told.contains("are for pfa of the floor") && !told.contains("--at"), "{told}");
+    assert_eq!(output(&[&stripes[..], &["pfa.csv"]].concat()).status.code(), Some(0));
+    // A spectral acceleration is taken where that of the runs is.
+    let of_floor = ["sa(0.5)", "--method", "stripes", "--hazard", "sa.csv"];
+    assert_eq!(output(&of_floor).status.code(), Some(0));
+}

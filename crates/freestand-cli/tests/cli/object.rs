@@ -259,3 +259,34 @@ fn a_stack_is_as_it_is_given() {
     let lift = own["lift_acceleration_g"].as_f64().unwrap();
     assert!((lift - together).abs() < 1e-9 && lift < 0.3 / 0.7, "{lift}");
 }
+
+/// The hint is true for the code of the place: NZS 1170.5 has several return periods, Eurocode 8 one.
+#[test]
+fn a_return_period_that_a_code_lacks_is_not_said_to_be_its_only_one() {
+    let said = |place: &str, years: &str| {
+        let size = ["object", "--height", "2m", "--thickness", "0.6m", "--place", place, "--return-period", years];
+        String::from_utf8(execute(&root(), &size).stderr).unwrap()
+    };
+    for years in ["500000", "5e2"] {
+        let told = said("Wellington", years);
+        assert!(told.contains("\nhint: ") && !told.contains("one intensity"), "{told}");
+    }
+    assert!(said("Athens", "1000").contains("this code has one intensity for each place"));
+}
+
+/// Ten of twenty earthquakes overturn it: that these are too few for the opposite does not matter. Its storeys
+/// are in one system of units.
+#[test]
+fn an_object_that_falls_is_not_told_how_to_show_that_it_stays() {
+    let base = ["object", "--place", "Wellington", "--storeys", "7", "--worlds", "20", "--units", "us"];
+    let of = |floor: &str, thickness: &str| {
+        let size = ["--height", "6ft", "--thickness", thickness, "--floor", floor];
+        let found = document(&root(), &[&base[..], &size].concat());
+        (found["warnings"].to_string(), found["assumptions"].to_string(), found["building"].to_string())
+    };
+    let (warnings, assumptions, building) = of("roof", "2ft");
+    assert!(!warnings.contains("cannot show that it stays"), "{warnings}");
+    assert!(building.contains("storeys of 10.5 ft") && assumptions.contains("storeys of 10.5 ft"), "{assumptions}");
+    let (warnings, ..) = of("ground", "4ft");
+    assert!(warnings.contains("cannot show that it stays"), "{warnings}");
+}

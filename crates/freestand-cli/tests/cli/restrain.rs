@@ -1,6 +1,6 @@
 //! `freestand restrain`.
 
-use crate::program::document;
+use crate::program::{document, refused};
 use crate::{cases, folder, freestand, freestand_in};
 
 const RACK: [&str; 7] = ["restrain", "--mass", "360kg", "--height", "1.8m", "--thickness", "0.6m"];
@@ -76,4 +76,13 @@ fn restrain_every_object_of_a_list() {
     let wide = told(&[&generator[..], &["--component", "generator", "--floor", "Roof"]].concat());
     assert_eq!(listed["rows"][1]["force_n"], wide["force_n"]);
     assert!(listed["rows"][1]["anchor_tension_n"].as_f64() > wide["anchor_tension_n"].as_f64());
+}
+
+/// A list that is not there is said before what else is missing.
+#[test]
+fn a_list_that_is_missing_is_said_first() {
+    let folder = folder(&[("list.csv", "id,height [m],thickness [m],mass [kg]\na,1.8,0.6,360\n")]);
+    let said = |list: &str| refused(folder.path(), &["restrain", list]);
+    assert!(said("nosuch.csv").contains("nosuch.csv: cannot open the file"), "{}", said("nosuch.csv"));
+    assert!(said("list.csv").contains("how strongly the floor shakes"), "{}", said("list.csv"));
 }

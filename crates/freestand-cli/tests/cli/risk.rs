@@ -775,21 +775,79 @@ fn a_signal_stops_the_fits() {
 #[test]
 fn round_objects_may_fail_more_often_than_their_curves() {
     let folder = tempfile::tempdir().unwrap();
-    let list = "id,level_ratio,shape,casters,height [mm],thickness [mm]\ntank,0,cylinder,,1500,400\nbox,0,box,,1500,400\n\
-                trolley,0,box,free,1500,400\n";
+    let list = "id,level_ratio,shape,casters,height [mm],thickness [mm],replacement cost NZD\ntank,0,cylinder,,1500,400,9\n\
+                box,0,box,,1500,400,9\ntrolley,0,box,free,1500,400,9\n";
     write(folder.path(), "list.csv", list);
     let place = ["--place", "Wellington", "--worlds", "4", "--bootstrap", "0"];
     let runs = [&["fragility", "--inventory", "list.csv"], &place[..], &["--out", "runs"]].concat();
     let hazard = ["--hazard-im", "pgv", "--hazard-power", "k0=1e-4 /yr, k=2.5, reference=100 cm/s"];
     let rates = [&["risk", "--fragility", "runs/fragility.csv", "--inventory", "list.csv"], &hazard[..]].concat();
-    for call in [runs, rates] {
-        let found = json(folder.path(), &call);
+    for call in [&runs, &rates] {
+        let found = json(folder.path(), call);
         let said: Vec<&str> = found["warnings"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
         let round: Vec<&&str> = said.iter().filter(|text| text.contains("square prism")).collect();
         assert!(round.len() == 1 && round[0].ends_with("for example tank"), "{said:?}");
         let rolls = said.iter().any(|text| text.contains("roll or slide") && text.ends_with("for example trolley"));
-        assert_eq!(rolls, call[0] == "fragility", "{said:?}");
+        assert!(rolls, "{said:?}");
+        let cautions: Vec<Option<&str>> =
+            found["objects"].as_array().unwrap().iter().map(|one| one["caution"].as_str()).collect();
+        assert_eq!(cautions, [Some("round"), None, Some("rolls-or-slides")]);
     }
+    // Curves of another origin do not say it of themselves: the list does.
+    let curves = fs::read_to_string(folder.path().join("runs/fragility.csv")).unwrap();
+    let own = curves.replace(",round\n", ",\n").replace(",rolls-or-slides\n", ",\n");
+    write(folder.path(), "own.csv", &own);
+    let of_own = [&["risk", "--fragility", "own.csv", "--inventory", "list.csv"], &hazard[..]].concat();
+    let said = json(folder.path(), &of_own)["warnings"].to_string();
+    assert!(said.contains("1 object is round") && said.contains("1 object is free to roll or slide"), "{said}");
+    let outcomes = [&["risk", "--outcomes", "runs/outcomes.csv", "--inventory", "list.csv"], &hazard[..]].concat();
+    for (call, page) in [(rates, "of-curves"), (outcomes, "of-outcomes")] {
+        let found = json(folder.path(), &[&call[..], &["--out", page]].concat());
+        let losses: Vec<&Value> =
+            found["objects"].as_array().unwrap().iter().map(|one| &one["expected_annual_loss_upper"]).collect();
+        assert!(losses[0].is_null() && losses[1].is_number() && losses[2].is_null(), "{losses:?}");
+        let page = fs::read_to_string(folder.path().join(page).join("report.html")).unwrap();
+        for words in ["1 object is free to roll or slide", "1 object is round"] {
+            assert!(page.contains(words), "{words}: {page}");
+        }
+    }
+}
+
+/// A cell in another currency than its column, and a column that a mapping file leaves out, are not counted as if
+/// they were not.
+#[test]
+fn costs_of_lists_are_in_the_currency_of_their_column() {
+    let folder = tempfile::tempdir().unwrap();
+    let curves = "id,im,im_unit,at,limit_state,kind,median,beta\na,pgv,m/s,ground,overturns,lognormal,0.6,0.25\n";
+    write(folder.path(), "curves.csv", curves);
+    let base = ["risk", "--fragility", "curves.csv", "--hazard-im", "pgv", "--inventory", "list.csv"];
+    let base = [&base[..], &["--hazard-power", "k0=1e-4 /yr, k=2.5, reference=100 cm/s"]].concat();
+    let list = |cell: &str, between: &str| {
+        let text = ["id,height (mm),depth (mm),replacement value NZD\n", &format!("a,1800,500,{cell}\n")].concat();
+        write(folder.path(), "list.csv", &text.replace(',', between));
+    };
+    for (cell, between) in [("$62000 AUD", ","), ("€5000", ";"), ("5000 EUR", ";"), ("5000 AUD", ";")] {
+        list(cell, between);
+        let said = refused(folder.path(), &base);
+        let line = format!("list.csv:2: \"{cell}\" is not in NZD, as the column \"replacement value NZD\" is");
+        assert!(said.contains(&line), "{said}");
+    }
+    let loss = |args: &[&str]| json(folder.path(), &[&base[..], args].concat())["expected_annual_loss"].clone();
+    list("5000", ",");
+    let plain = loss(&[]);
+    assert!(plain.as_f64().is_some_and(|loss| loss > 0.0), "{plain}");
+    for cell in ["NZ$5000", "5000 NZD", "$5000"] {
+        list(cell, ",");
+        assert_eq!(loss(&[]), plain, "{cell}");
+    }
+    // A mapping file as the check of the list writes it reads the same costs; "ignore" is obeyed and said.
+    execute(folder.path(), &["inventory", "check", "list.csv", "--write-columns", "map.toml"]);
+    assert_eq!(loss(&["--columns", "map.toml"]), plain);
+    write(folder.path(), "ignore.toml", "[columns]\n\"Replacement value NZD\" = \"ignore\"\n");
+    let found = json(folder.path(), &[&base[..], &["--columns", "ignore.toml"]].concat());
+    assert!(found["expected_annual_loss"].is_null(), "{found}");
+    let said = found["warnings"].to_string();
+    assert!(said.contains("\\\"replacement value NZD\\\" is not counted"), "{said}");
 }
 
 /// What a fall means for people is read in any list, so that the same budget buys the same options.

@@ -35,8 +35,8 @@ pub(crate) struct AssessmentOptions {
     pub(crate) walls: Option<Written<String>>,
     pub(crate) dimensions: Option<Written<String>>,
     pub(crate) pages: Option<Written<u64>>,
-    /// Keys of an earlier version, each with its line.
-    pub(crate) replaced: Vec<(&'static str, usize)>,
+    /// Keys that [worlds] has, or that its `first` and `most` stand for, each with its line.
+    pub(crate) of_worlds: Vec<(&'static str, usize)>,
 }
 
 /// `[worlds]`, as written.
@@ -81,12 +81,28 @@ pub(crate) const ACCEPTED_KEYS: [[&str; 3]; 3] = [
     ["accepted_property", "accepted_property_medium", "accepted_property_low"],
 ];
 
-/// Keys that worlds have replaced.
-const REPLACED_KEYS: [&str; 3] = ["draws", "most_draws", "screen"];
+/// Keys that belong in [worlds], or that worlds have replaced.
+const WORLD_KEYS: [&str; 15] = [
+    "draws",
+    "most_draws",
+    "screen",
+    "worlds",
+    "spectral_spread",
+    "intensity_spread",
+    "component_correlation",
+    "component_ratio",
+    "components",
+    "period_spread",
+    "damping_spread",
+    "first",
+    "most",
+    "confidence",
+    "shares",
+];
 
 pub(super) fn assessment(reader: &mut Reader, table: &mut Section) -> AssessmentOptions {
-    let replaced = REPLACED_KEYS.iter().filter_map(|key| Some((*key, table.take(reader, key)?.1))).collect();
-    table.known.retain(|key| !REPLACED_KEYS.contains(key));
+    let of_worlds = WORLD_KEYS.iter().filter_map(|key| Some((*key, table.take(reader, key)?.1))).collect();
+    table.known.retain(|key| !WORLD_KEYS.contains(key));
     AssessmentOptions {
         inventory: table.string(reader, "inventory"),
         sheet: table.string(reader, "sheet"),
@@ -114,7 +130,7 @@ pub(super) fn assessment(reader: &mut Reader, table: &mut Section) -> Assessment
         walls: table.string(reader, "walls"),
         dimensions: table.string(reader, "dimensions"),
         pages: table.count(reader, "pages"),
-        replaced,
+        of_worlds,
     }
 }
 

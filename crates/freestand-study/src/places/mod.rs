@@ -137,6 +137,11 @@ impl PlaceHazard {
         }
     }
 
+    /// Whether its code has factors for several return periods.
+    pub fn takes_return_period(&self) -> bool {
+        matches!(self, Self::As1170_4 { .. } | Self::Nzs1170_5 { .. })
+    }
+
     /// Its return period \[years\], where its code has one alone.
     pub fn return_period_years(&self) -> Option<u32> {
         match self {

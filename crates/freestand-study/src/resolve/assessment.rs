@@ -30,9 +30,14 @@ impl Resolver<'_> {
         ground: Option<&Ground>,
     ) -> Settings {
         let defaults = Settings::default();
-        for (key, line) in &written.replaced {
-            let hint = "leave it out, or set first and most in the table [worlds]";
-            self.note(Some(*line), format!("{key} has been replaced by the table [worlds]"), hint);
+        for (key, line) in &written.of_worlds {
+            let hint = match *key {
+                "draws" | "most_draws" | "screen" | "worlds" => {
+                    "leave it out, or set first and most, the numbers of worlds, in the table [worlds]".to_owned()
+                }
+                key => format!("write {key} in the table [worlds]"),
+            };
+            self.note(Some(*line), format!("{key} belongs in the table [worlds], not in [assessment]"), hint);
         }
         let Spread { restitution, stiffness, mass, geometry, model, compliant } = defaults.spread;
         let files = [&written.inventory, &written.library, &written.cushion_library];
@@ -321,6 +326,22 @@ mod tests {
         lines.sort_unstable();
         let expected = [2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 14, 15, 17, 18];
         assert_eq!(lines, expected.map(Some), "{problems:?}");
+    }
+
+    #[test]
+    fn keys_of_worlds_are_pointed_to_their_table() {
+        let problems =
+            resolve("[assessment]\nworlds = 30\nconfidence = 0.9\n", None, "".as_ref()).unwrap_err().problems;
+        let said: Vec<&str> = problems.iter().filter_map(|problem| problem.hint.as_deref()).collect();
+        assert!(said.iter().any(|hint| hint.contains("set first and most")), "{problems:?}");
+        assert!(said.contains(&"write confidence in the table [worlds]"), "{problems:?}");
+        // All keys of the table.
+        let worlds = resolve("[worlds]\nno_such = 1\n", None, "".as_ref()).unwrap_err().problems;
+        let known = worlds[0].hint.clone().unwrap_or_default();
+        for key in known.trim_start_matches("known: ").split(", ") {
+            let problems = resolve(&format!("[assessment]\n{key} = 1\n"), None, "".as_ref()).unwrap_err().problems;
+            assert!(problems[0].message.contains("belongs in the table [worlds]"), "{key}: {problems:?}");
+        }
     }
 
     /// The motions of floors are by no code: [restraint] names the one of the forces.

@@ -4,7 +4,6 @@ use super::Overrides;
 use crate::building::BuildingInput;
 use crate::options::{BuildingOptions, GroundOptions};
 use crate::study::{Assumed, Ground};
-use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{counted, number, percent};
 
 /// What was written, and by whom.
@@ -37,8 +36,7 @@ impl Stated<'_> {
 pub(super) fn assumed(ground: Option<&Ground>, building: Option<&BuildingInput>, stated: &Stated) -> Vec<Assumed> {
     let of_ground = ground.into_iter().flat_map(|ground| on_ground(ground, stated));
     let of_building = building.into_iter().flat_map(|building| above(building, stated));
-    let one = |of_building: bool| move |words: String| Assumed { of_building, words };
-    of_ground.map(one(false)).chain(of_building.map(one(true))).collect()
+    of_ground.map(|words| Assumed { of_building: false, words, storey_height_m: None }).chain(of_building).collect()
 }
 
 fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
@@ -62,28 +60,29 @@ fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
     said
 }
 
-fn above(building: &BuildingInput, stated: &Stated) -> Vec<String> {
+fn above(building: &BuildingInput, stated: &Stated) -> Vec<Assumed> {
     let mut said = Vec::new();
+    let plain = |words: String| Assumed { of_building: true, words, storey_height_m: None };
     if stated.building_is_assumed {
-        said.push(format!("a building of {}, because none was given", counted(building.storeys, "storey")));
+        said.push(plain(format!("a building of {}, because none was given", counted(building.storeys, "storey"))));
     }
     let has_table = !building.tables.is_empty();
     if let Some(height_m) = building.storey_height_m
         && !["storey_height", "height"].into_iter().any(|key| stated.of_building(key))
     {
-        said.push(format!("storeys of {}", format_si(height_m, Dimension::Length)));
+        said.push(Assumed { storey_height_m: Some(height_m), ..plain("storeys of ".to_owned()) });
     }
     if !has_table && !stated.of_building("period") {
         let period_s = number(building.along.period_s(), 3);
-        said.push(format!("a first period of {period_s} s, by {}", building.period_note));
+        said.push(plain(format!("a first period of {period_s} s, by {}", building.period_note)));
     }
     let states_damping = building.tables.iter().any(|(_, table)| table.states_damping);
     if !states_damping && !stated.of_building("damping") {
         let ratio = building.along.modes().first().map_or(0.0, |mode| mode.damping_ratio());
-        said.push(format!("{} damping of the building, which stays elastic", percent(ratio, 0)));
+        said.push(plain(format!("{} damping of the building, which stays elastic", percent(ratio, 0))));
     }
     if !has_table && !stated.of_building("shear_flexure") {
-        said.push("a building of walls and frames (shear_flexure)".to_owned());
+        said.push(plain("a building of walls and frames (shear_flexure)".to_owned()));
     }
     said
 }

@@ -17,6 +17,7 @@ use crate::suite::Suite;
 use crate::target::Target;
 use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
 use freestand_records::horizontal::HorizontalMotion;
 use serde::{Deserialize, Serialize};
@@ -78,9 +79,11 @@ pub struct Study {
 
 impl Study {
     /// What was assumed about the shaking at a level, in words; on the ground no building matters.
-    pub fn assumed_at(&self, level_ratio: f64) -> impl Iterator<Item = String> {
+    pub fn assumed_at(&self, level_ratio: f64, units: UnitSystem) -> impl Iterator<Item = String> {
         let at_level = self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0);
-        at_level.map(|one| one.words.clone())
+        at_level.map(move |one| {
+            one.words.clone() + &one.storey_height_m.map_or_else(String::new, |height_m| units.storey(height_m))
+        })
     }
 
     /// What an assessment says of a national annex with two spectra: it asks both.
@@ -119,12 +122,14 @@ impl Study {
 }
 
 /// A value that nobody stated.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Assumed {
     /// Whether it is one of the building.
     pub of_building: bool,
     /// The value, and what it stands for: `site class C, because no site was given`.
     pub words: String,
+    /// The height of a storey behind these words.
+    pub storey_height_m: Option<f64>,
 }
 
 /// What a study leaves to the built-in study.

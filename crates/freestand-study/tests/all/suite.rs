@@ -14,6 +14,7 @@ use std::path::Path;
 use freestand::motion::Motion;
 use freestand::oscillator::response_spectrum;
 use freestand::suite::SuiteScale;
+use freestand_input::quantity::UnitSystem;
 use freestand_records::formats::{write_at2, write_csv, write_pair_csv};
 use freestand_study::check::check;
 use freestand_study::outputs::write_outputs;
@@ -456,7 +457,7 @@ fn every_source_serves_both_spectra_of_a_national_annex() {
         assert_eq!(design(&both), design(&other), "{source}");
         // Only who asks both says so.
         assert!(both.two_spectra_words().is_some() && one.two_spectra_words().is_none(), "{source}");
-        assert!(!both.assumed_at(0.0).any(|said| said.contains("both spectra")), "{source}");
+        assert!(!both.assumed_at(0.0, UnitSystem::Si).any(|said| said.contains("both spectra")), "{source}");
         // What is noted of records is noted once, though each is read for either spectrum.
         let lacking: Vec<&String> = one.warnings.iter().filter(|said| !both.warnings.contains(said)).collect();
         assert!(lacking.is_empty(), "{source}: {lacking:?} {:?}", both.warnings);

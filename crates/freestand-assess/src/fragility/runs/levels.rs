@@ -6,7 +6,7 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::name_of;
 use rayon::prelude::*;
 
-use super::super::hazard::{MeasuredHazard, hazard_of};
+use super::super::hazard::{HazardPlace, MeasuredHazard, hazard_of};
 use super::super::measure::{At, Measure};
 use super::shaking::Shaking;
 use super::{METHODS, Method, ObjectRuns, RunsRequest, follow};
@@ -134,7 +134,7 @@ pub(super) fn hazard(request: &RunsRequest, measures: &[(Measure, At)]) -> Resul
         let hint = "give `method = \"stripes\"`, or leave the hazard out";
         return Err(Problem::value(message, hint).of(&["hazard"]).into());
     }
-    let hazard = hazard_of(source, Some(at), request.site_deg, Some((measure, at)))?;
+    let hazard = hazard_of(source, HazardPlace::OfOutcomes(at), request.site_deg, Some((measure, at)))?;
     hazard.check(measure, at)?;
     Ok(Some(hazard))
 }

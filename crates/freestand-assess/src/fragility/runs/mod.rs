@@ -84,7 +84,7 @@ pub fn fragility_of_runs(request: &RunsRequest, progress: Progress) -> Result<Ru
     let hazard = levels::hazard(request, &measures)?;
     let go_on = || super::go_on(progress).map_err(Problems::from);
     let Prepared { mut objects, floors, left_out } = prepare(request, &measures, go_on)?;
-    check_ground(&measures, &floors)?;
+    check_ground(request, &measures, &floors)?;
     check_shocks(request.fit, &objects)?;
     let mut asked = request.clone();
     if request.method == Method::Stripes && request.scales.is_none() {
@@ -331,12 +331,21 @@ fn measures_of(request: &RunsRequest) -> Result<Vec<(Measure, At)>, Problems> {
 }
 
 /// Refuses measures of the ground where only floor motions are known.
-fn check_ground(measures: &[(Measure, At)], floors: &[Vec<Shaking>]) -> Result<(), Problem> {
+fn check_ground(request: &RunsRequest, measures: &[(Measure, At)], floors: &[Vec<Shaking>]) -> Result<(), Problem> {
     let has_ground = floors.iter().flatten().all(|shaking| shaking.at_ground.is_some());
     let Some((measure, _)) = measures.iter().find(|(_, at)| *at == At::Ground && !has_ground) else { return Ok(()) };
-    let message = format!("{} is a measure of the ground, and only the motions of the floor are known", measure.name());
-    let hint = "write pfa or pfv, or `at = \"floor\"` for a spectral acceleration; if the object stands on the \
-                ground, give `at = \"ground\"`";
+    let (known, otherwise) = match &request.objects {
+        RunObjects::Given(_) => {
+            ("only the motions of the floor are known", "if the object stands on the ground, give `at = \"ground\"`")
+        }
+        RunObjects::Listed { .. } => (
+            "the study gives the motions of the floors, not those of the ground",
+            "for a measure of the ground, give a study with motions of the ground and the building",
+        ),
+    };
+    let is = if measure.place().is_none() { "is asked of the ground" } else { "is a measure of the ground" };
+    let message = format!("{} {is}, and {known}", measure.name());
+    let hint = format!("write pfa or pfv, or `at = \"floor\"` for a spectral acceleration; {otherwise}");
     Err(Problem::value(message, hint).of(&["im"]))
 }
 

@@ -1,7 +1,5 @@
 //! What runs tell, as documents, tables and text.
 
-use std::collections::BTreeMap;
-
 use freestand::fragility::resurrections;
 use freestand_input::file::InputFile;
 use freestand_input::problem::Problem;
@@ -16,7 +14,6 @@ use super::levels::{Added, MOST_ADDED};
 use super::request::DOUBTFUL_SCALE;
 use super::shaking::Shaking;
 use super::{METHODS, Method, ObjectRuns, Quality, RunObjects, figures, follow};
-use crate::inventory::too_mild;
 use crate::job::{JobReport, said};
 use crate::output::head;
 
@@ -102,13 +99,6 @@ impl RunsReport {
                 counted(lacking, "object")
             ));
         }
-        let mut mild: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-        for one in &self.objects {
-            if let Some(why) = one.nominal.too_mild() {
-                mild.entry(why).or_default().push(&one.id);
-            }
-        }
-        warnings.extend(mild.iter().filter_map(|(why, ids)| too_mild(why, ids)));
         let runs: usize = self.objects.iter().flat_map(|one| &one.motions).map(Vec::len).sum();
         let marked: usize = self.objects.iter().map(ObjectRuns::marked).sum();
         if marked > 0 {

@@ -5,17 +5,19 @@ use std::path::Path;
 use freestand::fragility::level_weights;
 use freestand_input::formula::guarded;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::words::shortest;
+use freestand_input::words::{name_of, shortest};
 use freestand_output::rows::{csv_writer, table_of_csv};
 use freestand_output::table::Table;
 use freestand_study::run::Progress;
 
+use super::super::curves::CAUTION;
 use super::super::go_on;
 use super::super::measure::{At, Measure};
 use super::super::outcomes::{OutcomeTable, UNRESOLVED, UPLIFT};
 use super::follow::Followed;
 use super::levels::Levels;
 use super::{Method, ObjectRuns, RunsReport};
+use crate::too_mild::TOO_MILD;
 
 /// The name of a table by the measure at a place of the request: `outcomes.csv` by the first,
 /// `outcomes_sa_0.5.csv` by another one.
@@ -61,6 +63,7 @@ pub(super) fn outcomes(
         ("rotation_ratio", true),
         (&*uplift, true),
         ("reason", false),
+        (CAUTION, false),
     ];
     let is_of_stripes = report.method == Method::Stripes && place == 0;
     let levels = Levels::new(report.scales.as_deref().filter(|_| is_of_stripes).unwrap_or_default());
@@ -92,6 +95,7 @@ pub(super) fn outcomes(
                     text(run.run().and_then(|run| run.rotation_ratio)),
                     text(uplift.map(|uplift| unit * uplift)),
                     run.found.as_ref().err().map(|why| guarded(why).into_owned()).unwrap_or_default(),
+                    one.nominal.too_mild().map_or("", |why| name_of(TOO_MILD, why)).to_owned(),
                 ];
                 writer.write_record(&record).map_err(|error| broken(&error))?;
             }
