@@ -146,7 +146,8 @@ pub(super) fn answer(finding: &Finding, sheet: &Sheet, columns: &Understood) -> 
     let place = letters(known.unwrap_or(next) as usize);
     let heading = format!("`edit = \"{place}{}={}\"` ", sheet.header.row, column.name());
     let heading = if known.is_some() { "" } else { heading.as_str() };
-    Some(format!("{what} {heading}`edit = \"{place}{row}={answer}\"`"))
+    let otherwise = if finding.kind == Kind::Casters { "; if it has none, correct this cell" } else { "" };
+    Some(format!("{what} {heading}`edit = \"{place}{row}={answer}\"`{otherwise}"))
 }
 
 /// What a list that was edited says about itself.

@@ -187,6 +187,8 @@ fn one_storey(text: &str) -> Option<Storey> {
         // "Garage roof"
         (true, true) => return None,
         (true, false) => return Some(Storey::Below),
+        // "4th floor roof" may be the roof of a lower part.
+        (false, true) if is_numbered_roof(w) => return None,
         // "any text with roof": the roof, not the storey under it.
         (false, true) => return Some(Storey::Roof),
         (false, false) => {}
@@ -195,6 +197,12 @@ fn one_storey(text: &str) -> Option<Storey> {
         return Some(Storey::Numbered(number));
     }
     numbered(text, w)
+}
+
+/// Whether the words beside that for a roof are the name of a floor.
+fn is_numbered_roof(words: &str) -> bool {
+    let rest: Vec<&str> = words.split(' ').filter(|word| !ROOF.contains(word)).collect();
+    rest.len() < words.split(' ').count() && one_storey(&rest.join(" ")).is_some()
 }
 
 /// Whether a text is only a word for a floor.
@@ -483,6 +491,8 @@ mod tests {
             // Two floors are none.
             ("basement/roof", None),
             ("garage roof", None),
+            ("4th floor roof", None),
+            ("Roof, block 2", Some(Roof)),
             ("level 2 (roof of annex)", None),
             ("basement to level 3", None),
             ("1/2", None),

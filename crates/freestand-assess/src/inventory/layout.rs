@@ -475,12 +475,12 @@ fn header_again(row: &Row, header: &Header) -> Option<Sort> {
 pub(super) fn unevaluated(rows: &[Row], is_left_out: &dyn Fn(&Row) -> bool) -> Option<String> {
     let is_empty = |row: &&Row| row.cells.iter().any(|(_, cell)| matches!(cell, Cell::Unevaluated));
     let found: Vec<u32> = rows.iter().filter(is_empty).filter(|row| is_left_out(row)).map(|row| row.number).collect();
-    let (first, noun) = (found.first()?, if found.len() == 1 { "row" } else { "rows" });
-    Some(format!(
-        "{} {noun} that {} no object, the first of them {first}, have a formula without a value: it is left empty",
-        found.len(),
-        if found.len() == 1 { "is" } else { "are" },
-    ))
+    let named: Vec<String> = found.iter().take(5).map(u32::to_string).collect();
+    let more =
+        if found.len() > named.len() { format!(" and {} more", found.len() - named.len()) } else { String::new() };
+    let noun = if found.len() == 1 { "row" } else { "rows" };
+    let said = "formulas without a value in rows that are no objects are left empty";
+    (!found.is_empty()).then(|| format!("{noun} {}{more}: {said}", named.join(", ")))
 }
 
 /// The texts of a row.

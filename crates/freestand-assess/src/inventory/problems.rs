@@ -128,7 +128,7 @@ kinds! {
     NotUnderstood Doubt "not-understood" "is not understood; it was not used"
         "write it in one of the usual words, or leave the cell empty if it is not known";
     AnchoredUnclear Doubt "anchored-unclear" "does not clearly say that it is anchored, or its casters are free; it was assessed as free"
-        "write yes or no";
+        "write yes or no; what is anchored does not roll";
     Round Doubt "round" "is the name of a round object; the calculation uses the square prism around it, which may stand where the round object falls"
         "if it is not round, write box in a column shape";
     HiddenRow Doubt "hidden-row" "is not shown by a spreadsheet, because it is hidden or a filter leaves it out; it was read like the others"

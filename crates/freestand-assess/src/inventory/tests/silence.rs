@@ -28,7 +28,10 @@ fn a_name_or_a_note_that_speaks_of_wheels_is_heard() {
         let (found, lines) = list(item, casters, rests_on, notes);
         assert_eq!(found.surroundings.casters, Some(Casters::Free), "{item} {casters} {rests_on} {notes}");
         assert!(lines.len() == 1 && lines[0].starts_with(&format!("doubt: casters: {place}")), "{lines:?}");
-        assert!(lines[0].ends_with("if all are braked, read `edit = \"E2=braked\"`"), "{lines:?}");
+        assert!(
+            lines[0].ends_with("if all are braked, read `edit = \"E2=braked\"`; if it has none, correct this cell"),
+            "{lines:?}"
+        );
     }
     for (item, casters, rests_on, notes, expected) in [
         ("shelf on castors", "braked", "", "", Some(Casters::Braked)),
@@ -115,7 +118,7 @@ fn a_total_without_a_value_costs_nothing() {
     let rows = row(1, &HEADINGS)
         + &row(2, &["a", "x", "0.5", "1800", "600", ""])
         + &row(3, &["Total", "", "", "", "", "<><f>SUM(F2:F2)</f></c>"]);
-    let said = "1 row that is no object, the first of them 3, have a formula without a value: it is left empty";
+    let said = "row 3: formulas without a value in rows that are no objects are left empty";
     let inventory = read(workbook(&rows, "")).unwrap().inventory;
     assert_eq!(inventory.warnings, [said]);
     let converted = convert_bytes(workbook(&rows, ""), Path::new("objects.xlsx"), None, Target::Csv).unwrap();
