@@ -109,7 +109,7 @@ fn state(words: &str) -> Option<Casters> {
                 let is_size = |unit: &str| matches!(unit, "mm" | "cm" | "in");
                 // Fewer than four may be some of them.
                 let is_count = number >= 4 && matches!(unit, "" | "x") && !has_count && !is_size(next);
-                if !is_count && !is_size(unit) && !(unit.is_empty() && is_size(next)) {
+                if !(is_count || is_size(unit) || unit.is_empty() && is_size(next)) {
                     return None;
                 }
                 has_count |= is_count;
