@@ -44,18 +44,27 @@ pub(super) struct Facts {
     sheets: Vec<(String, String)>,
     /// Members by their ids.
     members: Vec<(String, String)>,
-    /// Members with rows that a spreadsheet does not show: hidden, or left out by a filter.
-    hidden: Vec<(String, Vec<u32>)>,
+    /// Members with rows or columns that a spreadsheet does not show.
+    hidden: Vec<(String, Hidden)>,
+}
+
+/// What a spreadsheet does not show: hidden, left out by a filter, or without a height or width.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Hidden {
+    /// Counted from 1.
+    pub(super) rows: Vec<u32>,
+    /// First and last, counted from 0.
+    pub(super) columns: Vec<(u32, u32)>,
 }
 
 impl Facts {
-    /// The rows of a sheet that are not shown.
-    pub(super) fn hidden_rows(&self, sheet: &str) -> Option<&[u32]> {
+    /// What of a sheet is not shown.
+    pub(super) fn hidden(&self, sheet: &str) -> Option<&Hidden> {
         let (_, id) = self.sheets.iter().find(|(name, _)| name == sheet)?;
         let (_, target) = self.members.iter().find(|(other, _)| other == id)?;
         let end = target.rsplit('/').next()?;
         let is_member = |name: &str| name.rsplit('/').next() == Some(end) && name.contains("worksheets/");
-        self.hidden.iter().find(|(name, _)| is_member(name)).map(|(_, rows)| rows.as_slice())
+        self.hidden.iter().find(|(name, _)| is_member(name)).map(|(_, hidden)| hidden)
     }
 }
 
@@ -116,7 +125,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
             if name.ends_with("workbook.xml.rels") {
                 facts.members.extend(tags.members);
             }
-            if !tags.hidden.is_empty() {
+            if tags.hidden != Hidden::default() {
                 facts.hidden.push((name.to_owned(), tags.hidden));
             }
         }
@@ -171,7 +180,7 @@ struct Tags {
     members: Vec<(String, String)>,
     /// The last row: one without a number is the next.
     row: u32,
-    hidden: Vec<u32>,
+    hidden: Hidden,
 }
 
 /// Parts that are skipped: their beginnings and their ends.
@@ -239,8 +248,16 @@ impl Tags {
             b"row" => {
                 let place = attribute(inner, b"r").map(check_place).transpose()?;
                 self.row = place.map_or(self.row.saturating_add(1), |(_, row)| row);
-                let is_hidden = matches!(attribute(inner, b"hidden"), Some(b"1" | b"true"));
-                self.hidden.extend(is_hidden.then_some(self.row));
+                self.hidden.rows.extend(is_hidden(inner, b"ht").then_some(self.row));
+                Ok(())
+            }
+            b"col" => {
+                let number = |name| std::str::from_utf8(attribute(inner, name)?).ok()?.trim().parse::<u32>().ok();
+                let columns = number(b"min").zip(number(b"max")).filter(|_| is_hidden(inner, b"width"));
+                // Counted from 1 in the file.
+                self.hidden
+                    .columns
+                    .extend(columns.map(|(first, last)| (first.saturating_sub(1), last.saturating_sub(1))));
                 Ok(())
             }
             b"sheet" => {
@@ -264,6 +281,12 @@ impl Tags {
             _ => Ok(()),
         }
     }
+}
+
+/// Whether a row or a column is not shown: by its mark, or because it has no size.
+fn is_hidden(inner: &[u8], size: &[u8]) -> bool {
+    let size = attribute(inner, size).and_then(|text| std::str::from_utf8(text).ok()?.trim().parse::<f64>().ok());
+    matches!(attribute(inner, b"hidden"), Some(b"1" | b"true")) || size == Some(0.0)
 }
 
 /// Two attributes as texts.
@@ -378,10 +401,11 @@ mod tests {
     #[test]
     fn a_row_without_a_number_follows_the_last_one() {
         let mut tags = Tags::default();
-        let text =
-            "<row hidden='1'/><row/><row r='7'></row><row hidden='true'/><row r='12' hidden='1'/><row hidden='1'>";
+        let text = "<cols><col min='2' max='3' hidden='1'/><col min='5' max='5' width='0'/><col min='6' max='6' width='9'/>\
+             </cols><row hidden='1'/><row/><row r='7'></row><row hidden='true'/><row r='12' hidden='1'/><row hidden='1'>\
+             <row ht='0' customHeight='1'/><row ht='15'/>";
         tags.feed(text.as_bytes()).unwrap();
-        assert_eq!(tags.hidden, [1, 8, 12, 13]);
+        assert_eq!(tags.hidden, Hidden { rows: vec![1, 8, 12, 13, 14], columns: vec![(1, 2), (4, 4)] });
     }
 
     #[test]

@@ -303,6 +303,9 @@ fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice)
             Err(why) => refused = why,
         }
     }
+    if dimension != Dimension::Ratio && has_two_values(&parts) {
+        return Err(Wrong::because(Kind::NumberAmbiguous, "may be two values, and is no fraction as of inches"));
+    }
     // Feet and inches, fractions, signs.
     let text = joined(&parts, |number| choice.read(number))?;
     match Quantity::read(&text) {
@@ -340,6 +343,22 @@ fn one(text: &str, dimension: Dimension, unit: Option<CellUnit>, choice: Choice)
             }))
         }
     }
+}
+
+/// Whether a stroke stands between two values, as in `1800/2000`: a fraction is less than one, and its lower
+/// number is that of a rule, such as 1/2 or 15/16.
+fn has_two_values(parts: &[Piece<'_>]) -> bool {
+    let whole = |number: &Number| match number {
+        Number::Sure(text, _) => text.parse::<u32>().ok(),
+        _ => None,
+    };
+    parts.windows(3).any(|three| match three {
+        [Piece::Number(upper), Piece::Other(stroke), Piece::Number(lower)] if stroke.trim().ends_with('/') => {
+            let is_fraction = |upper, lower: u32| upper < lower && lower.is_power_of_two() && lower <= 64;
+            !whole(upper).zip(whole(lower)).is_some_and(|(upper, lower)| is_fraction(upper, lower))
+        }
+        _ => false,
+    })
 }
 
 /// The three sizes of a cell \[m\].
@@ -590,6 +609,12 @@ mod tests {
             ("5-6", Some("ft"), Err(Kind::NumberAmbiguous)),
             ("72\" (1500 mm)", None, Err(Kind::NumberAmbiguous)),
             ("6'14\"", None, Err(Kind::Unreadable)),
+            ("15/16\"", None, Ok((0.023_813, false))),
+            ("1800/2000", Some("mm"), Err(Kind::NumberAmbiguous)),
+            ("1800/2000 m", None, Err(Kind::NumberAmbiguous)),
+            ("1800 mm/2000 mm", None, Err(Kind::NumberAmbiguous)),
+            ("6/6", Some("ft"), Err(Kind::NumberAmbiguous)),
+            ("2/3", Some("in"), Err(Kind::NumberAmbiguous)),
         ] {
             assert_eq!(length(text, unit), expected, "{text}");
         }

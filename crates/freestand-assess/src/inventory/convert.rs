@@ -9,7 +9,7 @@ use super::cell::{Cell, Row};
 use super::columns::{COLUMNS, Holds, letters};
 use super::encoding::is_unprintable;
 use super::headings::{HeadingUnit, meaning};
-use super::layout::body;
+use super::layout::{Body, body, unevaluated};
 use super::source::{Sheet, load};
 use super::understood::{Evidence, understand};
 use super::write::{Table, Written, csv, xlsx};
@@ -56,11 +56,14 @@ pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: T
     let mut warnings = std::mem::take(&mut source.warnings);
     warnings.extend(source.title_warning());
     warnings.extend(source.formulas.warning());
-    let headings = headings(&source);
+    let (headings, body) = headings(&source);
+    // A total that was not calculated is no object.
+    let is_left_out = |row: &Row| body.left_out.binary_search_by_key(&row.number, |left| left.row).is_ok();
+    warnings.extend(unevaluated(&source.rows, &is_left_out));
     let kinds: Vec<Kind> = headings.iter().map(|text| kind(text)).collect();
     let below = source.rows.iter().filter(|row| row.number > source.header.last_row);
     let mut problems = Problems::default();
-    let rows = below.map(|row| written(row, &kinds, &headings, &mut problems)).collect();
+    let rows = below.map(|row| written(row, &kinds, &headings, is_left_out(row), &mut problems)).collect();
     let mut table = Table { headings, rows };
     problems.finish(Some(())).map_err(|error| error.into_iter().map(in_file).collect::<Problems>())?;
     let columns = table.rows.iter().map(Vec::len).fold(table.headings.len(), usize::max);
@@ -73,8 +76,8 @@ pub fn convert_bytes(bytes: Vec<u8>, path: &Path, sheet: Option<&str>, target: T
 }
 
 /// One row of headings: units that a row of their own or a sentence beside the table states are
-/// appended to the names.
-fn headings(source: &Sheet) -> Vec<String> {
+/// appended to the names. With them what the rows below are.
+fn headings(source: &Sheet) -> (Vec<String>, Body) {
     let header = &source.header;
     let (body, _) = body(&source.rows, header);
     let evidence = Evidence { rows: &source.rows, header, body: &body, mapping: None, has_semicolons: false };
@@ -89,7 +92,8 @@ fn headings(source: &Sheet) -> Vec<String> {
             None => text,
         }
     };
-    (0..width).map(one).collect()
+    let headings = (0..width).map(one).collect();
+    (headings, body)
 }
 
 /// How the cells of a column are written.
@@ -112,7 +116,7 @@ fn kind(text: &str) -> Kind {
 /// Largest number of cells that cannot be written that are listed.
 const MAX_PROBLEMS: usize = 20;
 
-fn written(row: &Row, kinds: &[Kind], headings: &[String], problems: &mut Problems) -> Vec<Written> {
+fn written(row: &Row, kinds: &[Kind], headings: &[String], is_left_out: bool, problems: &mut Problems) -> Vec<Written> {
     let width = row.cells.last().map_or(0, |(column, _)| *column as usize + 1);
     let mut cells = vec![Written::Empty; width];
     let mut refused = |column: u32, what: String, hint: &str| {
@@ -140,6 +144,7 @@ fn written(row: &Row, kinds: &[Kind], headings: &[String], problems: &mut Proble
                 let what = format!("has {chars} characters, more than a cell of a spreadsheet can hold");
                 refused(*column, what, "shorten it")
             }
+            Cell::Unevaluated if is_left_out => Written::Empty,
             Cell::Unevaluated => refused(
                 *column,
                 "is a formula without a value".to_owned(),

@@ -6,8 +6,11 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
 use super::cell::{Cell, MAX_COLUMNS, MAX_ROWS};
-use super::columns::letters;
+use super::columns::{Column, letters};
+use super::layout::Header;
+use super::problems::{Finding, Kind};
 use super::source::Sheet;
+use super::understood::Understood;
 
 /// A cell with the text that is read in place of its content.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -84,19 +87,31 @@ impl Display for Edit {
 }
 
 impl Sheet {
-    /// Replaces the content of cells below the headings.
+    /// Replaces the content of cells below the headings; a text in the row of the headings, where none is, adds a
+    /// column.
     ///
     /// # Errors
     /// A cell of the headings or above them, in a column without a heading, in an empty row, or twice.
     pub(super) fn edit(&mut self, edits: &[Edit]) -> Result<(), Problem> {
+        let is_new = |header: &Header, edit: &Edit| {
+            edit.row == header.row && !edit.text.is_empty() && !header.headings.contains_key(&edit.column)
+        };
+        let added: Vec<usize> =
+            (0..).zip(edits).filter(|(_, edit)| is_new(&self.header, edit)).map(|(at, _)| at).collect();
+        for edit in added.iter().filter_map(|at| edits.get(*at)) {
+            self.header.add(edit.column, &edit.text);
+        }
         for (at, edit) in edits.iter().enumerate() {
             let refused = |what: &str| {
                 let message = format!("cell {} cannot be changed: {what}", edit.cell());
-                Problem::new(ProblemKind::Value, message).hint("change a cell of an object")
+                Problem::new(ProblemKind::Value, message).hint("change a cell of an object; a column that has no heading needs one first, in the row of the headings")
             };
             if edits.iter().take(at).any(|earlier| (earlier.row, earlier.column) == (edit.row, edit.column)) {
                 let message = format!("cell {} is changed twice", edit.cell());
                 return Err(Problem::value(message, "give one text for each cell"));
+            }
+            if added.contains(&at) {
+                continue;
             }
             if edit.row <= self.header.last_row {
                 return Err(refused(&format!("the objects begin below row {}", self.header.last_row)));
@@ -116,6 +131,23 @@ impl Sheet {
         }
         Ok(())
     }
+}
+
+/// The edits that answer a doubt whose own cell cannot: in the column that has the answer, which may have to be added.
+pub(super) fn answer(finding: &Finding, sheet: &Sheet, columns: &Understood) -> Option<String> {
+    let (what, column, answer) = match finding.kind {
+        Kind::Round => ("if it is not round, read", Column::Shape, "box"),
+        Kind::Casters => ("if all are braked, read", Column::Casters, "braked"),
+        _ => return None,
+    };
+    let row = finding.rows.first()?;
+    let next = sheet.rows.iter().filter_map(|row| row.cells.last()).map(|(last, _)| last + 1).max()?;
+    let known = columns.get(column).map(|one| one.index);
+    let place = letters(known.unwrap_or(next) as usize);
+    let heading = format!("`edit = \"{place}{}={}\"` ", sheet.header.row, column.name());
+    let heading = if known.is_some() { "" } else { heading.as_str() };
+    let otherwise = if finding.kind == Kind::Casters { "; if it has none, correct this cell" } else { "" };
+    Some(format!("{what} {heading}`edit = \"{place}{row}={answer}\"`{otherwise}"))
 }
 
 /// What a list that was edited says about itself.
@@ -167,6 +199,9 @@ mod tests {
             let told = read(&[edit]).unwrap_err();
             assert!(told.contains(why), "{edit}: {told}");
         }
+        // A column of its own.
+        let shaped = read(&["F1=shape", "F2=box", "F3=round"]).unwrap().inventory.items;
+        assert_eq!([shaped[0].is_round, shaped[1].is_round], [false, true]);
         let twice = read(&["D2=40 cm", "d2=50 cm"]).unwrap_err();
         assert!(twice.contains("cell D2 is changed twice"), "{twice}");
         // What contains `=` is not another cell, and a cell has one line.

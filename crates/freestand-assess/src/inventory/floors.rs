@@ -130,8 +130,20 @@ const TOP: [&str; 10] =
 const MEZZANINE: [&str; 8] =
     ["mezzanine", "mezz", "m", "zwischengeschoss", "entresol", "entresuelo", "mezzanino", "ammezzato"];
 
-/// What the name of a floor says; `None`: nothing known.
+/// What the name of a floor says; `None`: nothing known, or two floors: "basement/roof", "level 2 (roof of annex)".
 pub(super) fn storey(text: &str) -> Option<Storey> {
+    const BETWEEN: [&str; 8] = [" to ", " or ", " and ", " bis ", " oder ", " und ", " et ", " ou "];
+    let parts = BETWEEN.iter().fold(text.to_lowercase(), |text, word| text.replace(word, "/"));
+    let mut named = parts.split(['/', '(', ',', ';', '&']).filter_map(one_storey);
+    let at_ground = |one: Storey| if one == Storey::Below { Storey::Ground } else { one };
+    let first = named.next().map(at_ground);
+    if named.any(|other| Some(at_ground(other)) != first) {
+        return None;
+    }
+    one_storey(text)
+}
+
+fn one_storey(text: &str) -> Option<Storey> {
     let text = text.trim();
     let words = canonical(text);
     let is_digit = |c: char| c.is_ascii_digit();
@@ -146,6 +158,12 @@ pub(super) fn storey(text: &str) -> Option<Storey> {
         let is_sign = before.ends_with(' ') && after.starts_with(is_digit);
         return is_sign.then_some(Storey::Below);
     }
+    // "R-1" is the first basement of a French building, whose ground is R.
+    if let Some(depth) =
+        text.strip_prefix(['R', 'r']).and_then(|rest| rest.trim_start().strip_prefix(['-', '\u{2212}']))
+    {
+        return depth.trim_start().starts_with(is_digit).then_some(Storey::Below);
+    }
     if words.is_empty() {
         return None;
     }
@@ -159,23 +177,32 @@ pub(super) fn storey(text: &str) -> Option<Storey> {
     if MEZZANINE.contains(&w) {
         return Some(Storey::Mezzanine);
     }
-    if BELOW.contains(&w)
+    let is_roof = ROOF.iter().any(|word| w.split(' ').any(|part| part == *word))
+        || ["屋上", "roof"].iter().any(|word| w.contains(word));
+    let is_below = BELOW.contains(&w)
         || w.split(' ').any(|word| matches!(word, "basement" | "garage" | "sotano" | "seminterrato" | "untergeschoss"))
         || w.starts_with("地下")
-        || w.starts_with("sous sol")
-    {
-        return Some(Storey::Below);
-    }
-    // "any text with roof": the roof, not the storey under it.
-    if ROOF.iter().any(|word| w.split(' ').any(|part| part == *word))
-        || ["屋上", "roof"].iter().any(|word| w.contains(word))
-    {
-        return Some(Storey::Roof);
+        || w.starts_with("sous sol");
+    match (is_below, is_roof) {
+        // "Garage roof"
+        (true, true) => return None,
+        (true, false) => return Some(Storey::Below),
+        // "4th floor roof" may be the roof of a lower part.
+        (false, true) if is_numbered_roof(w) => return None,
+        // "any text with roof": the roof, not the storey under it.
+        (false, true) => return Some(Storey::Roof),
+        (false, false) => {}
     }
     if let Some(number) = ordinal(w) {
         return Some(Storey::Numbered(number));
     }
     numbered(text, w)
+}
+
+/// Whether the words beside that for a roof are the name of a floor.
+fn is_numbered_roof(words: &str) -> bool {
+    let rest: Vec<&str> = words.split(' ').filter(|word| !ROOF.contains(word)).collect();
+    rest.len() < words.split(' ').count() && one_storey(&rest.join(" ")).is_some()
 }
 
 /// Whether a text is only a word for a floor.
@@ -345,6 +372,11 @@ impl FloorFinder {
         })
     }
 
+    /// Whether the building or a mapping file gives its height.
+    pub(super) fn names(&self, text: &str) -> bool {
+        self.names.contains_key(&bare(text))
+    }
+
     /// The height of a floor over that of the building.
     pub(super) fn find(&self, text: &str) -> Found {
         if let Some(ratio) = self.names.get(&bare(text)) {
@@ -449,6 +481,24 @@ mod tests {
             ("3.12", None),
             ("3 or 4", None),
             ("Annex upper", None),
+            ("R-1", Some(Below)),
+            ("R - 2", Some(Below)),
+            ("-1", Some(Below)),
+            ("UG1", Some(Below)),
+            ("S-1", None),
+            ("3/F", Some(Numbered(3))),
+            ("Ground floor, garage", Some(Below)),
+            // Two floors are none.
+            ("basement/roof", None),
+            ("garage roof", None),
+            ("4th floor roof", None),
+            ("Roof, block 2", Some(Roof)),
+            ("level 2 (roof of annex)", None),
+            ("basement to level 3", None),
+            ("1/2", None),
+            ("1-2", None),
+            ("1 or 2", None),
+            ("ground/first", None),
         ] {
             assert_eq!(storey(text), expected, "{text}");
         }

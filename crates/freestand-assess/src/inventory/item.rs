@@ -20,9 +20,12 @@ use super::problems::Kind;
 use super::round::names_round_object;
 use super::template::EXAMPLE;
 use super::values::Values;
-use super::vocabulary::{Wheels, casters, names_wheels};
+use super::wheels::{Wheels, casters, may_roll, names_wheels};
 use super::{Casters, Consequences, Item, Surroundings, UpperBody};
 use freestand_study::restitution::checked;
+
+/// The largest resistance of rolling wheels over the weight, on a carpet or a rough floor.
+const WHEEL_FRICTION: f64 = 0.1;
 
 /// What a row is read with besides its cells.
 pub(super) struct Reading<'a> {
@@ -42,7 +45,10 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     let (floor, level_ratio) = floor(values, reading);
     let (casters, stands_on) = values.casters(Column::Casters);
     let rests_on = Some(values.text(Column::RestsOn)).filter(|text| !text.is_empty()).unwrap_or(stands_on);
-    let surroundings = surroundings(values, &rests_on, casters);
+    let friction_ratio = values.range(Column::Friction);
+    // So little is the resistance of wheels: the list says already that it rolls.
+    let is_known_to_roll = friction_ratio.is_some_and(|(_, highest)| highest <= WHEEL_FRICTION);
+    let surroundings = surroundings(values, &rests_on, casters, is_known_to_roll);
     let mut item = Item {
         row: values.row.number,
         section: reading.section.to_owned(),
@@ -73,10 +79,10 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
         cushion_source: support.source,
         tolerance: tolerance(values, reading.lookup),
         restitution: restitution(values, &size.blocks),
-        friction_ratio: values.range(Column::Friction),
+        friction_ratio,
         accepted_ratio: values.share(Column::Accepted),
         questions: values.questions(Column::Questions),
-        anchored: values.answer(Column::Anchored),
+        anchored: anchored(values, &surroundings),
         rests_on,
         surroundings,
         notes: values.text(Column::Notes),
@@ -94,17 +100,36 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
     item
 }
 
-/// What is around it and on it. What it stands on says whether it rolls, where no column does.
-fn surroundings(values: &mut Values<'_>, rests_on: &str, stated: Option<Casters>) -> Surroundings {
-    let wheels = match names_wheels(rests_on).then(|| casters(rests_on)) {
+/// What is around it and on it. What it stands on says whether it rolls, where no column does; its name, its
+/// notes and what it stands on may contradict a column.
+fn surroundings(
+    values: &mut Values<'_>,
+    rests_on: &str,
+    stated: Option<Casters>,
+    is_known_to_roll: bool,
+) -> Surroundings {
+    let said = names_wheels(rests_on).then(|| casters(rests_on));
+    let wheels = match said {
         Some(Wheels::Said(found)) => Some(found),
         Some(Wheels::Some) => Some(Casters::Free),
         _ => None,
     };
-    let is_said = matches!(casters(rests_on), Wheels::Said(_));
-    if stated.is_none() && wheels == Some(Casters::Free) && !is_said {
-        values.report(Column::RestsOn, Kind::Casters, None);
+    let doubted = match (stated, said) {
+        (None, Some(Wheels::Some)) => Some(Column::RestsOn),
+        (Some(Casters::None), _) if wheels == Some(Casters::Free) => Some(Column::RestsOn),
+        (Some(Casters::Braked), Some(Wheels::Said(Casters::Free))) => Some(Column::RestsOn),
+        // Whether they roll is said.
+        _ if is_known_to_roll => None,
+        _ if [stated, wheels].iter().any(|one| matches!(one, Some(Casters::Free | Casters::Braked))) => None,
+        _ => [Column::Item, Column::Notes].into_iter().find(|column| {
+            let cell = values.columns.get(*column).and_then(|one| values.row.get(one.index));
+            cell.is_some_and(|cell| may_roll(&cell.shown()))
+        }),
+    };
+    if let Some(column) = doubted {
+        values.report(column, Kind::Casters, None);
     }
+    let casters = if doubted.is_some() { Some(Casters::Free) } else { stated.or(wheels) };
     Surroundings {
         wall_gap_m: values.not_negative(Column::WallGap),
         neighbour_gap_m: values.not_negative(Column::NeighbourGap),
@@ -117,11 +142,22 @@ fn surroundings(values: &mut Values<'_>, rests_on: &str, stated: Option<Casters>
             }
             is_below
         }),
-        casters: stated.or(wheels),
+        casters,
         rolling_resistance_ratio: values.share(Column::RollingResistance),
         clearance_m: values.not_negative(Column::Clearance),
         upper: upper(values),
     }
+}
+
+/// Whether it is anchored: what rolls for certain is not.
+fn anchored(values: &mut Values<'_>, surroundings: &Surroundings) -> Option<bool> {
+    let anchored = values.answer(Column::Anchored);
+    let rolls = surroundings.casters == Some(Casters::Free) && !values.doubts.contains(&Kind::Casters);
+    if anchored == Some(true) && rolls {
+        values.report(Column::Anchored, Kind::AnchoredUnclear, None);
+        return None;
+    }
+    anchored
 }
 
 /// What stands on it: both sizes, or nothing.
@@ -176,7 +212,8 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
             if is_assumed {
                 values.report(Column::Floor, Kind::FloorNumbering, None);
             }
-            match finder.identity(text) {
+            // A floor whose height is given is not guessed.
+            match finder.identity(text).filter(|_| !finder.names(text)) {
                 Some((1, _)) => values.findings.note("a basement moves like the ground: level 0", values.row.number),
                 Some((4, _)) => values.report(Column::Floor, Kind::Mezzanine, None),
                 _ => {}

@@ -6,8 +6,10 @@ use super::cell::{Cell, Row};
 use super::columns::Column;
 use super::headings::{HeadingUnit, Meaning, dimension, letter_meaning, meaning};
 use super::mapping::Mapping;
+use super::sentence::sentence_unit;
 use super::units::{CellUnit, find};
 use super::vocabulary::{begins_note, begins_total, is_missing};
+use freestand_input::quantity::Dimension;
 use freestand_input::words::canonical;
 
 /// Number of rows, empty ones not counted, that are searched for headings.
@@ -41,7 +43,8 @@ pub(super) struct Header {
 /// Smallest number of known headings; with a size one less.
 const MIN_HEADINGS: usize = 3;
 
-const SIZES: [Column; 5] = [Column::Height, Column::Thickness, Column::Width, Column::Dimensions, Column::Diameter];
+pub(super) const SIZES: [Column; 5] =
+    [Column::Height, Column::Thickness, Column::Width, Column::Dimensions, Column::Diameter];
 
 /// Finds the headings among the first rows of a sheet: the row with the most known names.
 pub(super) fn find_header(rows: &[Row], mapping: Option<&Mapping>) -> Option<Header> {
@@ -111,6 +114,13 @@ impl Header {
                 }
             }
         }
+    }
+
+    /// Adds a heading that the file does not have.
+    pub(super) fn add(&mut self, column: u32, text: &str) {
+        self.headings.insert(column, text.to_owned());
+        self.meanings.extend(meaning(text).map(|found| (column, found)));
+        self.width = self.width.map(|width| width.max(column + 1));
     }
 
     /// The unit that the row of units or the group states.
@@ -346,7 +356,7 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
                 body.objects.push((place, section));
                 continue;
             }
-            Sort::Lone if place < last_object && !begins_note(&text_of(row)) => {
+            Sort::Lone if place < last_object && !is_note(&text_of(row)) => {
                 body.sections.push(text_of(row).trim_end_matches(':').trim().to_owned());
                 section = Some(body.sections.len() - 1);
                 RowKind::Section
@@ -373,6 +383,11 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
     }
     body.left_out.sort_by_key(|left| left.row);
     (body, other)
+}
+
+/// Whether a text alone in its row is a remark, or a sentence about units, rather than the name of a section.
+fn is_note(text: &str) -> bool {
+    begins_note(text) || [Dimension::Length, Dimension::Mass].into_iter().any(|of| sentence_unit(text, of).is_some())
 }
 
 /// What a row is, before it is known whether objects follow.
@@ -454,6 +469,18 @@ fn header_again(row: &Row, header: &Header) -> Option<Sort> {
     let enough = if knows_all { MIN_HEADINGS } else { 4 };
     let is_other = score(&here) >= enough && here.len() > other / 2;
     is_other.then_some(Sort::Other)
+}
+
+/// A warning about formulas without a value in rows that are no objects: they cost nothing.
+pub(super) fn unevaluated(rows: &[Row], is_left_out: &dyn Fn(&Row) -> bool) -> Option<String> {
+    let is_empty = |row: &&Row| row.cells.iter().any(|(_, cell)| matches!(cell, Cell::Unevaluated));
+    let found: Vec<u32> = rows.iter().filter(is_empty).filter(|row| is_left_out(row)).map(|row| row.number).collect();
+    let named: Vec<String> = found.iter().take(5).map(u32::to_string).collect();
+    let more =
+        if found.len() > named.len() { format!(" and {} more", found.len() - named.len()) } else { String::new() };
+    let noun = if found.len() == 1 { "row" } else { "rows" };
+    let said = "formulas without a value in rows that are no objects are left empty";
+    (!found.is_empty()).then(|| format!("{noun} {}{more}: {said}", named.join(", ")))
 }
 
 /// The texts of a row.

@@ -104,7 +104,7 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
         for (column, cell) in &row.cells {
             let Ok(index) = u16::try_from(*column) else { continue };
             let mark = marks.get(&(row.number, *column)).map(|(severity, _)| *severity);
-            let is_hidden = sheet.hidden.binary_search(&row.number).is_ok();
+            let is_hidden = sheet.hidden.rows.binary_search(&row.number).is_ok();
             let format = match mark {
                 Some(Severity::Error) if is_hidden => &struck_red,
                 Some(Severity::Doubt) if is_hidden => &struck_yellow,

@@ -43,6 +43,7 @@ mod understood;
 mod units;
 mod values;
 mod vocabulary;
+mod wheels;
 mod workbook;
 mod write;
 

@@ -65,10 +65,10 @@ kinds! {
         "put the unit into the heading, such as \"Height (mm)\", or give it in a mapping file (`columns`)";
     UnitWrong Error "unit-wrong" "has a unit that does not fit or is not known"
         "write a unit that is known, such as mm, in, kg, lb";
-    UnitContradicted Error "unit-contradicted" "has one unit by its heading and another by the column of units"
-        "write the unit into the cell, such as \"200 cm\", or correct the heading or the column of units";
+    UnitContradicted Error "unit-contradicted" "has one unit by its heading and another by the column of units or a sentence of the list"
+        "write the unit into the cell, such as \"200 cm\", or correct the heading, the column of units or the sentence";
     NumberAmbiguous Error "number-ambiguous" "can be read in two ways"
-        "write the number without thousands, or give `decimal = \"comma\"` or \"point\" under [numbers] of a mapping file";
+        "write the number without thousands, or give decimal = \"comma\" or \"point\" under [numbers] of a mapping file (`columns`)";
     OutOfRange Error "out-of-range" "is not possible"
         "check the number and its unit";
     FloorUnknown Error "floor-unknown" "is not a floor that is known"
@@ -109,8 +109,8 @@ kinds! {
         "correct one of the columns, or set it to \"ignore\" in a mapping file";
     Merged Doubt "merged" "is merged over several objects; only the first has the value"
         "unmerge the cells and put the value into each row";
-    Casters Doubt "casters" "has wheels and does not say whether they are braked: taken as free to roll, so it does not rock"
-        "say in the cell if they are braked or locked";
+    Casters Doubt "casters" "speaks of wheels and does not say for certain that all of them are braked, or that there are none: taken as free to roll, so it does not rock"
+        "write no, free or braked in a column casters";
     PadsMissing Doubt "pads-missing" "is the stiffness of one pad without pads_per_edge; no shock is computed"
         "add a column pads_per_edge";
     DampingMass Doubt "damping-mass" "is a cushion with a damping ratio but no mass; no shock is computed"
@@ -127,8 +127,8 @@ kinds! {
         "give its height under [floors] of a mapping file, such as \"Mezzanine\" = 0.2";
     NotUnderstood Doubt "not-understood" "is not understood; it was not used"
         "write it in one of the usual words, or leave the cell empty if it is not known";
-    AnchoredUnclear Doubt "anchored-unclear" "does not clearly say that it is anchored; it was assessed as free"
-        "write yes or no";
+    AnchoredUnclear Doubt "anchored-unclear" "does not clearly say that it is anchored, or its casters are free; it was assessed as free"
+        "write yes or no; what is anchored does not roll";
     Round Doubt "round" "is the name of a round object; the calculation uses the square prism around it, which may stand where the round object falls"
         "if it is not round, write box in a column shape";
     HiddenRow Doubt "hidden-row" "is not shown by a spreadsheet, because it is hidden or a filter leaves it out; it was read like the others"
@@ -212,6 +212,9 @@ impl Finding {
         format!("{}: {}: {name}: {count}{such}{said}; hint: {}", self.severity.name(), self.kind.name(), self.hint)
     }
 }
+
+/// Cells of which a hint names the edit.
+const NAMED_EDITS: usize = 3;
 
 /// At most this many lines on the console.
 const MAX_LINES: usize = 12;
@@ -358,7 +361,7 @@ impl Findings {
             } else {
                 format!("read {cell} otherwise by `edit = \"{edit}\"`, or confirm it by `edit = \"{cell}={same}\"`")
             };
-        } else if finding.edits.len() < 3 {
+        } else if finding.edits.len() < NAMED_EDITS {
             let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
             finding.hint.push_str(&format!("; read {cell} otherwise by `edit = \"{edit}\"`"));
         }
@@ -381,8 +384,21 @@ impl Findings {
         }
     }
 
+    /// Replaces the hints of problems that can be answered in another way.
+    pub(super) fn answer(&mut self, hint: impl Fn(&Finding) -> Option<String>) {
+        for finding in &mut self.all {
+            if let Some(hint) = hint(finding) {
+                finding.hint = hint;
+            }
+        }
+    }
+
     /// The problems, and the warnings about rows.
-    pub(super) fn finish(self) -> (Vec<Finding>, Vec<String>) {
+    pub(super) fn finish(mut self) -> (Vec<Finding>, Vec<String>) {
+        for finding in self.all.iter_mut().filter(|finding| finding.edits.len() > NAMED_EDITS) {
+            let more = counted(finding.edits.len() - NAMED_EDITS, "more cell");
+            finding.hint.push_str(&format!("; {more} to correct or confirm in the same way"));
+        }
         let said = |noted: &Noted| {
             let rows: Vec<String> = noted.rows.iter().map(u32::to_string).collect();
             let more = noted.count - noted.rows.len();

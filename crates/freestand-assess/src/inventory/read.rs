@@ -14,12 +14,12 @@ use freestand_input::words::{canonical, nearest};
 
 use super::cell::{Cell, Row};
 use super::columns::{COLUMNS, Column, letters};
-use super::edits::{Edit, edited};
+use super::edits::{Edit, answer, edited};
 use super::floors::{FloorFinder, Floors};
 use super::headings::dimension;
 use super::implausible::{SizeCell, confirm};
 use super::item::{self, item};
-use super::layout::{Header, LeftOut, Table, tables};
+use super::layout::{Header, LeftOut, Table, tables, unevaluated};
 use super::mapping::Mapping;
 use super::problems::{Findings, Kind, Place};
 use super::report::HeadingReport;
@@ -185,6 +185,11 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
         return Err(problem.hint("put one object into each row").in_file(path).into());
     }
     warnings.extend(sheet.formulas.warning());
+    let left_out = |row: &Row| {
+        let has = |table: &Table| table.body.left_out.binary_search_by_key(&row.number, |left| left.row).is_ok();
+        tables.iter().any(has)
+    };
+    warnings.extend(unevaluated(&sheet.rows, &left_out));
     if let Some(row) = unread_from {
         warnings.push(format!("row {row} begins another table of very many: it and what follows are not read"));
     }
@@ -233,12 +238,16 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
         item.carried.resize(carried.len(), String::new());
     }
     tell_duplicates(&mut items, &tables, &understood, &mut findings);
-    for item in items.iter_mut().filter(|item| sheet.hidden.binary_search(&item.row).is_ok()) {
+    for item in items.iter_mut().filter(|item| sheet.hidden.rows.binary_search(&item.row).is_ok()) {
         findings.add(Kind::HiddenRow, Place::ROW, Some(item.row), "", None);
         item.doubts.push(Kind::HiddenRow);
     }
+    warnings.extend(hidden_columns(&sheet, &understood));
     let cell = |item: &Item, column: Column| size_cell(item, column, &sheet, &tables, &understood);
     confirm(&mut items, options.edits, &mut findings, &cell);
+    if let ([_], [columns]) = (tables.as_slice(), understood.as_slice()) {
+        findings.answer(|finding| answer(finding, &sheet, columns));
+    }
     warnings.extend(same_floors.warning());
     let (findings, notes) = findings.finish();
     warnings.extend(notes);
@@ -265,6 +274,25 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
         mapping_file: super::mapping::written(&mapped, options.mapping.and_then(|mapping| mapping.decimal)),
         headings,
         cells,
+    })
+}
+
+/// A warning about columns that are read and that a spreadsheet does not show.
+fn hidden_columns(sheet: &Sheet, understood: &[Understood]) -> Option<String> {
+    let is_hidden = |index: u32| sheet.hidden.columns.iter().any(|(first, last)| (*first..=*last).contains(&index));
+    let uses = understood.iter().flat_map(|columns| &columns.uses).filter(|one| is_hidden(one.index));
+    let mut named: Vec<String> =
+        uses.map(|one| format!("{} ({})", letters(one.index as usize), shorten(&one.heading))).collect();
+    named.sort_unstable();
+    named.dedup();
+    (!named.is_empty()).then(|| {
+        format!(
+            "a spreadsheet does not show all columns that were read: {} hidden: show or delete them",
+            match named.as_slice() {
+                [one] => format!("{one} is"),
+                all => format!("{} are", all.join(", ")),
+            }
+        )
     })
 }
 

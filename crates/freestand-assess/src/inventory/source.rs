@@ -6,6 +6,7 @@ use freestand_input::file::load_up_to;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 
+use super::archive::Hidden;
 use super::cell::{Flow, Row};
 use super::layout::{Header, SEARCHED_ROWS, find_header};
 use super::mapping::Mapping;
@@ -34,8 +35,8 @@ pub(super) struct Sheet {
     /// What separates the cells, in a CSV.
     pub(super) separator: Option<u8>,
     pub(super) formulas: Formulas,
-    /// Rows that a spreadsheet does not show: hidden, or left out by a filter.
-    pub(super) hidden: Vec<u32>,
+    /// What a spreadsheet does not show.
+    pub(super) hidden: Hidden,
     pub(super) warnings: Vec<String>,
 }
 
@@ -132,7 +133,7 @@ impl Sheet {
             header,
             separator: Some(separator),
             formulas: Formulas::default(),
-            hidden: Vec::new(),
+            hidden: Hidden::default(),
             warnings: Vec::from_iter(warning),
         })
     }
@@ -196,7 +197,7 @@ impl Sheet {
         let formulas = workbook.rows(name, &mut |row| all.take(row))?;
         let rows = all.finish()?;
         let merges = workbook.merges(name)?;
-        let hidden = workbook.hidden_rows(name);
+        let hidden = workbook.hidden(name);
         Ok(Self { name: Some(name.to_owned()), rows, merges, header, separator: None, formulas, hidden, warnings })
     }
 

@@ -9,9 +9,10 @@ use super::cell::{Cell, Row};
 use super::cells::{Choice, evidence, is_bare, is_open, number_text, quantity, sizes, stated_unit};
 use super::columns::{COLUMNS, Column, Holds, letters};
 use super::headings::{HeadingUnit, Language, dimension};
-use super::layout::{Body, Header};
+use super::layout::{Body, Header, LeftOut, RowKind, SIZES};
 use super::mapping::Mapping;
 use super::numbers::{Decimal, is_plausible};
+use super::round::is_among;
 use super::sentence::{cell_unit, sentence_unit};
 use super::units::{CellUnit, find, is_metric};
 use super::vocabulary::{is_missing, rating};
@@ -80,6 +81,8 @@ pub(super) struct Use {
     pub(super) wrong_unit: Option<String>,
     pub(super) dialect: Dialect,
     pub(super) order: Option<Vec<char>>,
+    /// The unit that a sentence of the list states for it, where its heading states one.
+    sentence_unit: Option<CellUnit>,
     /// Units from a row on.
     later_units: Vec<(u32, CellUnit)>,
     /// Rows with a unit of their own, in a column of units.
@@ -103,10 +106,14 @@ impl Use {
         self.row_units.get(at).map(|(_, unit)| *unit)
     }
 
-    /// The units of the heading and of the row, where they differ and no mapping file decides.
-    pub(super) fn contradiction_at(&self, row: u32) -> Option<[CellUnit; 2]> {
-        let units = [self.stated_at(row)?, self.row_unit(row)?];
-        (units[0] != units[1] && self.unit_source != Some(UnitSource::Mapping)).then_some(units)
+    /// Two units of a row that differ, in words, where no mapping file decides.
+    pub(super) fn contradiction_at(&self, row: u32) -> Option<String> {
+        let stated = self.stated_at(row).filter(|_| self.unit_source != Some(UnitSource::Mapping))?;
+        // A row of units below a sentence is the later word.
+        let sentence = self.sentence_unit.filter(|_| Some(stated) == self.unit);
+        let others = [(self.row_unit(row), "the row"), (sentence, "a sentence of the list")];
+        let (other, by) = others.into_iter().find_map(|(unit, by)| Some((unit.filter(|unit| *unit != stated)?, by)))?;
+        Some(format!("{} by the heading, {} by {by}", stated.symbol(), other.symbol()))
     }
 
     /// Whether the unit is neither in the heading nor in the cells.
@@ -292,6 +299,7 @@ fn roles(evidence: &Evidence<'_>) -> Understood {
             wrong_unit,
             dialect: Dialect::Open,
             order: one.order,
+            sentence_unit: None,
             later_units: later.map(|(row, _, unit)| (*row, *unit)).collect(),
             row_units: Vec::new(),
         });
@@ -487,7 +495,14 @@ fn sides(
 
 /// Units from the mapping, the row of units and sentences beside the table.
 fn stated_units(all: &mut Understood, evidence: &Evidence<'_>) {
-    let said = sentences(evidence);
+    let said = sentences(evidence, false);
+    let said_of_all = sentences(evidence, true);
+    // The units of these, where all of them agree.
+    let of = |said: &[String], dimension| {
+        let mut units = said.iter().filter_map(|text| sentence_unit(text, dimension));
+        let first = units.next()?;
+        units.all(|other| other == first).then_some(first)
+    };
     for one in &mut all.uses {
         let Some(dimension) = dimension(one.column) else { continue };
         if let Some(unit) = evidence.mapping.and_then(|mapping| mapping.unit(one.column)) {
@@ -498,27 +513,31 @@ fn stated_units(all: &mut Understood, evidence: &Evidence<'_>) {
             }
         } else if one.unit.is_none() && one.wrong_unit.is_none() {
             let from_row = evidence.header.unit(one.index).map(|unit| (unit, UnitSource::UnitRow));
-            let from_sentence = || {
-                let mut units = said.iter().filter_map(|text| sentence_unit(text, dimension));
-                let first = units.next()?;
-                units.all(|other| other == first).then_some((first, UnitSource::Sentence))
-            };
+            let from_sentence = || of(&said, dimension).map(|unit| (unit, UnitSource::Sentence));
             if let Some((unit, source)) = from_row.or_else(from_sentence) {
                 one.unit = Some(unit);
                 one.unit_source = Some(source);
             }
         }
+        // Of the sizes of objects, a sentence says more than a heading; those of pads and gaps may have their own.
+        if SIZES.contains(&one.column) || one.column == Column::Mass {
+            one.sentence_unit = of(&said_of_all, dimension);
+        }
     }
 }
 
-/// Texts beside the table: above it, remarks in it, below it.
-fn sentences(evidence: &Evidence<'_>) -> Vec<String> {
+/// Texts beside the table: above it, remarks in it, below it; `of_all`: only sentences, and without those that
+/// make an exception.
+fn sentences(evidence: &Evidence<'_>, of_all: bool) -> Vec<String> {
+    const EXCEPT: &str = "unless except otherwise sofern ausser sauf salvo tranne excepto";
+    let is_one = |left: &LeftOut| !of_all || matches!(left.kind, RowKind::Note | RowKind::Section);
+    let is_whole = |text: &str| !of_all || !canonical(text).split(' ').any(|word| is_among(word, EXCEPT));
     let header = evidence.header;
     let above = evidence.rows.iter().skip_while(|row| row.number < header.first_row);
     let above = above.take_while(|row| row.number < header.row);
     let cells = above.flat_map(|row| row.cells.iter().map(|(_, cell)| cell.shown()));
-    let left = evidence.body.left_out.iter().map(|left| left.text.clone());
-    cells.chain(left).filter(|text| text.len() < 400).take(300).collect()
+    let left = evidence.body.left_out.iter().filter(|left| is_one(left)).map(|left| left.text.clone());
+    cells.chain(left).filter(|text| text.len() < 400 && is_whole(text)).take(300).collect()
 }
 
 /// The decimal sign of each column from its own cells, or from those of the others.

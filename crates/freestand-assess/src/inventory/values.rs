@@ -15,8 +15,8 @@ use super::problems::{Findings, Kind, Place, Severity};
 use super::round::{names_diameter, shape};
 use super::sentence::cell_unit;
 use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
-use super::units::CellUnit;
-use super::vocabulary::{Answer, Wheels, casters, is_ditto, is_missing, is_no_value, rating, without_state, yes_or_no};
+use super::vocabulary::{Answer, is_ditto, is_missing, is_no_value, rating, without_state, yes_or_no};
+use super::wheels::{Wheels, casters};
 use super::workbook::Merges;
 use super::{Casters, Rating};
 
@@ -224,13 +224,10 @@ impl<'a> Values<'a> {
         Some(found)
     }
 
-    /// Refuses a bare number whose heading and row state two units.
+    /// Refuses a bare number of which two units are stated.
     fn agreed(&self, one: &Use, is_bare: bool) -> Result<(), Wrong> {
         match one.contradiction_at(self.row.number).filter(|_| is_bare) {
-            Some(units) => {
-                let [heading, row] = units.map(CellUnit::symbol);
-                Err(Wrong::because(Kind::UnitContradicted, &format!("{heading} by the heading, {row} by the row")))
-            }
+            Some(units) => Err(Wrong::because(Kind::UnitContradicted, &units)),
             None => Ok(()),
         }
     }

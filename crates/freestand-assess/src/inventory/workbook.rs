@@ -22,7 +22,7 @@ pub(super) struct Workbook {
     facts: archive::Facts,
 }
 
-/// The formulas of a sheet.
+/// The formulas of a sheet that have a value.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Formulas {
     /// Their number.
@@ -87,7 +87,7 @@ impl Workbook {
                 return Err(problem.hint("save the workbook again, or as CSV"));
             }
             let Some(cell) = cell(&read.value, read.formula.is_some()) else { continue };
-            if read.formula.is_some() {
+            if read.formula.is_some() && !matches!(cell, Cell::Unevaluated) {
                 formulas.count += 1;
                 formulas.first.get_or_insert_with(place);
             }
@@ -111,11 +111,11 @@ impl Workbook {
         Ok(formulas)
     }
 
-    /// The rows of a sheet that a spreadsheet does not show.
-    pub(super) fn hidden_rows(&self, sheet: &str) -> Vec<u32> {
-        let mut rows = self.facts.hidden_rows(sheet).unwrap_or_default().to_vec();
-        rows.sort_unstable();
-        rows
+    /// What of a sheet a spreadsheet does not show.
+    pub(super) fn hidden(&self, sheet: &str) -> archive::Hidden {
+        let mut hidden = self.facts.hidden(sheet).cloned().unwrap_or_default();
+        hidden.rows.sort_unstable();
+        hidden
     }
 
     /// Cells of a sheet that are merged with one before them.

@@ -114,7 +114,7 @@ fn find_out(item: &Item, found: &Assessment) -> String {
         return "Check its anchors.".to_owned();
     }
     if !item.to_confirm.is_empty() {
-        return format!("Confirm or correct its size: read {}.", item.to_confirm.join(", "));
+        return format!("Confirm or correct its size or mass: read {}.", item.to_confirm.join(", "));
     }
     if let Some(unstated) = found.unstated {
         return format!("State {}: give {}.", unstated.words(), unstated.keys());

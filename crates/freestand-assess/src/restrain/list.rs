@@ -224,7 +224,7 @@ fn object_of(item: &Item, is_on_floor: bool) -> Result<[f64; 3], String> {
         return Err("it is anchored already".to_owned());
     }
     if !item.to_confirm.is_empty() {
-        return Err(format!("its sizes must be confirmed: {}", item.to_confirm.join(", ")));
+        return Err(format!("its size or mass must be confirmed: {}", item.to_confirm.join(", ")));
     }
     if item.surroundings.upper.is_some() {
         return Err("another body stands on it, which is not counted".to_owned());

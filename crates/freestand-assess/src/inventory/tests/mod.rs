@@ -4,6 +4,7 @@ mod hostile;
 mod large;
 mod registers;
 mod round_trip;
+mod silence;
 
 use std::io::{Cursor, Write};
 use std::path::Path;
