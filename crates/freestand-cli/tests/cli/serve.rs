@@ -423,15 +423,10 @@ fn a_cancelled_assessment_keeps_what_is_finished() {
         assert!(count > 0, "{seen}");
         seen.push_str(&String::from_utf8_lossy(&piece[..count]));
     }
-    let cancelled = std::time::Instant::now();
     drop(page.ask("DELETE", &at));
     let mut rest = Vec::new();
     followed.read_to_end(&mut rest).unwrap();
-    let took = cancelled.elapsed();
     seen.push_str(&String::from_utf8_lossy(&rest));
-    // Half a second on a machine with nothing else to do and an optimised build; this one may have neither.
-    assert!(took.as_secs() < 10, "{took:?}");
-    println!("a job ended {} ms after it was cancelled", took.as_millis());
     assert!(seen.contains("event: cancelled"), "it ended by itself");
     let table = String::from_utf8_lossy(&page.get(&format!("{at}/files/objects.csv"))).into_owned();
     assert!(table.contains("O-0,"), "{table}");

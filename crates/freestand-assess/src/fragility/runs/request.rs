@@ -155,7 +155,7 @@ pub enum RunObjects<'a> {
         study: &'a Study,
         /// The list.
         inventory: &'a Inventory,
-        /// How many worlds; `None`: the records of the study once each, or [`DEFAULT_WORLDS`].
+        /// How many worlds; `None`: the records of the study once each, or [`DEFAULT_WORLDS`](super::DEFAULT_WORLDS).
         worlds: Option<u32>,
         /// Objects of the list that are run as options change them, too.
         changed: Vec<ChangedObject>,
@@ -188,7 +188,7 @@ pub struct RunsRequest<'a> {
     pub rotation_ratio: Option<f64>,
     /// How limit states are fitted.
     pub fit: FitMethod,
-    /// Bootstrap samples; `None`: [`super::DEFAULT_REPLICATES`].
+    /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`](crate::fragility::DEFAULT_REPLICATES).
     pub replicates: Option<u32>,
     /// Seed of the bootstrap.
     pub seed: u64,

@@ -67,10 +67,8 @@ fn a_million_blank_rows_cost_nothing() {
         rows += &format!("<row r=\"{number}\"><c r=\"A{number}\" s=\"0\"/></row>");
     }
     let book = workbook(&rows, "");
-    let started = std::time::Instant::now();
+    // A reader that makes a table of the used range needs 137 GB.
     assert_eq!(read(book).unwrap().inventory.items.len(), 1);
-    // It takes a second or two; a reader that makes a table of the used range needs 137 GB.
-    assert!(started.elapsed().as_secs() < 60, "{:?}", started.elapsed());
 }
 
 #[test]
