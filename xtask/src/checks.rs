@@ -315,7 +315,8 @@ fn printed(mut command: Command, limit: Duration, mut line: impl FnMut(&str)) ->
             Ok(bytes) => line(&format!("{}\n", String::from_utf8_lossy(&bytes.map_err(|error| error.to_string())?))),
             Err(RecvTimeoutError::Disconnected) => return child.wait().map_err(|error| error.to_string()),
             Err(RecvTimeoutError::Timeout) => {
-                child.kill().map_err(cannot)?;
+                // What the command started goes on, but nobody waits for it.
+                child.kill().and_then(|()| child.wait()).map_err(cannot)?;
                 return Err(format!("not ended after {} minutes, and stopped", limit.as_secs() / 60));
             }
         }

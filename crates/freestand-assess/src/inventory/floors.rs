@@ -134,6 +134,12 @@ const MEZZANINE: [&str; 8] =
 pub(super) fn storey(text: &str) -> Option<Storey> {
     const BETWEEN: [&str; 8] = [" to ", " or ", " and ", " bis ", " oder ", " und ", " et ", " ou "];
     let parts = BETWEEN.iter().fold(text.to_lowercase(), |text, word| text.replace(word, "/"));
+    // "Basement - level 3", but not "level - 1".
+    let by_strokes: Vec<&str> = parts.split(" - ").collect();
+    let parts =
+        by_strokes.iter().skip(1).fold(by_strokes.first().copied().unwrap_or_default().to_owned(), |all, part| {
+            all + if part.starts_with(char::is_alphabetic) { "/" } else { " - " } + part
+        });
     let mut named = parts.split(['/', '(', ',', ';', '&']).filter_map(one_storey);
     let at_ground = |one: Storey| if one == Storey::Below { Storey::Ground } else { one };
     let first = named.next().map(at_ground);
@@ -201,7 +207,7 @@ fn one_storey(text: &str) -> Option<Storey> {
 
 /// Whether the words beside that for a roof are the name of a floor.
 fn is_numbered_roof(words: &str) -> bool {
-    let rest: Vec<&str> = words.split(' ').filter(|word| !ROOF.contains(word)).collect();
+    let rest: Vec<&str> = words.split(' ').filter(|word| !ROOF.contains(word) && !word.contains("roof")).collect();
     rest.len() < words.split(' ').count() && one_storey(&rest.join(" ")).is_some()
 }
 
@@ -490,6 +496,8 @@ mod tests {
             ("Ground floor, garage", Some(Below)),
             // Two floors are none.
             ("basement/roof", None),
+            ("basement - level 3", None),
+            ("level 2 rooftop", None),
             ("garage roof", None),
             ("4th floor roof", None),
             ("Roof, block 2", Some(Roof)),

@@ -117,7 +117,8 @@ fn surroundings(
     let doubted = match (stated, said) {
         (None, Some(Wheels::Some)) => Some(Column::RestsOn),
         (Some(Casters::None), _) if wheels == Some(Casters::Free) => Some(Column::RestsOn),
-        (Some(Casters::Braked), Some(Wheels::Said(Casters::Free))) => Some(Column::RestsOn),
+        (Some(Casters::Braked), Some(Wheels::Said(Casters::Free)))
+        | (Some(Casters::Free), Some(Wheels::Said(Casters::Braked))) => Some(Column::RestsOn),
         // Whether they roll is said.
         _ if is_known_to_roll => None,
         _ if [stated, wheels].iter().any(|one| matches!(one, Some(Casters::Free | Casters::Braked))) => None,

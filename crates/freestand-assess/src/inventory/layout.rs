@@ -385,9 +385,11 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
     (body, other)
 }
 
-/// Whether a text alone in its row is a remark, or a sentence about units, rather than the name of a section.
+/// Whether a text alone in its row is a remark, or a sentence about units, rather than the name of a section, which units
+/// may follow: "Level 2 (dimensions in mm)".
 fn is_note(text: &str) -> bool {
-    begins_note(text) || [Dimension::Length, Dimension::Mass].into_iter().any(|of| sentence_unit(text, of).is_some())
+    let first = text.split(['(', ',', ';', ':']).next().unwrap_or_default();
+    begins_note(text) || [Dimension::Length, Dimension::Mass].into_iter().any(|of| sentence_unit(first, of).is_some())
 }
 
 /// What a row is, before it is known whether objects follow.

@@ -252,8 +252,8 @@ fn unit_of(text: &str, column: Column) -> Result<CellUnit, Problem> {
     dimension(column).and_then(|dimension| find(text, dimension).ok()).ok_or_else(refused)
 }
 
-/// A mapping file to edit: every heading of a list with what it was taken for.
-pub(super) fn written(columns: &[(String, Option<Column>, Option<CellUnit>)], decimal: Option<Decimal>) -> String {
+/// A mapping file to edit: every heading of a list with what it was taken for, by the mapping in use if there is one.
+pub(super) fn written(columns: &[(String, Option<Column>, Option<CellUnit>)], used: Option<&Mapping>) -> String {
     let mut text = String::from(
         "# What the columns of the list are. Edit it and give it back with --columns.\n\
          # \"Heading\" = \"name\", { name = \"height\", unit = \"mm\" }, or \"ignore\"\n[columns]\n",
@@ -262,7 +262,8 @@ pub(super) fn written(columns: &[(String, Option<Column>, Option<CellUnit>)], de
         let key = Value::from(heading.as_str()).to_string();
         let named = match column {
             Some(column) => Some((column.name(), unit.map(|unit| unit.symbol().to_owned()))),
-            None => mapped_cost(heading),
+            None if used.is_some_and(|used| used.ignores(heading)) => None,
+            None => used.and_then(|used| used.cost(heading)).or_else(|| mapped_cost(heading)),
         };
         let value = match named {
             None => "\"ignore\"".to_owned(),
@@ -274,8 +275,9 @@ pub(super) fn written(columns: &[(String, Option<Column>, Option<CellUnit>)], de
     text += "\n# Floors by their names: a share of the height, an elevation, or another floor.\n[floors]\n\
              # \"Annex upper\" = 0.75\n# first_floor = \"ground\"\n\n\
              # Units of columns without one.\n[units]\n# mass = \"lb\"\n\n[numbers]\n";
-    let sign =
-        decimal.map_or_else(|| "# decimal = \"comma\"".to_owned(), |sign| format!("decimal = \"{}\"", sign.name()));
+    let sign = used
+        .and_then(|used| used.decimal)
+        .map_or_else(|| "# decimal = \"comma\"".to_owned(), |sign| format!("decimal = \"{}\"", sign.name()));
     text += &format!("{sign}\n");
     text
 }
@@ -320,11 +322,17 @@ mod tests {
                 ("x".to_owned(), None, None),
                 ("Replacement value NZD".to_owned(), None, None),
             ],
-            Some(Decimal::Comma),
+            None,
         );
         let mapping = Mapping::parse(&text).unwrap();
         assert_eq!(mapping.cost("Replacement value NZD"), Some(("replacement_cost", Some("NZD".to_owned()))), "{text}");
         assert!(mapping.ignores("x") && !mapping.ignores("Replacement value NZD") && !mapping.ignores("y"));
+        // What a mapping ignores stays ignored, and what it renamed keeps its name.
+        let used = Mapping::parse("[columns]\nWert = { name = \"replacement_cost\", unit = \"EUR\" }\n\"Replacement value NZD\" = \"ignore\"\n[numbers]\ndecimal = \"comma\"\n").unwrap();
+        let again = ["Wert", "Replacement value NZD"].map(|heading| (heading.to_owned(), None, None));
+        let again = Mapping::parse(&written(&again, Some(&used))).unwrap();
+        assert_eq!(again.cost("Wert"), Some(("replacement_cost", Some("EUR".to_owned()))));
+        assert!(again.ignores("Replacement value NZD") && again.decimal == Some(Decimal::Comma));
         assert_eq!(mapping.column("Höhe \"h\"").map(|mapped| mapped.column), Some(Some(Column::Height)));
     }
 }

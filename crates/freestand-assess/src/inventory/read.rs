@@ -271,7 +271,7 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
         units: if understood.iter().any(|columns| columns.is_imperial) { UnitSystem::Us } else { UnitSystem::Si },
         header_row: sheet.header.row,
         left_out,
-        mapping_file: super::mapping::written(&mapped, options.mapping.and_then(|mapping| mapping.decimal)),
+        mapping_file: super::mapping::written(&mapped, options.mapping),
         headings,
         cells,
     })
@@ -287,7 +287,7 @@ fn hidden_columns(sheet: &Sheet, understood: &[Understood]) -> Option<String> {
     named.dedup();
     (!named.is_empty()).then(|| {
         format!(
-            "a spreadsheet does not show all columns that were read: {} hidden: show or delete them",
+            "a spreadsheet does not show all columns that were read, as {} hidden; show or delete them",
             match named.as_slice() {
                 [one] => format!("{one} is"),
                 all => format!("{} are", all.join(", ")),

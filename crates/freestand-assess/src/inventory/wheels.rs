@@ -40,7 +40,7 @@ pub(super) fn may_roll(text: &str) -> bool {
     let is_held =
         |part: &str| names_wheels(part) && matches!(casters(part), Wheels::Said(Casters::Braked | Casters::None));
     let parts = || text.split([',', ';', '(', ')', '.', ':']);
-    parts().any(is_wheeled) && !parts().any(is_held)
+    parts().any(is_wheeled) && !parts().any(is_held) && !is_held(text)
 }
 
 fn is_wheeled(text: &str) -> bool {
@@ -81,8 +81,10 @@ const HELD: &str = "braked locked gebremst festgestellt arretiert blockiert frei
 const FREE: &str = "free unlocked unbraked frei ungebremst libre libres libero libera liberi libere livre livres \
     serbest kilitsiz frensiz フリー 自由 ロックなし ブレーキなし 无刹车 不带刹车";
 const NONE: &str = "no none without nein kein keine ohne non sans aucun aucune sin sem senza nessuna nao なし 没有";
+/// A whole cell that answers no.
+const NO: &str = "n no nein non nee nao hayir yok false falsch faux falso 0 無 无 否 なし 没有";
 /// Words that change nothing beside the others.
-const PLAIN: &str = "yes ja oui si sim evet all alle both beide tous toutes todos todas tutti tutte and und et y e ed \
+const PLAIN: &str = "yes ja oui si sim evet all alle tous toutes todos todas tutti tutte and und et y e ed \
     ve with mit avec con com on auf sur su sobre the die der das les le la las los are is sind ist sont est sono estan";
 
 /// What every word of a cell together says of the wheels; `None` where one word may turn what another says.
@@ -106,7 +108,9 @@ fn state(words: &str) -> Option<Casters> {
             } else if is_among(word, FREE) {
                 (Some(Casters::Free), false)
             } else if let Some((number, unit)) = numbered(word) {
-                let is_size = |unit: &str| matches!(unit, "mm" | "cm" | "in");
+                // "3 in 4 castors" is no size.
+                let is_share = || rest.len() > 1 && numbered(rest[rest.len() - 2]).is_some();
+                let is_size = |unit: &str| matches!(unit, "mm" | "cm") || unit == "in" && !is_share();
                 // Fewer than four may be some of them.
                 let is_count = number >= 4 && matches!(unit, "" | "x") && !has_count && !is_size(next);
                 if !(is_count || is_size(unit) || unit.is_empty() && is_size(next)) {
@@ -140,7 +144,10 @@ fn numbered(word: &str) -> Option<(u32, &str)> {
 fn says_none(words: &str) -> bool {
     let mut each = words.split(' ');
     let is_known = |word: &str| [NONE, WHEEL, PLAIN, OTHER].iter().any(|all| is_among(word, all));
-    words.split(' ').all(is_known) && each.any(|word| is_among(word, NONE))
+    // "No feet, castors" has castors.
+    let mut pairs = words.split(' ').zip(words.split(' ').skip(1));
+    let lacks_other = pairs.any(|(word, next)| is_among(word, NONE) && is_among(next, OTHER));
+    words.split(' ').all(is_known) && each.any(|word| is_among(word, NONE)) && !lacks_other
 }
 
 const OTHER: &str = "feet foot pad pads mounts springs legs plinth skids glides base fusse fuss sockel pieds patas pes \
@@ -190,10 +197,11 @@ pub(super) fn casters(text: &str) -> Wheels {
     }
     match yes_or_no(text) {
         Answer::Yes => Wheels::Some,
-        Answer::No => Wheels::Said(Casters::None),
-        Answer::Unclear if matches!(words.as_str(), "y" | "x" | "j" | "o" | "s" | "1") => Wheels::Some,
-        Answer::Unclear if words.split(' ').any(|word| is_among(word, OTHER)) => Wheels::Other,
-        Answer::Unclear => Wheels::Unclear,
+        // "Not fixed" is no answer about wheels.
+        Answer::No if words.is_empty() || is_among(&words, NO) => Wheels::Said(Casters::None),
+        _ if matches!(words.as_str(), "y" | "x" | "j" | "o" | "s" | "1") => Wheels::Some,
+        _ if words.split(' ').any(|word| is_among(word, OTHER)) => Wheels::Other,
+        _ => Wheels::Unclear,
     }
 }
 
@@ -301,6 +309,17 @@ mod tests {
             ("rubber pads", Wheels::Other),
             ("spring mounts", Wheels::Other),
             ("see photo", Wheels::Unclear),
+            ("no feet, castors", Wheels::Some),
+            ("roulettes sans pieds", Wheels::Some),
+            ("ohne Sockel, mit Rollen", Wheels::Some),
+            ("no castors, feet", Wheels::Said(No)),
+            ("not fixed", Wheels::Unclear),
+            ("loose", Wheels::Unclear),
+            ("not sure", Wheels::Unclear),
+            ("FALSE", Wheels::Said(No)),
+            ("3 in 4 castors locked", Wheels::Some),
+            ("3 in castors locked", Wheels::Said(Braked)),
+            ("both castors locked", Wheels::Some),
         ] {
             assert_eq!(casters(text), expected, "{text}");
         }

@@ -54,8 +54,10 @@ fn odd_step(component: &Component) -> Option<Note> {
     } else {
         return None;
     };
-    let words =
-        format!("a time step of {dt_s} s is too {odd} for a record of an earthquake: check the unit of its times");
+    let words = format!(
+        "a time step of {} s is too {odd} for a record of an earthquake: check the unit of its times",
+        number(dt_s, 4)
+    );
     Some(Note::of(&component.name, NoteKind::OddStep, words).amount(dt_s, "s"))
 }
 
@@ -102,8 +104,10 @@ fn clipped(component: &Component) -> Option<Note> {
     let accel = component.motion.accel_m_s2();
     let peak_m_s2 = component.motion.peak_m_s2();
     let near_peak = |a: f64| a.abs() > 0.5 * peak_m_s2;
-    let steps = accel.windows(2).filter(|pair| pair.iter().all(|a| near_peak(*a)));
-    let last_place = steps.map(|pair| (pair[1] - pair[0]).abs()).filter(|step| *step > 0.0).fold(f64::MAX, f64::min);
+    let steps = accel.windows(2).filter(|pair| pair.iter().all(|a| near_peak(*a)) && pair[0] * pair[1] > 0.0);
+    let steps = steps.map(|pair| (pair[1] - pair[0]).abs()).filter(|step| *step > 0.0);
+    // Where nothing but tops is near the peak, nothing is known of the digits.
+    let last_place = steps.reduce(f64::min).unwrap_or(0.0);
     let [lowest, highest] = [f64::min, f64::max].map(|extreme| accel.iter().copied().fold(0.0, extreme));
     let mut start = 0_usize;
     let (mut places, mut samples) = (0, 0);
@@ -188,6 +192,8 @@ mod tests {
         assert_eq!(kinds(heading, waves(), 6), []);
         assert_eq!(kinds(heading, waves().map(|a| a.clamp(-0.2, 0.2)), 6), [NoteKind::Clipped]);
         assert_eq!(kinds(heading, waves().map(|a| a.min(0.3)), 6), [NoteKind::Clipped]);
+        // So much that hardly more than the limit is left.
+        assert_eq!(kinds(heading, waves().map(|a| (100.0 * a).clamp(-0.2, 0.2)), 6), [NoteKind::Clipped]);
         // A steady wave in three digits repeats its rounded top of 0.1 g.
         let steady = |scale: f64| (0..1000).map(move |i| scale * (0.02 * f64::from(i)).sin());
         assert!(!kinds(heading, steady(0.1), 3).contains(&NoteKind::Clipped));

@@ -31,13 +31,17 @@ impl Resolver<'_> {
     ) -> Settings {
         let defaults = Settings::default();
         for (key, line) in &written.of_worlds {
-            let hint = match *key {
+            let (message, hint) = match *key {
                 "draws" | "most_draws" | "screen" | "worlds" => {
-                    "leave it out, or set first and most, the numbers of worlds, in the table [worlds]".to_owned()
+                    let hint = "set first and most, the numbers of worlds, in the table [worlds]";
+                    (format!("{key} is no key of [assessment]"), hint.to_owned())
                 }
-                key => format!("write {key} in the table [worlds]"),
+                key => {
+                    let message = format!("{key} belongs in the table [worlds], not in [assessment]");
+                    (message, format!("write {key} in the table [worlds]"))
+                }
             };
-            self.note(Some(*line), format!("{key} belongs in the table [worlds], not in [assessment]"), hint);
+            self.note(Some(*line), message, hint);
         }
         let Spread { restitution, stiffness, mass, geometry, model, compliant } = defaults.spread;
         let files = [&written.inventory, &written.library, &written.cushion_library];

@@ -101,7 +101,9 @@ fn a_doubt_is_answered_by_the_edits_of_its_hint() {
         let options = ReadOptions { edits, ..ReadOptions::new(&Lookup::NONE) };
         parse_inventory(list.into(), "list.csv".as_ref(), &options).unwrap().inventory
     };
-    for finding in read(&[]).findings {
+    let findings = read(&[]).findings;
+    assert_eq!(findings.iter().map(|one| one.kind).collect::<Vec<_>>().len(), 2, "{findings:?}");
+    for finding in findings {
         let edits: Vec<Edit> = finding
             .hint
             .split("`edit = \"")
@@ -131,7 +133,7 @@ fn hidden_columns_are_named_and_rows_without_a_height_are_hidden() {
     let sheet =
         sheet(&rows, "").replace("<sheetData>", "<cols><col min=\"4\" max=\"4\" hidden=\"1\"/></cols><sheetData>");
     let inventory = read(workbook_of(&[("Objects", "", &sheet)])).unwrap().inventory;
-    let said = "a spreadsheet does not show all columns that were read: D (height [mm]) is hidden: show or delete them";
+    let said = "a spreadsheet does not show all columns that were read, as D (height [mm]) is hidden; show or delete them";
     assert_eq!(inventory.warnings, [said]);
     assert_eq!(inventory.items[0].doubts, [Kind::HiddenRow]);
 }

@@ -244,7 +244,9 @@ fn value(message: impl Into<String>) -> Problem {
 /// Whether a velocity may be that after a fall: along rails it is some percent lower than after a free one.
 fn is_after_fall(velocity_m_s: f64, height_m: f64) -> bool {
     const FRICTION: f64 = 0.1;
-    (velocity_m_s / fall(height_m) - 1.0).abs() <= FRICTION
+    /// Of a number with two or three digits.
+    const ROUNDED: f64 = 0.01;
+    (1.0 - FRICTION..=1.0 + ROUNDED).contains(&(velocity_m_s / fall(height_m)))
 }
 
 /// The velocity after a fall. Gravity may be off during the contact, but it acted during the fall before.
@@ -257,7 +259,8 @@ fn impact_velocity(request: &DropRequest, said: &Said) -> Result<(ImpactVelocity
     let (speed_m_s, height_m) = match (request.impact_velocity_m_s, request.height_m) {
         (None, None) => {
             said.check_velocity()?;
-            (said.velocity_m_s, said.height_m)
+            // Where both agree, the height counts: it is measured with a ruler.
+            (said.velocity_m_s.filter(|_| said.height_m.is_none()), said.height_m)
         }
         given => given,
     };
@@ -463,7 +466,8 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
         say(format!("{} samples per contact: 50 or more are better", significant(samples, 3)));
     }
     if found.is_some_and(|found| found.stiffness.fit_n_m > STIFFEST_PAD_N_M) {
-        say("no pad is stiffer than 1e6 N/mm: check the mass, the unit of the acceleration and the step".to_owned());
+        say("no pad is stiffer than 1e6 N/mm: check the mass, the unit of the acceleration and the time step"
+            .to_owned());
     }
     let spread_ratio = found.map_or(0.0, |found| found.stiffness.spread_ratio());
     if found.is_some_and(|found| found.chosen == FittedLaw::Linear) && spread_ratio > WIDE_SPREAD {
