@@ -133,7 +133,8 @@ fn hidden_columns_are_named_and_rows_without_a_height_are_hidden() {
     let sheet =
         sheet(&rows, "").replace("<sheetData>", "<cols><col min=\"4\" max=\"4\" hidden=\"1\"/></cols><sheetData>");
     let inventory = read(workbook_of(&[("Objects", "", &sheet)])).unwrap().inventory;
-    let said = "a spreadsheet does not show all columns that were read, as D (height [mm]) is hidden; show or delete them";
+    let said =
+        "a spreadsheet does not show all columns that were read, as D (height [mm]) is hidden; show or delete them";
     assert_eq!(inventory.warnings, [said]);
     assert_eq!(inventory.items[0].doubts, [Kind::HiddenRow]);
 }
