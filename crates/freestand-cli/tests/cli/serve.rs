@@ -407,7 +407,7 @@ fn a_cancelled_assessment_keeps_what_is_finished() {
     let folder = tempfile::tempdir().unwrap();
     let list = folder.path().join("list.csv");
     // More than the fastest machine finishes while the request to cancel is under way.
-    let rows = (0..4000).map(|i| format!("O-{i},cabinet,1,{} mm,400 mm\n", 1200 + i % 800)).collect::<String>();
+    let rows = (0..20_000).map(|i| format!("O-{i},cabinet,1,{} mm,400 mm\n", 1200 + i % 800)).collect::<String>();
     std::fs::write(&list, format!("id,item,floor,height,thickness\n{rows}")).unwrap();
     let study = folder.path().join("study.toml");
     std::fs::write(&study, "[building]\nstoreys = 3\n[worlds]\nfirst = 4\nmost = 4\nshares = false\n").unwrap();

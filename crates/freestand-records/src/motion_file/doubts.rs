@@ -139,6 +139,8 @@ fn clipped(component: &Component) -> Option<Note> {
 /// A pulse that ends at its peak is a choice, and crosses zero a few times at most.
 fn ends_early(component: &Component) -> Option<Note> {
     const MIN_CROSSINGS: usize = 10;
+    /// Fewer samples, 3.5 s at 10 ms, are an excerpt and no record.
+    const MIN_RECORD: usize = 350;
     /// The part of the record that is its end, and the share of the peak that is strong there: the root mean square of
     /// strong shaking is about a third of the peak.
     const END: f64 = 0.02;
@@ -149,7 +151,7 @@ fn ends_early(component: &Component) -> Option<Note> {
     let count = ((END * accel.len() as f64) as usize).max(5);
     let end = accel.get(accel.len().checked_sub(count)?..)?;
     let rms_m_s2 = (end.iter().map(|a| a * a).sum::<f64>() / count as f64).sqrt();
-    (!component.is_raw && crossings >= MIN_CROSSINGS && rms_m_s2 > STRONG * peak_m_s2).then(|| {
+    (!component.is_raw && accel.len() >= MIN_RECORD && crossings >= MIN_CROSSINGS && rms_m_s2 > STRONG * peak_m_s2).then(|| {
         let percent = 100.0 * rms_m_s2 / peak_m_s2;
         let words = format!(
             "the record ends in strong shaking (its last {} s have {percent:.0} % of the peak): what followed is not known, \
