@@ -134,10 +134,8 @@ impl Model {
     /// Classical Runge–Kutta.
     pub(super) fn predict(&self) -> Predicted {
         let step_s = self.scale_s() / STEPS;
-        let (g, h) = (self.gravity_m_s2, step_s);
-        // Every force waits for the one before: a division would take a third of the time.
-        let per_kg = 1.0 / self.mass_kg;
-        let shown = |d: f64, v: f64| self.force_n(d, v) * per_kg;
+        let (m, g, h) = (self.mass_kg, self.gravity_m_s2, step_s);
+        let shown = |d: f64, v: f64| self.force_n(d, v) / m;
         let rate = |d: f64, v: f64| g - shown(d, v);
         let (mut d, mut v) = (0.0, self.speed_m_s);
         let mut out = Predicted {
