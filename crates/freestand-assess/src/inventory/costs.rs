@@ -172,6 +172,11 @@ pub(super) fn mapped_cost(heading: &str) -> Option<(&'static str, Option<String>
     CostHeading::new(heading, None).map(|found| (found.column.name, found.unit))
 }
 
+/// Whether a heading is one of costs, which stand beside the objects until money is asked for.
+pub(super) fn is_cost(heading: &str, mapping: Option<&Mapping>) -> bool {
+    CostHeading::new(heading, mapping).is_some()
+}
+
 /// A heading of costs: `Replacement value NZD`, `downtime_cost [EUR/day]`.
 struct CostHeading {
     column: &'static CostColumn,
@@ -330,8 +335,10 @@ pub(crate) fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<Liste
     // A number of objects that cannot be read counts as one.
     let counts = inventory.findings.iter().filter(|one| one.column == Some(Column::Quantity));
     warnings.extend(counts.map(|one| format!("in the list: {}", one.line())));
-    let mild = |item: &Item| match (item.surroundings.casters, item.is_round) {
-        (Some(Casters::Free), _) => Some((item.id.clone(), TooMild::Glides)),
+    // What stands on it keeps it from rolling, as in its calculation.
+    let rolls = |item: &Item| item.surroundings.upper.is_none() && item.surroundings.casters == Some(Casters::Free);
+    let mild = |item: &Item| match (rolls(item), item.is_round) {
+        (true, _) => Some((item.id.clone(), TooMild::Glides)),
         (_, true) => Some((item.id.clone(), TooMild::Round)),
         _ => None,
     };

@@ -111,13 +111,13 @@ fn surroundings(
     let said = names_wheels(rests_on).then(|| casters(rests_on));
     let wheels = match said {
         Some(Wheels::Said(found)) => Some(found),
-        Some(Wheels::Some) => Some(Casters::Free),
+        Some(Wheels::Some | Wheels::PerhapsBraked) => Some(Casters::Free),
         _ => None,
     };
     let doubted = match (stated, said) {
-        (None, Some(Wheels::Some)) => Some(Column::RestsOn),
+        (None, Some(Wheels::Some | Wheels::PerhapsBraked)) => Some(Column::RestsOn),
         (Some(Casters::None), _) if wheels == Some(Casters::Free) => Some(Column::RestsOn),
-        (Some(Casters::Braked), Some(Wheels::Said(Casters::Free)))
+        (Some(Casters::Braked), Some(Wheels::Said(Casters::Free) | Wheels::PerhapsBraked))
         | (Some(Casters::Free), Some(Wheels::Said(Casters::Braked))) => Some(Column::RestsOn),
         // Whether they roll is said.
         _ if is_known_to_roll => None,

@@ -4,6 +4,8 @@
 //! is taken apart into what is certain, what it tells about the decimal sign, and the two readings
 //! between which a column decides.
 
+use freestand::cushion::PAD_STIFFNESS_N_M;
+
 use super::columns::Column;
 
 /// A decimal sign.
@@ -232,7 +234,7 @@ pub(super) fn is_plausible(column: Column, value: f64) -> bool {
         Column::ToleranceVelocityChange => 0.01..=50.0,
         Column::ToleranceEdgeLift => 1e-4..=1.0,
         Column::PadThickness => 5e-4..=0.5,
-        Column::Stiffness | Column::PadStiffness | Column::SeriesStiffness => 1e4..=1e9,
+        Column::Stiffness | Column::PadStiffness | Column::SeriesStiffness => PAD_STIFFNESS_N_M,
         Column::LevelRatio | Column::Restitution | Column::Accepted | Column::Friction => 0.0..=1.0,
         Column::RestitutionFactor => 0.3..=2.0,
         Column::Quantity | Column::PadsPerEdge => return (1.0..=5000.0).contains(&value) && value.fract() == 0.0,

@@ -1,6 +1,7 @@
 //! Values that an object can hardly have: used, and said.
 
 use freestand::G0_M_S2;
+use freestand::cushion::PAD_STIFFNESS_N_M;
 
 use super::Item;
 use super::columns::Column;
@@ -21,8 +22,6 @@ const LOW: f64 = 0.5;
 const MASS_KG: std::ops::RangeInclusive<f64> = 0.5..=100e3;
 /// Tolerance \[g\].
 const TOLERANCE_G: std::ops::RangeInclusive<f64> = 0.3..=1000.0;
-/// Stiffness under one edge \[N/m\]: 10 to 10⁶ N/mm.
-const STIFFNESS_N_M: std::ops::RangeInclusive<f64> = 1e4..=1e9;
 /// Largest compression of the pads by the weight alone, m g/(2k) \[m\].
 const MAX_SINK_M: f64 = 0.02;
 
@@ -71,7 +70,7 @@ pub(super) fn doubts(item: &Item) -> Vec<(Kind, Column)> {
     let stiffness = item.cushion.as_ref().and_then(|edge| edge.cushion.linear_stiffness_n_m());
     if let Some(stiffness) = stiffness {
         let sink = item.mass_kg.map(|mass| mass * G0_M_S2 / (2.0 * stiffness));
-        if !STIFFNESS_N_M.contains(&stiffness) || sink.is_some_and(|sink| sink > MAX_SINK_M) {
+        if !PAD_STIFFNESS_N_M.contains(&stiffness) || sink.is_some_and(|sink| sink > MAX_SINK_M) {
             found.push((Kind::Stiffness, Column::Stiffness));
         }
     }

@@ -14,6 +14,7 @@ use freestand_input::words::{canonical, nearest};
 
 use super::cell::{Cell, Row};
 use super::columns::{COLUMNS, Column, letters};
+use super::costs::is_cost;
 use super::edits::{Edit, answer, edited};
 use super::floors::{FloorFinder, Floors};
 use super::headings::dimension;
@@ -242,7 +243,7 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
         findings.add(Kind::HiddenRow, Place::ROW, Some(item.row), "", None);
         item.doubts.push(Kind::HiddenRow);
     }
-    warnings.extend(hidden_columns(&sheet, &understood));
+    warnings.extend(hidden_columns(&sheet, &tables, &understood, options.mapping));
     let cell = |item: &Item, column: Column| size_cell(item, column, &sheet, &tables, &understood);
     confirm(&mut items, options.edits, &mut findings, &cell);
     if let ([_], [columns]) = (tables.as_slice(), understood.as_slice()) {
@@ -278,11 +279,19 @@ pub fn parse_inventory(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -
 }
 
 /// A warning about columns that are read and that a spreadsheet does not show.
-fn hidden_columns(sheet: &Sheet, understood: &[Understood]) -> Option<String> {
+fn hidden_columns(
+    sheet: &Sheet,
+    tables: &[Table],
+    understood: &[Understood],
+    mapping: Option<&Mapping>,
+) -> Option<String> {
     let is_hidden = |index: u32| sheet.hidden.columns.iter().any(|(first, last)| (*first..=*last).contains(&index));
-    let uses = understood.iter().flat_map(|columns| &columns.uses).filter(|one| is_hidden(one.index));
+    let uses = understood.iter().flat_map(|columns| &columns.uses).map(|one| (one.index, &one.heading));
+    let headings = tables.iter().flat_map(|table| &table.header.headings).map(|(index, heading)| (*index, heading));
+    let costs = headings.filter(|(_, heading)| is_cost(heading, mapping));
+    let read = uses.chain(costs).filter(|(index, _)| is_hidden(*index));
     let mut named: Vec<String> =
-        uses.map(|one| format!("{} ({})", letters(one.index as usize), shorten(&one.heading))).collect();
+        read.map(|(index, heading)| format!("{} ({})", letters(index as usize), shorten(heading))).collect();
     named.sort_unstable();
     named.dedup();
     (!named.is_empty()).then(|| {

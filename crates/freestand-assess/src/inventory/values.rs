@@ -477,7 +477,7 @@ impl<'a> Values<'a> {
         }
         match casters(&text) {
             Wheels::Said(found) => (Some(found), String::new()),
-            Wheels::Some => {
+            Wheels::Some | Wheels::PerhapsBraked => {
                 self.report(column, Kind::Casters, None);
                 (Some(Casters::Free), String::new())
             }

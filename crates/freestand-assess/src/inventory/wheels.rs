@@ -62,6 +62,8 @@ pub(super) enum Wheels {
     Said(Casters),
     /// It speaks of them; that all are braked, that they roll or that there are none is not certain.
     Some,
+    /// The same, and a word says that they are braked, which another may turn: "2 of 4 locked".
+    PerhapsBraked,
     /// It stands on something else: feet, pads.
     Other,
     /// The text is not understood.
@@ -189,7 +191,8 @@ pub(super) fn casters(text: &str) -> Wheels {
         let is_of_brakes = words.split(' ').any(|word| ON_BRAKES.iter().any(|start| word.starts_with(start)))
             || ON_BRAKES_INSIDE.iter().any(|part| words.contains(part));
         if is_of_brakes {
-            return Wheels::Some;
+            let is_held = words.split(' ').any(|word| is_among(word, HELD));
+            return if is_held { Wheels::PerhapsBraked } else { Wheels::Some };
         }
     }
     if words.parse::<u32>().is_ok_and(|count| count > 1) || names_wheels(text) {
@@ -236,19 +239,19 @@ mod tests {
             // Brakes that nobody says are set, or that some of the wheels have.
             ("with brakes", Wheels::Some),
             ("4, 2 with brakes", Wheels::Some),
-            ("4, 2 locked", Wheels::Some),
-            ("4, davon 2 gebremst", Wheels::Some),
+            ("4, 2 locked", Wheels::PerhapsBraked),
+            ("4, davon 2 gebremst", Wheels::PerhapsBraked),
             ("4, 2 without brakes", Wheels::Some),
             ("no brakes on 2 of 4", Wheels::Some),
             ("no brakes on 2 castors", Wheels::Some),
             ("no brakes on one castor", Wheels::Some),
-            ("rear castors locked", Wheels::Some),
+            ("rear castors locked", Wheels::PerhapsBraked),
             ("une roulette sans frein", Wheels::Some),
-            ("vorne gebremst", Wheels::Some),
+            ("vorne gebremst", Wheels::PerhapsBraked),
             ("ohne Bremse, davon 2", Wheels::Some),
             ("4 castors, no brakes", Wheels::Said(Free)),
-            ("2 of 4 locked", Wheels::Some),
-            ("braked when parked", Wheels::Some),
+            ("2 of 4 locked", Wheels::PerhapsBraked),
+            ("braked when parked", Wheels::PerhapsBraked),
             ("lockable", Wheels::Some),
             ("brakes broken", Wheels::Some),
             ("con freno", Wheels::Some),
@@ -260,33 +263,33 @@ mod tests {
             ("wheels, not parked", Wheels::Some),
             ("roues non freinées", Wheels::Said(Free)),
             // What else stands beside the word may turn it: only words that cannot are passed over.
-            ("was locked", Wheels::Some),
-            ("rarely locked", Wheels::Some),
-            ("sometimes braked", Wheels::Some),
-            ("usually locked", Wheels::Some),
-            ("can be locked", Wheels::Some),
-            ("should be braked", Wheels::Some),
-            ("to be locked", Wheels::Some),
-            ("braked: n", Wheels::Some),
-            ("braked - broken", Wheels::Some),
-            ("braked, one broken", Wheels::Some),
-            ("4 of 4 locked", Wheels::Some),
-            ("4 of 5 locked", Wheels::Some),
-            ("2 castors locked", Wheels::Some),
+            ("was locked", Wheels::PerhapsBraked),
+            ("rarely locked", Wheels::PerhapsBraked),
+            ("sometimes braked", Wheels::PerhapsBraked),
+            ("usually locked", Wheels::PerhapsBraked),
+            ("can be locked", Wheels::PerhapsBraked),
+            ("should be braked", Wheels::PerhapsBraked),
+            ("to be locked", Wheels::PerhapsBraked),
+            ("braked: n", Wheels::PerhapsBraked),
+            ("braked - broken", Wheels::PerhapsBraked),
+            ("braked, one broken", Wheels::PerhapsBraked),
+            ("4 of 4 locked", Wheels::PerhapsBraked),
+            ("4 of 5 locked", Wheels::PerhapsBraked),
+            ("2 castors locked", Wheels::PerhapsBraked),
             ("castors removed", Wheels::Some),
-            ("no castors locked", Wheels::Some),
+            ("no castors locked", Wheels::PerhapsBraked),
             ("brakes on castors", Wheels::Some),
-            ("kann gebremst werden", Wheels::Some),
-            ("soll gebremst werden", Wheels::Some),
-            ("gebremst (defekt)", Wheels::Some),
+            ("kann gebremst werden", Wheels::PerhapsBraked),
+            ("soll gebremst werden", Wheels::PerhapsBraked),
+            ("gebremst (defekt)", Wheels::PerhapsBraked),
             ("frein HS", Wheels::Some),
-            ("bloquées (frein cassé)", Wheels::Some),
-            ("peut être bloqué", Wheels::Some),
-            ("può essere bloccato", Wheels::Some),
+            ("bloquées (frein cassé)", Wheels::PerhapsBraked),
+            ("peut être bloqué", Wheels::PerhapsBraked),
+            ("può essere bloccato", Wheels::PerhapsBraked),
             ("bloqueable", Wheels::Some),
-            ("never locked", Wheels::Some),
-            ("free, locked", Wheels::Some),
-            ("no, locked", Wheels::Some),
+            ("never locked", Wheels::PerhapsBraked),
+            ("free, locked", Wheels::PerhapsBraked),
+            ("no, locked", Wheels::PerhapsBraked),
             ("not lockable", Wheels::Some),
             ("ロックあり", Wheels::Some),
             ("ロックなし", Wheels::Said(Free)),
@@ -317,9 +320,9 @@ mod tests {
             ("loose", Wheels::Unclear),
             ("not sure", Wheels::Unclear),
             ("FALSE", Wheels::Said(No)),
-            ("3 in 4 castors locked", Wheels::Some),
+            ("3 in 4 castors locked", Wheels::PerhapsBraked),
             ("3 in castors locked", Wheels::Said(Braked)),
-            ("both castors locked", Wheels::Some),
+            ("both castors locked", Wheels::PerhapsBraked),
         ] {
             assert_eq!(casters(text), expected, "{text}");
         }

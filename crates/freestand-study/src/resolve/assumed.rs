@@ -3,7 +3,7 @@
 use super::Overrides;
 use crate::building::BuildingInput;
 use crate::options::{BuildingOptions, GroundOptions};
-use crate::study::{Assumed, Ground};
+use crate::study::{Assumed, AssumedValue, Ground};
 use freestand_input::words::{counted, number, percent};
 
 /// What was written, and by whom.
@@ -36,7 +36,7 @@ impl Stated<'_> {
 pub(super) fn assumed(ground: Option<&Ground>, building: Option<&BuildingInput>, stated: &Stated) -> Vec<Assumed> {
     let of_ground = ground.into_iter().flat_map(|ground| on_ground(ground, stated));
     let of_building = building.into_iter().flat_map(|building| above(building, stated));
-    of_ground.map(|words| Assumed { of_building: false, words, storey_height_m: None }).chain(of_building).collect()
+    of_ground.map(|words| Assumed { of_building: false, value: AssumedValue::Said(words) }).chain(of_building).collect()
 }
 
 fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
@@ -62,7 +62,7 @@ fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
 
 fn above(building: &BuildingInput, stated: &Stated) -> Vec<Assumed> {
     let mut said = Vec::new();
-    let plain = |words: String| Assumed { of_building: true, words, storey_height_m: None };
+    let plain = |words: String| Assumed { of_building: true, value: AssumedValue::Said(words) };
     if stated.building_is_assumed {
         said.push(plain(format!("a building of {}, because none was given", counted(building.storeys, "storey"))));
     }
@@ -70,7 +70,7 @@ fn above(building: &BuildingInput, stated: &Stated) -> Vec<Assumed> {
     if let Some(height_m) = building.storey_height_m
         && !["storey_height", "height"].into_iter().any(|key| stated.of_building(key))
     {
-        said.push(Assumed { storey_height_m: Some(height_m), ..plain("storeys of ".to_owned()) });
+        said.push(Assumed { of_building: true, value: AssumedValue::StoreyHeight(height_m) });
     }
     if !has_table && !stated.of_building("period") {
         let period_s = number(building.along.period_s(), 3);

@@ -81,8 +81,9 @@ impl Study {
     /// What was assumed about the shaking at a level, in words; on the ground no building matters.
     pub fn assumed_at(&self, level_ratio: f64, units: UnitSystem) -> impl Iterator<Item = String> {
         let at_level = self.assumed.iter().filter(move |one| !one.of_building || level_ratio > 0.0);
-        at_level.map(move |one| {
-            one.words.clone() + &one.storey_height_m.map_or_else(String::new, |height_m| units.storey(height_m))
+        at_level.map(move |one| match &one.value {
+            AssumedValue::Said(words) => words.clone(),
+            AssumedValue::StoreyHeight(height_m) => format!("storeys of {}", units.storey(*height_m)),
         })
     }
 
@@ -126,10 +127,17 @@ impl Study {
 pub struct Assumed {
     /// Whether it is one of the building.
     pub of_building: bool,
-    /// The value, and what it stands for: `site class C, because no site was given`.
-    pub words: String,
-    /// The height of a storey behind these words.
-    pub storey_height_m: Option<f64>,
+    /// What was assumed.
+    pub value: AssumedValue,
+}
+
+/// What is assumed where nobody states it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AssumedValue {
+    /// In words, with what it stands for: `site class C, because no site was given`.
+    Said(String),
+    /// The height of every storey \[m\].
+    StoreyHeight(f64),
 }
 
 /// What a study leaves to the built-in study.

@@ -15,6 +15,10 @@ use thiserror::Error;
 
 use crate::search::bisect;
 
+/// Stiffnesses that pads under an edge have: 10 to 10⁶ N/mm \[N/m\]. What lies outside was written in another unit or
+/// belongs to no pad.
+pub const PAD_STIFFNESS_N_M: std::ops::RangeInclusive<f64> = 1e4..=1e9;
+
 /// The force of a cushion as a function of its compression d and the rate ḋ (positive while the
 /// compression grows).
 ///

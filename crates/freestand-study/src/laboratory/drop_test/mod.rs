@@ -5,7 +5,7 @@ mod pool;
 use std::path::{Path, PathBuf};
 
 use freestand::G0_M_S2;
-use freestand::cushion::ContactLaw;
+use freestand::cushion::{ContactLaw, PAD_STIFFNESS_N_M};
 use freestand::identify::{
     Candidate, DropOfRecord, DropSetup, DropTest, FittedLaw, Identified, ImpactVelocity, LoopPoint, NORMAL_975,
     StiffnessEstimates, drop_tests as drops_of,
@@ -352,9 +352,6 @@ impl Said {
     }
 }
 
-/// As in lists of objects.
-const STIFFEST_PAD_N_M: f64 = 1e9;
-
 /// Two numbers are the same that differ by less: 4 in is 101.6 mm.
 const ROUNDING: f64 = 1e-9;
 
@@ -465,7 +462,7 @@ fn notes(report: &DropReport, is_one_of_several: bool, thickness_m: Option<f64>,
     {
         say(format!("{} samples per contact: 50 or more are better", significant(samples, 3)));
     }
-    if found.is_some_and(|found| found.stiffness.fit_n_m > STIFFEST_PAD_N_M) {
+    if found.is_some_and(|found| found.stiffness.fit_n_m > *PAD_STIFFNESS_N_M.end()) {
         say("no pad is stiffer than 1e6 N/mm: check the mass, the unit of the acceleration and the time step"
             .to_owned());
     }
