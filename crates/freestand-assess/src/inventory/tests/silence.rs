@@ -137,6 +137,31 @@ fn hidden_columns_are_named_and_rows_without_a_height_are_hidden() {
         "a spreadsheet does not show all columns that were read, as D (height [mm]) is hidden; show or delete them";
     assert_eq!(inventory.warnings, [said]);
     assert_eq!(inventory.items[0].doubts, [Kind::HiddenRow]);
+    // Costs are read as well, when money is asked for.
+    let headings = [&HEADINGS[..], &["Replacement value NZD"]].concat();
+    let rows = row(1, &headings) + &row(2, &["a", "x", "0.5", "1800", "600", "", "900"]);
+    let last = headings.len();
+    let hidden = format!("<cols><col min=\"{last}\" max=\"{last}\" hidden=\"1\"/></cols><sheetData>");
+    let sheet = self::sheet(&rows, "").replace("<sheetData>", &hidden);
+    let warnings = read(workbook_of(&[("Objects", "", &sheet)])).unwrap().inventory.warnings;
+    assert!(warnings.len() == 1 && warnings[0].contains("(Replacement value NZD) is hidden"), "{warnings:?}");
+}
+
+/// What it stands on may contradict the column of casters, which then does not brake it.
+#[test]
+fn wheels_that_two_columns_describe_differently_are_free() {
+    let read = |casters: &str, rests_on: &str| {
+        let list =
+            format!("id,item,height [mm],depth [mm],casters,rests on\n1,shelf,1800,600,{casters},\"{rests_on}\"\n");
+        let options = ReadOptions::new(&Lookup::NONE);
+        let inventory = parse_inventory(list.into(), "list.csv".as_ref(), &options).unwrap().inventory;
+        (inventory.items[0].surroundings.casters, inventory.items[0].doubts.contains(&Kind::Casters))
+    };
+    assert_eq!(read("braked", "castors, 2 of 4 locked"), (Some(Casters::Free), true));
+    assert_eq!(read("braked", "castors, free"), (Some(Casters::Free), true));
+    assert_eq!(read("free", "castors, braked"), (Some(Casters::Free), true));
+    assert_eq!(read("braked", "castors with brakes"), (Some(Casters::Braked), false));
+    assert_eq!(read("braked", "castors, locked"), (Some(Casters::Braked), false));
 }
 
 #[test]
