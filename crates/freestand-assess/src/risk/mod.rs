@@ -30,7 +30,7 @@ use crate::fragility::{
     ObjectFragility, cautions, contradictions, fragility_watched, go_on, hazard_of, load_curves, number_and_unit,
 };
 use crate::inventory::CellsRequest;
-use crate::result::TooMild;
+use crate::too_mild::TooMild;
 
 use costs::{OptionRow, Options, curve_id, load_options};
 use objects::{LossBounds, ObjectRisk};

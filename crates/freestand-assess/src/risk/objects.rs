@@ -610,7 +610,7 @@ mod tests {
 
     use super::*;
     use crate::fragility::{At, Measure};
-    use crate::result::TooMild;
+    use crate::too_mild::TooMild;
 
     fn state(
         limit_state: LimitState,

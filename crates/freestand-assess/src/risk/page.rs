@@ -361,11 +361,18 @@ fn objects(report: &RiskReport, years: &str) -> String {
     }
     let row = |object: &&ObjectRisk| {
         let overturns = state(object, LimitState::Overturns);
-        let chance = |one: Option<(f64, f64)>| figure(one.map_or("–".to_owned(), |one| percent_significant(one.1, 2)));
+        // Its curves leave out how it may fail as well.
+        let is_cautioned = object.curves.caution.is_some();
+        let chance = |one: Option<(f64, f64)>| {
+            let words = |one: (f64, f64)| format!("{}{}", least(is_cautioned), percent_significant(one.1, 2));
+            figure(one.map_or("–".to_owned(), words))
+        };
         let loss = |loss: Option<f64>| {
             figure(loss.map_or("–".to_owned(), |loss| format!("{}{}", least(object.is_at_least), grouped(loss))))
         };
-        let every = overturns.filter(|one| one.0 > 0.0).map_or("–".to_owned(), |one| grouped(1.0 / one.0));
+        let most = if is_cautioned { "at most " } else { "" };
+        let years = |one: (f64, f64)| format!("{most}{}", grouped(1.0 / one.0));
+        let every = overturns.filter(|one| one.0 > 0.0).map_or("–".to_owned(), years);
         let mut cells = vec![
             words(&shorten(&object.id)),
             figure(number(object.cost.as_ref().map_or(1.0, |cost| cost.quantity), 4)),

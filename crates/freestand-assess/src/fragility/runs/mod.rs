@@ -343,7 +343,7 @@ fn check_ground(request: &RunsRequest, measures: &[(Measure, At)], floors: &[Vec
             "for a measure of the ground, give a study with motions of the ground and the building",
         ),
     };
-    let is = if measure.place().is_none() { "is asked of the ground" } else { "is a measure of the ground" };
+    let is = if measure.place().is_none() { "is asked for at the ground" } else { "is a measure of the ground" };
     let message = format!("{} {is}, and {known}", measure.name());
     let hint = format!("write pfa or pfv, or `at = \"floor\"` for a spectral acceleration; {otherwise}");
     Err(Problem::value(message, hint).of(&["im"]))
