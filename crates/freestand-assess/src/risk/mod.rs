@@ -596,6 +596,12 @@ impl RiskReport {
         losses.map(|loss| (loss.least, loss.most)).reduce(|a, b| (a.0 + b.0, a.1.zip(b.1).map(|(a, b)| a + b)))
     }
 
+    /// The loss of all objects that is stated: *at least* the least, where one of them has no most.
+    fn stated_loss(&self) -> Option<f64> {
+        let losses = self.objects.iter().filter_map(|object| object.loss);
+        losses.map(|loss| loss.stated(self.is_at_least())).reduce(|a, b| a + b)
+    }
+
     /// Whether only bounds of the losses of all objects together are known.
     fn is_bound(&self) -> bool {
         self.loss_bounds().is_some_and(|(least, most)| LossBounds { least, best: least, most }.is_bound())
@@ -680,10 +686,10 @@ impl RiskReport {
             } else if let Some(why) = object.why {
                 text += &format!("  verdict     not known: {why}\n");
             }
-            if let (Some(loss), Some(currency)) = (object.expected_annual_loss, &self.currency) {
-                let bounds = object.loss.map_or(String::new(), |loss| loss.words(&format!("{currency} a year")));
-                let least = least(object.is_at_least);
-                text += &format!("  loss        {least}{} {currency} a year{bounds}\n", number(loss, 4));
+            if let (Some(loss), Some(currency)) = (object.loss, &self.currency) {
+                let bounds = loss.words(&format!("{currency} a year"));
+                let (least, stated) = (least(object.is_at_least), number(loss.stated(object.is_at_least), 4));
+                text += &format!("  loss        {least}{stated} {currency} a year{bounds}\n");
             }
             if let Some(why) = object.curves.caution {
                 text += &format!("  caution     {}; it may fail more often than its curves say\n", why.words());
@@ -692,7 +698,7 @@ impl RiskReport {
                 text += &format!("  not counted {}\n", object.not_counted.join(", "));
             }
         }
-        if let Some(loss) = self.expected_annual_loss().filter(|_| self.objects.len() > 1) {
+        if let Some(loss) = self.stated_loss().filter(|_| self.objects.len() > 1) {
             let bounds = match self.loss_bounds() {
                 Some((from, Some(to))) if self.is_bound() => {
                     format!("; between {} and {} {currency} a year", number(from, 4), number(to, 4))

@@ -109,9 +109,10 @@ impl StateRisk {
         }
     }
 
-    /// The rate, or its lower bound if only that is known.
+    /// The rate, or its lower bound if nothing bounds it above.
     pub(crate) fn known(&self) -> Option<f64> {
-        self.rates.annual_rate.or((self.rates.annual_rate_lower > 0.0).then_some(self.rates.annual_rate_lower))
+        let lower = self.rates.annual_rate_lower;
+        if self.is_at_least() { (lower > 0.0).then_some(lower) } else { self.rates.annual_rate }
     }
 
     /// Whether the limit state may be reached more often than is counted.
@@ -455,6 +456,11 @@ impl LossBounds {
 
     pub(crate) fn is_bound(&self) -> bool {
         self.most.is_none_or(|most| most > Self::BOUND_RATIO * self.least)
+    }
+
+    /// The loss that is stated: what has no most is *at least* its least.
+    pub(super) fn stated(&self, is_at_least: bool) -> f64 {
+        if is_at_least { self.least } else { self.best }
     }
 
     /// The words after a loss of which only bounds are known.

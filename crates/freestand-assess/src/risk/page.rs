@@ -13,7 +13,7 @@ use crate::fragility::{At, Measure, cautions};
 use crate::inventory::Rating;
 
 use super::costs::CostRow;
-use super::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict};
+use super::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, StateRisk};
 use super::plan::Chosen;
 use super::{RiskReport, least, once_in, rounded};
 
@@ -125,17 +125,13 @@ fn grouped(value: f64) -> String {
     format!("{sign}{}", groups.join("\u{202f}"))
 }
 
-fn state(object: &ObjectRisk, limit_state: LimitState) -> Option<(f64, f64)> {
-    let one = object.states.iter().find(|one| one.limit_state == limit_state)?;
-    one.rates.annual_rate.zip(one.probability)
-}
-
 /// The numbers at the top, each with what it is.
 fn boxes(report: &RiskReport, years: &str) -> Vec<(String, String)> {
     let currency = report.currency.as_deref().unwrap_or("");
     let mut boxes = Vec::new();
-    if let Some(loss) = report.expected_annual_loss() {
-        let between = bounded(report.objects.iter().filter_map(|object| object.loss)).filter(|_| report.is_bound());
+    if let Some(loss) = report.stated_loss() {
+        let losses = report.objects.iter().filter_map(|object| object.loss);
+        let between = bounded(losses).filter(|_| report.is_bound() && !report.is_at_least());
         boxes.push((
             format!("{}{} a year", least(report.is_at_least()), money(loss, currency)),
             format!(
@@ -338,7 +334,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
     let has_losses = report.expected_annual_loss().is_some();
     let mut sorted: Vec<&ObjectRisk> = report.objects.iter().collect();
     let key = |object: &ObjectRisk| {
-        let rate = state(object, LimitState::Overturns).map_or(0.0, |one| one.0);
+        let rate = object.state(LimitState::Overturns).and_then(StateRisk::known).unwrap_or(0.0);
         (object.expected_annual_loss.unwrap_or(-1.0), rate)
     };
     // The sort is stable: equal objects stay in the order of the file.
@@ -360,28 +356,30 @@ fn objects(report: &RiskReport, years: &str) -> String {
         heads.push(words("compared with the accepted rate"));
     }
     let row = |object: &&ObjectRisk| {
-        let overturns = state(object, LimitState::Overturns);
-        // Its curves leave out how it may fail as well.
-        let is_cautioned = object.curves.caution.is_some();
-        let chance = |one: Option<(f64, f64)>| {
-            let words = |one: (f64, f64)| format!("{}{}", least(is_cautioned), percent_significant(one.1, 2));
-            figure(one.map_or("–".to_owned(), words))
+        let known = |limit_state: LimitState| object.state(limit_state).and_then(|one| Some((one, one.known()?)));
+        let chance = |limit_state: LimitState| {
+            let words = |(one, rate): (&StateRisk, f64)| {
+                let chance = probability_in_years(rate, report.years);
+                format!("{}{}", least(one.is_at_least()), percent_significant(chance, 2))
+            };
+            figure(known(limit_state).map_or("–".to_owned(), words))
         };
-        let loss = |loss: Option<f64>| {
-            figure(loss.map_or("–".to_owned(), |loss| format!("{}{}", least(object.is_at_least), grouped(loss))))
+        let is_at_least = object.is_at_least;
+        let loss = |loss: LossBounds| format!("{}{}", least(is_at_least), grouped(loss.stated(is_at_least)));
+        // More often is in fewer years.
+        let every = |(one, rate): (&StateRisk, f64)| {
+            format!("{}{}", if one.is_at_least() { "at most " } else { "" }, grouped(1.0 / rate))
         };
-        let most = if is_cautioned { "at most " } else { "" };
-        let years = |one: (f64, f64)| format!("{most}{}", grouped(1.0 / one.0));
-        let every = overturns.filter(|one| one.0 > 0.0).map_or("–".to_owned(), years);
+        let every = known(LimitState::Overturns).filter(|one| one.1 > 0.0).map_or("–".to_owned(), every);
         let mut cells = vec![
             words(&shorten(&object.id)),
             figure(number(object.cost.as_ref().map_or(1.0, |cost| cost.quantity), 4)),
             figure(every),
-            chance(overturns),
-            chance(state(object, LimitState::Exceeds)),
+            chance(LimitState::Overturns),
+            chance(LimitState::Exceeds),
         ];
         if has_losses {
-            cells.push(loss(object.expected_annual_loss));
+            cells.push(figure(object.loss.map_or("–".to_owned(), loss)));
         }
         if has_plan {
             let left = chosen.and_then(|plan| left(object, plan)).map(|left| bounded(std::iter::once(left)));

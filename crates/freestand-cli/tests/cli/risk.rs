@@ -812,6 +812,8 @@ fn round_objects_may_fail_more_often_than_their_curves() {
         }
         // The years of the tank; the trolley has no rate in these worlds, and the box no caution.
         assert_eq!(page.matches(">at most ").count(), 1, "{page}");
+        // The least is stated once, not beside a larger one that is "at least" as well.
+        assert!(page.contains("<strong>at least ") && !page.contains("Only its bounds are known: at least"), "{page}");
     }
 }
 
